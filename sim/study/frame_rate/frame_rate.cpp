@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/reference/exact_fling.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/study/methods/method.h"
+#include "sim/study/methods/method_errors.h"
 #include "sim/study/reference_model.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"
@@ -29,68 +30,47 @@ const MethodKind& method_named(const std::vector<MethodKind>& kinds, std::string
                        [name](const MethodKind& kind) { return kind.name == name; });
 }
 
-// Plays one fling to its end, frame by frame.
-class FlingPlayer {
- public:
-  FlingPlayer(const Core& core, const MethodKind& kind, const Landing& landing, const State& start)
-      : core_(core), runner_(kind.make()), start_(start), by_core_(start), landing_(landing) {
-    runner_->start(start, kDrawnBounds);
-  }
-
-  // Points of the path go into `path`, unless it is null.
-  Landing play(const Clock& clock, std::int64_t frame_count, std::vector<FanPoint>* path) {
-    const FrameClock frames(clock);
-    landing_.path_px = landing_.across_px = 0.0;
-    State last = start_;
-    std::array<bool, kWalls.size()> was_on{};
-    RestAnchor rest{start_.x_px, start_.y_px, 0.0};
-    Timeline time;
-    double next_point_s = 0.0;
-    for (std::int64_t frame = 0; frame < frame_count; ++frame) {
-      const double dt_s = frames.dt_s(frame);
-      time.play(dt_s);
-      // A steppable method never fails on a finite frame; one that did would lie where it failed.
-      if (!runner_->play({&dt_s, 1})) break;
-      const State now = runner_->motion();
-      landing_.path_px += std::hypot(now.x_px - last.x_px, now.y_px - last.y_px);
-      landing_.across_px += std::fabs(now.x_px - last.x_px);
-      last = now;
-      count_contacts(now, was_on);
-      if (rest.moves_to(now.x_px, now.y_px)) rest.t_s = time.time_s();
-      step_core(dt_s);
-      if (path != nullptr && time.time_s() >= next_point_s && rest.t_s >= time.time_s() - 0.5) {
-        path->push_back({landing_.method, landing_.rate_hz, time.time_s(), now.x_px, now.y_px});
-        next_point_s = time.time_s() + 1.0 / 61.0;
-      }
-    }
-    landing_.x_px = last.x_px;
-    landing_.time_s = rest.t_s;
-    landing_.is_core = landing_.method != 0 || same_bits(last, by_core_);
-    return landing_;
-  }
-  [[nodiscard]] State end() const { return runner_->motion(); }
-
- private:
-  // A wall that a row is on and the row before was not: the method puts the sprite there.
-  void count_contacts(const State& now, std::array<bool, kWalls.size()>& was_on) {
-    const std::array<bool, kWalls.size()> is_on = {now.x_px == 0.0, now.x_px == kDrawnBounds.right_px,
-                                                   now.y_px == 0.0, now.y_px == kDrawnBounds.bottom_px};
-    for (const Wall wall : kWalls)
-      if (is_on[wall_index(wall)] && !was_on[wall_index(wall)]) ++landing_.contacts[wall];
-    was_on = is_on;
-  }
-
-  void step_core(double dt_s) {
-    if (landing_.method != 0) return;
-    by_core_ = core_.step(by_core_, dt_s, kDrawnBounds);
-  }
-
-  const Core& core_;
-  std::unique_ptr<Method> runner_;
-  State start_;
-  State by_core_;
-  Landing landing_;
+struct PlayedFling {
+  Landing landing;
+  State end;
 };
+
+// Plays one fling to its end, frame by frame. Points of the path go into `path`, unless it is null.
+PlayedFling play_fling(const Core& core, const MethodKind& kind, Landing landing, const State& start,
+                       const Clock& clock, std::int64_t frame_count, std::vector<FanPoint>* path = nullptr) {
+  const std::unique_ptr<Method> method = kind.make();
+  method->start(start, kDrawnBounds);
+  const FrameClock frames(clock);
+  landing.path_px = landing.across_px = 0.0;
+  State now = start, by_core = start;
+  std::array<bool, kWalls.size()> was_on{};
+  RestAnchor rest{start.x_px, start.y_px, 0.0};
+  Timeline time;
+  double next_point_s = 0.0;
+  for (std::int64_t frame = 0; frame < frame_count; ++frame) {
+    const double dt_s = frames.dt_s(frame);
+    time.play(dt_s);
+    // A steppable method never fails on a finite frame; one that did would lie where it failed.
+    if (!method->play({&dt_s, 1})) break;
+    const State last = std::exchange(now, method->motion());
+    landing.path_px += std::hypot(now.x_px - last.x_px, now.y_px - last.y_px);
+    landing.across_px += std::fabs(now.x_px - last.x_px);
+    const auto is_on = walls_of(now, kDrawnBounds);
+    for (const Wall wall : kWalls)
+      if (is_on[wall_index(wall)] && !was_on[wall_index(wall)]) ++landing.contacts[wall];
+    was_on = is_on;
+    if (rest.moves_to(now.x_px, now.y_px)) rest.t_s = time.time_s();
+    if (landing.method == 0) by_core = core.step(by_core, dt_s, kDrawnBounds);
+    if (path != nullptr && time.time_s() >= next_point_s && rest.t_s >= time.time_s() - 0.5) {
+      path->push_back({landing.method, landing.rate_hz, time.time_s(), now.x_px, now.y_px});
+      next_point_s = time.time_s() + 1.0 / 61.0;
+    }
+  }
+  landing.x_px = now.x_px;
+  landing.time_s = rest.t_s;
+  landing.is_core = landing.method != 0 || same_bits(now, by_core);
+  return {landing, now};
+}
 
 // Flings of one method under one clock, on every display.
 class DisplayFlings {
@@ -117,8 +97,9 @@ class DisplayFlings {
           method == 0 ? flings.play(core_) : std::vector<MemberResult>();
       for (std::int64_t number = 0; number < flings_; ++number) {
         landing.fling = number + 1;
-        landings_.push_back(by_core.empty() ? FlingPlayer(core_, kind, landing, flings.start(number))
-                                                  .play(flings.clock(number), flings.frames(), nullptr)
+        landings_.push_back(by_core.empty() ? play_fling(core_, kind, landing, flings.start(number),
+                                                         flings.clock(number), flings.frames())
+                                                  .landing
                                             : core_landing(kind, landing, flings, number,
                                                            by_core[static_cast<std::size_t>(number)]));
       }
@@ -156,17 +137,19 @@ class DisplayFlings {
     const bool has_path =
         landing.clock == DisplayClock::steady &&
         std::find(kPathRates_hz.begin(), kPathRates_hz.end(), landing.rate_hz) != kPathRates_hz.end();
-    landings_.push_back(FlingPlayer(core_, kind, landing, kDrawnFling)
-                            .play(flings.clock(0), flings.frames(), has_path ? &study_.paths : nullptr));
+    landings_.push_back(play_fling(core_, kind, landing, kDrawnFling, flings.clock(0), flings.frames(),
+                                   has_path ? &study_.paths : nullptr)
+                            .landing);
   }
 
   // At the rate nearest to 60 Hz it is played step by step, too: for its path, and to see that both agree.
   [[nodiscard]] Landing core_landing(const MethodKind& kind, Landing landing, const ManyFlings& flings,
                                      std::int64_t number, const MemberResult& by_core) const {
     if (landing.rate_hz == rates_hz_[near_60_]) {
-      FlingPlayer played(core_, kind, landing, flings.start(number));
-      landing = played.play(flings.clock(number), flings.frames(), nullptr);
-      landing.is_core &= same_bits(played.end(), by_core.final);
+      const PlayedFling played =
+          play_fling(core_, kind, landing, flings.start(number), flings.clock(number), flings.frames());
+      landing = played.landing;
+      landing.is_core &= same_bits(played.end, by_core.final);
     }
     landing.x_px = by_core.final.x_px;
     landing.time_s = std::isnan(by_core.at_rest_since_s) ? kUntil_s : by_core.at_rest_since_s;

@@ -3,35 +3,29 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kImpactsCompared = 3;
 
-State with_inputs(const Stage& stage, State motion) {
-  if (stage.position) {
-    motion.x_px = stage.position->x_px;
-    motion.y_px = stage.position->y_px;
-  }
-  if (stage.velocity) {
-    motion.vx_px_per_s = stage.velocity->vx_px_per_s;
-    motion.vy_px_per_s = stage.velocity->vy_px_per_s;
-  }
-  return motion;
+State with_inputs(const Stage& stage, const State& motion) {
+  World world{.state = motion, .window = {}, .sprite = {}};
+  for (const Action& input : stage.inputs) apply(input, world);
+  return world.state;
 }
 
 // Impacts of a method that goes by frames: rows on a wall on which the row before was not.
 class ContactWatch {
  public:
-  ContactWatch(const State& start, const Bounds& bounds) : bounds_(bounds), was_on_(walls_of(start)) {}
+  ContactWatch(const State& start, const Bounds& bounds)
+      : bounds_(bounds), was_on_(walls_of(start, bounds)) {}
   void add_row(const State& motion, double t_s) {
-    const std::array<bool, 4> is_on = walls_of(motion);
+    const auto is_on = walls_of(motion, bounds_);
     for (std::size_t wall = 0; wall < is_on.size(); ++wall)
       if (is_on[wall] && !was_on_[wall]) impacts_.push_back({t_s, kWalls[wall]});
     was_on_ = is_on;
@@ -39,11 +33,8 @@ class ContactWatch {
   [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
 
  private:
-  [[nodiscard]] std::array<bool, 4> walls_of(const State& m) const {
-    return {m.x_px == 0.0, m.x_px == bounds_.right_px, m.y_px == 0.0, m.y_px == bounds_.bottom_px};
-  }
   Bounds bounds_;
-  std::array<bool, 4> was_on_;
+  std::array<bool, kWalls.size()> was_on_;
   std::vector<ExactImpact> impacts_;
 };
 
@@ -57,9 +48,7 @@ WallCounts contacts_off_ground(const std::vector<ExactImpact>& impacts) {
 // Keeps the largest differences.
 class ErrorMeter {
  public:
-  explicit ErrorMeter(const FixedLaws& laws) : gravity_px_per_s2_(laws.gravity_px_per_s2) {
-    errors_.contact_time_s = kNone;
-  }
+  explicit ErrorMeter(const FixedLaws& laws) : gravity_px_per_s2_(laws.gravity_px_per_s2) {}
 
   /// A state of the exact fling, of a row or before the first.
   void add_exact(const State& exact) {
@@ -98,8 +87,8 @@ class ErrorMeter {
 
   [[nodiscard]] MethodErrors finish(std::size_t frames) {
     errors_.frames = frames;
-    errors_.energy_rel = kinetic_largest_ > 0.0 ? energy_difference_ / kinetic_largest_ : kNone;
-    if (!std::isfinite(errors_.position_px)) return {.is_failed = true, .contact_time_s = kNone};
+    errors_.energy_rel = kinetic_largest_ > 0.0 ? energy_difference_ / kinetic_largest_ : kNotGiven;
+    if (!std::isfinite(errors_.position_px)) return {.is_failed = true};
     return errors_;
   }
 
@@ -155,8 +144,7 @@ MethodErrors measure_errors(const Core& core, const Problem& problem, const Meth
     method->start(run, stage.bounds);
     exact.start(reference, stage.bounds);
     const bool watches = !problem.is_free_flight && method->impacts() == nullptr;
-    if (!measure_stage(stage, frames_s, stride, watches, *method, exact, meter))
-      return {.is_failed = true, .contact_time_s = kNone};
+    if (!measure_stage(stage, frames_s, stride, watches, *method, exact, meter)) return {.is_failed = true};
     run = method->motion();
     Timeline time;
     for (const double frame_s : frames_s) time.play(frame_s);

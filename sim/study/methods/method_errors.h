@@ -1,10 +1,12 @@
 // A method's run of a problem against the exact fling.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "sim/core/core.h"
+#include "sim/result/figure.h"
 #include "sim/study/methods/method.h"
 #include "sim/study/methods/problem.h"
 
@@ -18,13 +20,20 @@ struct MethodErrors {
   double velocity_px_per_s = 0.0;
   double energy_rel = 0.0;  ///< Of the largest kinetic energy of the exact fling: it has no datum.
   double end_px = 0.0;      ///< Distance of the last positions.
-  double contact_time_s;    ///< Of the first three impacts of every stage, where both meet the same walls.
+  double contact_time_s =
+      kNotGiven;  ///< Of the first three impacts of every stage, where both meet the same walls.
   /// Another number of impacts on the left wall, right wall or top than the exact fling. Those on the ground
   /// are not compared: how many there are before a sprite lies still depends on every frame.
   bool has_other_contacts = false;
   double coordinate_largest_px = 0.0;  ///< Of the exact fling.
   std::size_t frames = 0;
 };
+
+/// On which of kWalls a position is. A method puts a sprite there, so that a row on a wall on which the row
+/// before was not is a contact.
+[[nodiscard]] inline std::array<bool, kWalls.size()> walls_of(const State& at, const Bounds& bounds) {
+  return {at.x_px == 0.0, at.x_px == bounds.right_px, at.y_px == 0.0, at.y_px == bounds.bottom_px};
+}
 
 /// @param rate_hz that the frames were made for.
 [[nodiscard]] MethodErrors measure_errors(const Core& core, const Problem& problem, const MethodKind& kind,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/reference/model.h"
 #include "sim/scenario/apply.h"
@@ -42,39 +43,6 @@ Jitter of_frame(Jitter jitter, double dt_s) {
   if (jitter.kind == Jitter::Kind::normal) jitter.amount *= dt_s;
   return jitter;
 }
-
-// A scenario's events as stages: the body that they are applied to.
-struct StageBuilder {
-  explicit StageBuilder(const Scenario& scenario)
-      : window(scenario.window), sprite(scenario.sprite), is_held(stage.is_held) {}
-
-  void setPos(double x_px, double y_px) { stage.position = Position{x_px, y_px}; }
-  void setVelocity(double vx_px_per_s, double vy_px_per_s) {
-    stage.velocity = Velocity{vx_px_per_s, vy_px_per_s};
-  }
-  void resetVelocity() { setVelocity(0.0, 0.0); }
-
-  void close() {
-    if (stage.duration_s == 0.0) return;  // What was set belongs to the next stage that lasts.
-    stage.bounds = bounds_of(window, sprite);
-    stages.push_back(stage);
-    stage.duration_s = 0.0;
-    stage.position.reset();
-    stage.velocity.reset();
-    stage.hitch_s.reset();
-  }
-  [[nodiscard]] bool has_room() const {
-    return std::all_of(stages.begin(), stages.end(), [](const Stage& each) {
-      return each.bounds.right_px >= 0.0 && each.bounds.bottom_px >= 0.0;
-    });
-  }
-
-  Stage stage;
-  std::vector<Stage> stages;
-  Size window;
-  Size sprite;
-  bool& is_held;
-};
 
 }  // namespace
 
@@ -117,24 +85,29 @@ ScenarioProblem problem_of(const Scenario& scenario) {
   problem.name = scenario.name;
   problem.label = "scenario " + scenario.name;
   problem.start = start_state(scenario);
-  StageBuilder builder(scenario);
+  World world{.state = {}, .window = scenario.window, .sprite = scenario.sprite};
+  Stage stage;
   Timeline time;
   double stage_from_s = 0.0;
+  const auto end_stage = [&] {
+    stage.duration_s = time.time_s() - stage_from_s;
+    if (stage.duration_s == 0.0) return;  // Its inputs belong to the next stage that lasts.
+    stage.bounds = world.bounds();
+    stage.is_held = world.is_held;
+    problem.stages.push_back(std::exchange(stage, {}));
+    stage_from_s = time.time_s();
+  };
   std::size_t event = 0;
   for (std::int64_t frame = 0; frame < steps; ++frame) {
     double dt_s = clock.dt_s(frame);
-    const bool has_event = event < frames.size() && frames[event] == frame;
-    if (has_event) {
-      builder.stage.duration_s += time.time_s() - stage_from_s;
-      builder.close();
-      stage_from_s = time.time_s();
-    }
+    if (event < frames.size() && frames[event] == frame) end_stage();
     for (; event < frames.size() && frames[event] == frame; ++event) {
       const Action& action = scenario.events[event].action;
-      apply(action, builder);
+      stage.inputs.push_back(action);
+      apply(action, world);
       if (const auto* hitch = std::get_if<Hitch>(&action)) {
         dt_s = hitch->dt_s;
-        if (dt_s > 0.0) builder.stage.hitch_s = dt_s;
+        if (dt_s > 0.0) stage.hitch_s = dt_s;
       }
     }
     time.play(dt_s);
@@ -143,11 +116,11 @@ ScenarioProblem problem_of(const Scenario& scenario) {
       break;
     }
   }
-  builder.stage.duration_s += time.time_s() - stage_from_s;
-  builder.close();
-  problem.stages = builder.stages;
+  end_stage();
   if (problem.stages.empty()) return {std::nullopt, "no time passes in it"};
-  if (!builder.has_room())
+  if (std::any_of(problem.stages.begin(), problem.stages.end(), [](const Stage& each) {
+        return each.bounds.right_px < 0.0 || each.bounds.bottom_px < 0.0;
+      }))
     return {std::nullopt, "its window cannot hold its sprite, so that it has no exact solution"};
   if (problem.duration_s() > 2.0 * kProblemMax_s)
     return {std::nullopt, "a frame of it lasts longer than a study may"};

@@ -9,12 +9,11 @@
 
 namespace hyrax {
 
-/// A stretch of time without input. At its beginning, what is set here is set.
+/// A stretch of time whose inputs are all at its beginning.
 struct Stage {
   double duration_s = 0.0;  ///< > 0.
   Bounds bounds;
-  std::optional<Position> position = {};
-  std::optional<Velocity> velocity = {};
+  std::vector<Action> inputs = {};
   std::optional<double> hitch_s = {};  ///< The first frame's own dt; the others share what is left.
   bool is_held = false;                ///< The sprite does not move.
 };

@@ -5,30 +5,19 @@
 
 #include <fmt/format.h>
 
-#include "sim/scenario/split_mix64.h"
+#include "sim/search/draws.h"
 #include "sim/study/methods/method_errors.h"
 
 namespace hyrax {
 namespace {
 
-// Numbers of -1 .. 1, one after the other.
-class Offsets {
- public:
-  explicit Offsets(std::uint64_t seed) : seed_(seed) {}
-  double next() { return 2.0 * split_mix64_unit(seed_, draws_++) - 1.0; }
-
- private:
-  std::uint64_t seed_;
-  std::uint64_t draws_ = 0;
-};
-
-Problem moved(Problem problem, std::uint64_t number, Offsets& offsets) {
+Problem moved(Problem problem, std::uint64_t number, Draws& draws) {
   State& start = problem.start;
   const Bounds& bounds = problem.stages.front().bounds;
-  start.x_px = std::clamp(start.x_px + kBandStart_px * offsets.next(), 0.0, bounds.right_px);
-  start.y_px = std::clamp(start.y_px + kBandStart_px * offsets.next(), 0.0, bounds.bottom_px);
-  start.vx_px_per_s *= 1.0 + kBandSpeed_rel * offsets.next();
-  start.vy_px_per_s *= 1.0 + kBandSpeed_rel * offsets.next();
+  start.x_px = std::clamp(start.x_px + kBandStart_px * draws.between(-1.0, 1.0), 0.0, bounds.right_px);
+  start.y_px = std::clamp(start.y_px + kBandStart_px * draws.between(-1.0, 1.0), 0.0, bounds.bottom_px);
+  start.vx_px_per_s *= 1.0 + kBandSpeed_rel * draws.between(-1.0, 1.0);
+  start.vy_px_per_s *= 1.0 + kBandSpeed_rel * draws.between(-1.0, 1.0);
   if (problem.jitter) problem.jitter->seed += number;
   return problem;
 }
@@ -65,8 +54,8 @@ std::optional<MethodBands> bands_of(const std::vector<MethodErrors>& errors,
 
 std::vector<Problem> problems_like(const Problem& problem, std::int64_t count, std::uint64_t seed) {
   std::vector<Problem> problems{problem};
-  Offsets offsets(seed);
-  while (std::ssize(problems) < count) problems.push_back(moved(problem, problems.size(), offsets));
+  Draws draws(seed);
+  while (std::ssize(problems) < count) problems.push_back(moved(problem, problems.size(), draws));
   return problems;
 }
 

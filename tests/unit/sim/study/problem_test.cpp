@@ -41,7 +41,7 @@ TEST(ProblemOfScenario, EventsBeginStagesAtTheirTimes) {
   const Problem problem = problem_of(scenario).problem.value();
   ASSERT_EQ(problem.stages.size(), 4u);
   for (const Stage& stage : problem.stages) EXPECT_NEAR(stage.duration_s, 0.5, 1e-12);
-  EXPECT_EQ(problem.stages[1].velocity->vx_px_per_s, -500.0);
+  EXPECT_EQ(std::get<Fling>(problem.stages[1].inputs.front()).velocity.vx_px_per_s, -500.0);
   EXPECT_TRUE(problem.stages[2].is_held);
   EXPECT_FALSE(problem.stages[3].is_held);
 }
