@@ -164,23 +164,13 @@ HardCaseLine measure_hard_cases(const ComparedCore& base, const ComparedCore& ca
           .listing = invariant_line(false, held, random)};
 }
 
-struct Claims {
-  std::vector<Claim> all;
-  std::vector<Claim> timings;
-};
-
-Claims claims_by(const ComparedCore& core, double step_s) {
-  return {paper_claims(core.at("the paper's claims"), step_s), speed_claims(step_s)};
-}
-
 ClaimLine measure_claims(const ComparedCore& base, const ComparedCore& candidate, const CostLine& cost) {
   constexpr double kNanosecond_s = 1e-9;
-  const auto [before, timings] = claims_by(base, cost.step_ns.before.median * kNanosecond_s);
-  const auto after = claims_by(candidate, cost.step_ns.after.median * kNanosecond_s).all;
-  const auto is_timing = [&timings = timings](const Claim& claim) {
-    return std::any_of(timings.begin(), timings.end(),
-                       [&claim](const Claim& timing) { return timing.id == claim.id; });
+  const auto claims_by = [](const ComparedCore& core, const Band& step_ns) {
+    return paper_claims(core.at("the paper's claims"), step_ns.median * kNanosecond_s);
   };
+  const std::vector<Claim> before = claims_by(base, cost.step_ns.before);
+  const std::vector<Claim> after = claims_by(candidate, cost.step_ns.after);
   assert(before.size() == after.size());
   ClaimLine line{.claims = std::ssize(before), .changed = {}, .not_measured = {}};
   for (std::size_t index = 0; index < before.size(); ++index) {
@@ -194,7 +184,7 @@ ClaimLine measure_claims(const ComparedCore& base, const ComparedCore& candidate
                               {std::string(name_of(from.verdict)), std::string(name_of(to.verdict))},
                               {from.number, to.number},
                               from.unit});
-    else if (!is_timing(from) && !same_bits(from.number, to.number))
+    else if (!from.is_timing && !same_bits(from.number, to.number))
       ++line.other_numbers;
   }
   return line;

@@ -48,8 +48,13 @@ struct Extremes {
 /// A claim that is measured over many starts is measured over so many.
 inline constexpr std::uint64_t kStarts = 100;
 
-/// Throw `start` of a hundred: from anywhere on the desktop, each component of the velocity up to fastest.
+/// Throw `start` of a seed: from anywhere on the desktop, each component of the velocity up to fastest.
 [[nodiscard]] State random_throw(const ClaimStarts& starts, std::uint64_t start);
+
+[[nodiscard]] inline bool is_on_desktop(const State& body) {
+  return body.x_px >= 0.0 && body.x_px <= kDesktop.right_px && body.y_px >= 0.0 &&
+         body.y_px <= kDesktop.bottom_px;
+}
 
 /// Sets number and range: the median, 10 and 90 %. REQUIRES: not empty.
 void set_number(const std::vector<double>& values, Claim& claim);

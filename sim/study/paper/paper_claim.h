@@ -33,7 +33,8 @@ struct Claim {
   std::string remark =
       {};  ///< Of `holds when`: the condition. Else what the number means, if that is not plain.
   std::optional<std::array<double, 2>> range = {};  ///< Of many: 10 and 90 %; of a share: its 95 % interval.
-  bool is_exact = false;  ///< The number is compared bit for bit: it is printed with all its digits.
+  bool is_timing = false;  ///< The number is a time, which no two runs measure alike.
+  bool is_exact = false;   ///< The number is compared bit for bit: it is printed with all its digits.
 
   /// "2.3" of "2.3-energy".
   [[nodiscard]] std::string section() const { return id.substr(0, id.find('-')); }

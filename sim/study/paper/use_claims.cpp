@@ -129,9 +129,13 @@ std::vector<Claim> use_claims(const Core& core) {
 std::vector<Claim> speed_claims(double step_s) {
   constexpr double kFast = 1e-3;  // A thousandth of a frame: nobody notices it.
   const double share = step_s / kSixtieth_s;
-  return {{"7-fast", "Using C++ makes it fast",
-           "time of a step, as a part of a frame of a sixtieth of a second", "< " + digits(kFast), share, "1",
-           holds_if(share < kFast), ""}};
+  return {{.id = "7-fast",
+           .sentence = "Using C++ makes it fast",
+           .measured = "time of a step, as a part of a frame of a sixtieth of a second",
+           .expected = "< " + digits(kFast),
+           .number = share,
+           .verdict = holds_if(share < kFast),
+           .is_timing = true}};
 }
 
 }  // namespace hyrax

@@ -59,10 +59,7 @@ void include_step(const State& flight, const State& after, Reach& reach) {
 Reach reach_of_throws(const Core& core) {
   Reach reach;
   for (std::uint64_t fling = 0; fling < 200; ++fling) {
-    State body{random_between(2, 4 * fling, 0.0, kDesktop.right_px),
-               random_between(2, 4 * fling + 1, 0.0, kDesktop.bottom_px),
-               random_between(2, 4 * fling + 2, -4000.0, 4000.0),
-               random_between(2, 4 * fling + 3, -4000.0, 4000.0)};
+    State body = random_throw({.seed = 2, .fastest_px_per_s = 4000.0}, fling);
     for (int step = 0; step < 200; ++step) {
       const State flight = core.flight(body, kSixtieth_s);
       body = core.step(body, kSixtieth_s, kDesktop);
@@ -77,67 +74,6 @@ ClaimVerdict if_met(std::int64_t contacts, bool holds) {
   return contacts == 0 ? ClaimVerdict::not_measured : holds_if(holds);
 }
 
-Claim centre(const Reach& reach) {
-  const double out_px = std::max(kSpriteSide_px / 2 - reach.x_px.least,
-                                 reach.x_px.most - (kDesktop.right_px + kSpriteSide_px / 2));
-  return {"3-centre",
-          "the centre of the sprite cannot cross the inner bounds 0 .. W - w, 0 .. H - h",
-          "how far the sprite would stick out of the window if x were its centre",
-          "<= 0",
-          out_px,
-          "px",
-          holds_if(out_px <= 0.0),
-          "the top left corner was at " + digits(reach.x_px.least) + " .. " + digits(reach.x_px.most) +
-              " px in x, " + digits(reach.y_px.least) + " .. " + digits(reach.y_px.most) + " px in y"};
-}
-
-Claim exact_clamp(const Reach& reach) {
-  return {"3-exact-position",
-          "each collision corrects the position exactly to the boundary",
-          "largest distance from the bound after a clamp, 200 throws",
-          "0",
-          reach.clamp_error_px,
-          "px",
-          if_met(std::min(reach.side_contacts, reach.ground_contacts), reach.clamp_error_px == 0.0)};
-}
-
-Claim restitution(const Reach& reach) {
-  return {"3-restitution",
-          "each collision applies a coefficient of restitution",
-          "ratio of the step's normal speeds after and before, at the side walls",
-          "0 .. 1, one value",
-          reach.ratio.least,
-          "1",
-          if_met(reach.side_contacts, is_close(reach.ratio.least, reach.ratio.most) &&
-                                          reach.ratio.least > 0.0 && reach.ratio.most < 1.0),
-          is_close(reach.ratio.least, reach.ratio.most) ? "" : "up to " + digits(reach.ratio.most)};
-}
-
-Claim energy_retention(const Core& core, const Reach& reach) {
-  const double restitution = core.constants->restitution;
-  return {"5-energy-retention",
-          "RESTITUTION: energy retention after bounce",
-          "ratio of kinetic energies after and before a bounce",
-          digits(restitution),
-          reach.energy_ratio,
-          "1",
-          if_met(reach.side_contacts, is_close(reach.energy_ratio, restitution, 1e-9)),
-          is_close(reach.energy_ratio, restitution, 1e-9) ? ""
-          : is_close(reach.energy_ratio, restitution * restitution, 1e-9)
-              ? "it is the ratio of speeds, " + digits(restitution) + ", squared"
-              : "neither RESTITUTION, " + digits(restitution) + ", nor its square"};
-}
-
-Claim side_walls(const Reach& reach) {
-  return {"3.1-no-friction",
-          "vertical velocity is unchanged at the side walls, no friction is applied",
-          "largest change of vy at a side wall",
-          "0",
-          reach.vy_change_at_walls_px_per_s,
-          "px/s",
-          if_met(reach.side_contacts, reach.vy_change_at_walls_px_per_s == 0.0)};
-}
-
 Claim ceiling(const Core& core) {
   const State after = core.step({500.0, 10.0, 0.0, -1000.0}, 0.05, kDesktop);
   const State met = core.flight({500.0, 10.0, 0.0, -1000.0}, 0.05);
@@ -149,27 +85,6 @@ Claim ceiling(const Core& core) {
           ratio,
           "1",
           holds_if(after.y_px == 0.0 && ratio < 0.0 && is_close(-ratio, core.constants->restitution))};
-}
-
-Claim friction(const Reach& reach) {
-  return {"3.2.2-friction",
-          "ground contact applies ground friction to vx",
-          "factor of vx at a ground contact, 200 throws",
-          "< 1, one value",
-          reach.friction.least,
-          "1",
-          if_met(reach.ground_contacts,
-                 is_close(reach.friction.least, reach.friction.most, 1e-9) && reach.friction.most < 1.0)};
-}
-
-Claim friction_only_on_ground(const Reach& reach) {
-  return {"3.2.2-only-on-ground",
-          "friction reduces horizontal speed only while the sprite is on the ground",
-          "largest relative change of vx in a step off the ground and the walls, beside drag",
-          "0",
-          reach.vx_change_in_flight,
-          "1",
-          holds_if(reach.vx_change_in_flight == 0.0)};
 }
 
 // Which comparison agrees with the bounces.
@@ -239,16 +154,43 @@ Claim x_before_y(const Core& core) {
 
 std::vector<Claim> wall_claims(const Core& core) {
   const Reach reach = reach_of_throws(core);
-  return {centre(reach),
+  const double restitution = core.constants->restitution;
+  const double out_px = std::max(kSpriteSide_px / 2 - reach.x_px.least,
+                                 reach.x_px.most - (kDesktop.right_px + kSpriteSide_px / 2));
+  return {{"3-centre", "the centre of the sprite cannot cross the inner bounds 0 .. W - w, 0 .. H - h",
+           "how far the sprite would stick out of the window if x were its centre", "<= 0", out_px, "px",
+           holds_if(out_px <= 0.0),
+           "the top left corner was at " + digits(reach.x_px.least) + " .. " + digits(reach.x_px.most) +
+               " px in x, " + digits(reach.y_px.least) + " .. " + digits(reach.y_px.most) + " px in y"},
           x_before_y(core),
-          exact_clamp(reach),
-          restitution(reach),
-          side_walls(reach),
+          {"3-exact-position", "each collision corrects the position exactly to the boundary",
+           "largest distance from the bound after a clamp, 200 throws", "0", reach.clamp_error_px, "px",
+           if_met(std::min(reach.side_contacts, reach.ground_contacts), reach.clamp_error_px == 0.0)},
+          {"3-restitution", "each collision applies a coefficient of restitution",
+           "ratio of the step's normal speeds after and before, at the side walls", "0 .. 1, one value",
+           reach.ratio.least, "1",
+           if_met(reach.side_contacts, is_close(reach.ratio.least, reach.ratio.most) &&
+                                           reach.ratio.least > 0.0 && reach.ratio.most < 1.0),
+           is_close(reach.ratio.least, reach.ratio.most) ? "" : "up to " + digits(reach.ratio.most)},
+          {"3.1-no-friction", "vertical velocity is unchanged at the side walls, no friction is applied",
+           "largest change of vy at a side wall", "0", reach.vy_change_at_walls_px_per_s, "px/s",
+           if_met(reach.side_contacts, reach.vy_change_at_walls_px_per_s == 0.0)},
           ceiling(core),
-          friction(reach),
+          {"3.2.2-friction", "ground contact applies ground friction to vx",
+           "factor of vx at a ground contact, 200 throws", "< 1, one value", reach.friction.least, "1",
+           if_met(reach.ground_contacts,
+                  is_close(reach.friction.least, reach.friction.most, 1e-9) && reach.friction.most < 1.0)},
           threshold_in_words(core, reach),
-          friction_only_on_ground(reach),
-          energy_retention(core, reach)};
+          {"3.2.2-only-on-ground", "friction reduces horizontal speed only while the sprite is on the ground",
+           "largest relative change of vx in a step off the ground and the walls, beside drag", "0",
+           reach.vx_change_in_flight, "1", holds_if(reach.vx_change_in_flight == 0.0)},
+          {"5-energy-retention", "RESTITUTION: energy retention after bounce",
+           "ratio of kinetic energies after and before a bounce", digits(restitution), reach.energy_ratio,
+           "1", if_met(reach.side_contacts, is_close(reach.energy_ratio, restitution, 1e-9)),
+           is_close(reach.energy_ratio, restitution, 1e-9) ? ""
+           : is_close(reach.energy_ratio, restitution * restitution, 1e-9)
+               ? "it is the ratio of speeds, " + digits(restitution) + ", squared"
+               : "neither RESTITUTION, " + digits(restitution) + ", nor its square"}};
 }
 
 }  // namespace hyrax
