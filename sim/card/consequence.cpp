@@ -9,12 +9,6 @@
 namespace hyrax {
 namespace {
 
-// Something that a user would see, and how large it is on the screen.
-struct Visible {
-  double px = 0.0;
-  std::string sentence;
-};
-
 std::string landing_sentence(const FlingLine& line) {
   return fmt::format("A fling lands {} px from where it did (median; one in ten {} px or more).",
                      rounded(line.distance_px->median, 3), rounded(line.distance_px->high, 3));
@@ -64,16 +58,11 @@ std::string farthest(const Card& card, double& far_px) {
 }
 
 std::string visible_sentence(const Card& card, double& far_px) {
-  std::vector<Visible> visible;
-  if (card.random.distance_px)
-    visible.push_back({card.random.distance_px->median, landing_sentence(card.random)});
-  if (card.displays.spread_px.before && card.displays.spread_px.after)
-    visible.push_back(
-        {std::fabs(card.displays.spread_px.after->median - card.displays.spread_px.before->median),
-         display_sentence(card.displays)});
-  const auto widest = std::max_element(visible.begin(), visible.end(),
-                                       [](const Visible& a, const Visible& b) { return a.px < b.px; });
-  if (widest != visible.end() && widest->px > RestAnchor::kStill_px) return widest->sentence;
+  const auto& [before, after] = card.displays.spread_px;
+  const double landing_px = card.random.distance_px ? card.random.distance_px->median : 0.0;
+  const double display_px = before && after ? std::fabs(after->median - before->median) : 0.0;
+  if (std::max(landing_px, display_px) > RestAnchor::kStill_px)
+    return landing_px >= display_px ? landing_sentence(card.random) : display_sentence(card.displays);
   return farthest(card, far_px);
 }
 
