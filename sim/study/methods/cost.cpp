@@ -29,12 +29,13 @@ std::int64_t probe_ns(const NanosecondClock& now_ns) {
 }
 
 // The works in random order (Fisher and Yates; Durstenfeld, CACM 7:420, 1964).
-std::vector<std::size_t> shuffled(std::size_t works, std::uint64_t seed, int round) {
+std::vector<std::size_t> shuffled(std::size_t works, int round) {
+  constexpr std::uint64_t kSeed = 1;
   std::vector<std::size_t> order(works);
   std::iota(order.begin(), order.end(), std::size_t{0});
   const std::uint64_t first = static_cast<std::uint64_t>(round) * works;
   for (std::size_t end = works; end > 1; --end)
-    std::swap(order[end - 1], order[split_mix64(seed, first + end) % end]);
+    std::swap(order[end - 1], order[split_mix64(kSeed, first + end) % end]);
   return order;
 }
 
@@ -67,9 +68,9 @@ Cost difference_of(const Cost& work, const Cost& part, double divisor) {
   return cost_of(by_round(work, part, [divisor](double a, double b) { return (a - b) / divisor; }));
 }
 
-MedianEstimate ratio_of(const Cost& a, const Cost& b) { return median_of(by_round(a, b, std::divides<>())); }
-
-bool is_cheaper(const Cost& a, const Cost& b) { return ratio_of(a, b).high < 1.0; }
+bool is_cheaper(const Cost& a, const Cost& b) {
+  return median_of(by_round(a, b, std::divides<>())).high < 1.0;
+}
 
 std::string unsteady_text(const ClockProbe& probe) {
   if (probe.is_steady()) return "";
@@ -93,7 +94,7 @@ Costs measure_costs(const std::vector<std::function<void()>>& works, const Nanos
   constexpr std::int64_t kSamplesBetweenProbes = 4;
   std::int64_t samples = 0;
   for (int round = 0; round < options.repetitions; ++round)
-    for (const std::size_t work : shuffled(works.size(), options.seed, round)) {
+    for (const std::size_t work : shuffled(works.size(), round)) {
       const std::int64_t runs = runs_per_sample[work];
       const std::int64_t from_ns = now_ns();
       for (std::int64_t run = 0; run < runs; ++run) works[work]();

@@ -26,11 +26,8 @@ struct Cost {
 /// (work - part of it) / divisor, round by round. REQUIRES: of one measurement.
 [[nodiscard]] Cost difference_of(const Cost& work, const Cost& part, double divisor = 1.0);
 
-/// a / b, round by round; NaN where one is not measured. REQUIRES: of one measurement.
-[[nodiscard]] MedianEstimate ratio_of(const Cost& a, const Cost& b);
-
-/// Whether a is cheaper than b beyond the noise: the 95 % interval of ratio_of is below 1. Never of costs
-/// that are not measured. REQUIRES: of one measurement.
+/// Whether a is cheaper than b beyond the noise: the 95 % interval of a / b, round by round, is below 1.
+/// Never of costs that are not measured. REQUIRES: of one measurement.
 [[nodiscard]] bool is_cheaper(const Cost& a, const Cost& b);
 
 /// The same short piece of arithmetic, timed between the samples: shows how steady the processor's clock was.
@@ -49,7 +46,6 @@ struct ClockProbe {
 struct CostOptions {
   int repetitions = 21;             ///< Rounds, after one run of each work to warm up.
   std::int64_t sample_ns = 50'000;  ///< A sample is as many runs as take this long.
-  std::uint64_t seed = 1;           ///< Of the order of the samples.
 };
 
 struct Costs {
