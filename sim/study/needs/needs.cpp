@@ -142,22 +142,14 @@ std::function<void()> timed_without(const Core& core, const Script& script, std:
   return kMakers[part](core, script);
 }
 
-// What is left out at a time: a part of the step, the jitter, or an input.
-struct Omission {
-  std::string name;
-  std::optional<Part> part = {};
-  bool jitter = false;
-  std::optional<std::size_t> input = {};  // Index into Script::inputs.
-};
-
-std::vector<Omission> omissions_of(const Script& script) {
-  std::vector<Omission> omissions;
+std::vector<PartNeed> parts_of(const Script& script) {
+  std::vector<PartNeed> parts;
   for (std::size_t part = 0; part < kPartCount; ++part)
-    omissions.push_back({.name = std::string(kPartNames[part]), .part = static_cast<Part>(part)});
-  if (script.is_jittered) omissions.push_back({.name = "jitter", .jitter = true});
+    parts.push_back({.part = std::string(kPartNames[part]), .model_part = static_cast<Part>(part)});
+  if (script.is_jittered) parts.push_back({.part = "jitter", .model_part = {}});
   for (std::size_t input = 0; input < script.inputs.size(); ++input)
-    omissions.push_back({.name = script.inputs[input], .input = input});
-  return omissions;
+    parts.push_back({.part = script.inputs[input], .model_part = {}, .input = input});
+  return parts;
 }
 
 // What leaving out a part saves is the difference of two runs; of different paths it would say more about
@@ -185,15 +177,17 @@ void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, co
 
 // The run without all of these.
 PathDifference difference_without(const Core& core, const Script& script, const Rows& complete,
-                                  const std::vector<Omission>& left_out) {
+                                  const std::vector<PartNeed*>& left_out) {
   Omitted omitted;
   omitted.inputs.resize(script.inputs.size());
   Parts parts;
-  for (const Omission& omission : left_out) {
-    if (omission.part) parts.leave_out(*omission.part);
-    if (omission.input) omitted.inputs[*omission.input] = true;
-    omitted.jitter |= omission.jitter;
-  }
+  for (const PartNeed* const each : left_out)
+    if (each->model_part)
+      parts.leave_out(*each->model_part);
+    else if (each->input)
+      omitted.inputs[*each->input] = true;
+    else
+      omitted.jitter = true;
   return difference_of(complete, play_rows(core, without(script, omitted), parts));
 }
 
@@ -201,24 +195,19 @@ PathDifference difference_without(const Core& core, const Script& script, const 
 // path by more than the tolerance, they are left out one by one, the smallest difference first, and one that
 // moves the path too far is put back.
 void leave_out_unneeded(const Core& core, ScenarioNeeds& needs, const Script& script, const Rows& complete,
-                        const std::vector<Omission>& omissions, double within_px) {
-  std::vector<std::size_t> unneeded;
-  std::vector<Omission> left_out;
-  for (std::size_t index = 0; index < needs.parts.size(); ++index) {
-    if (!is_unneeded(needs.parts[index].need)) continue;
-    unneeded.push_back(index);
-    left_out.push_back(omissions[index]);
-  }
-  needs.without_all_unneeded = difference_without(core, script, complete, left_out);
+                        double within_px) {
+  std::vector<PartNeed*> unneeded;
+  for (PartNeed& part : needs.parts)
+    if (is_unneeded(part.need)) unneeded.push_back(&part);
+  needs.without_all_unneeded = difference_without(core, script, complete, unneeded);
   if (needs.without_all_unneeded.path_px <= within_px) return;
-  std::ranges::stable_sort(unneeded, {},
-                           [&](std::size_t index) { return needs.parts[index].difference.path_px; });
-  left_out.clear();
-  for (const std::size_t index : unneeded) {
-    left_out.push_back(omissions[index]);
+  std::ranges::stable_sort(unneeded, {}, [](const PartNeed* part) { return part->difference.path_px; });
+  std::vector<PartNeed*> left_out;
+  for (PartNeed* const part : unneeded) {
+    left_out.push_back(part);
     if (difference_without(core, script, complete, left_out).path_px <= within_px) continue;
     left_out.pop_back();
-    needs.parts[index].need = Need::needed_jointly;
+    part->need = Need::needed_jointly;
   }
   needs.without_all_unneeded = difference_without(core, script, complete, left_out);
 }
@@ -258,18 +247,18 @@ Need need_of(const PathDifference& difference, double within_px) {
 ScenarioNeeds study_needs(const Core& core, const Scenario& scenario, const NeedsOptions& options,
                           const NanosecondClock& now_ns) {
   const Script script = script_of(scenario);
-  const std::vector<Omission> omissions = omissions_of(script);
   const Rows complete = play_rows(core, script, AllParts());
   ScenarioNeeds needs;
   needs.scenario = scenario.name;
   needs.steps = static_cast<std::int64_t>(script.frames_s.size());
   needs.is_cut = script.is_cut;
   needs.comes_to_rest = comes_to_rest(script, complete);
-  for (const Omission& omission : omissions) {
-    const PathDifference difference = difference_without(core, script, complete, {omission});
-    needs.parts.push_back({omission.name, omission.part, difference, need_of(difference, options.within_px)});
+  needs.parts = parts_of(script);
+  for (PartNeed& part : needs.parts) {
+    part.difference = difference_without(core, script, complete, {&part});
+    part.need = need_of(part.difference, options.within_px);
   }
-  leave_out_unneeded(core, needs, script, complete, omissions, options.within_px);
+  leave_out_unneeded(core, needs, script, complete, options.within_px);
   if (options.core_step) count_paths(core, needs, scenario, *options.core_step);
   take_times(core, needs, script, options.cost, now_ns);
   if (!options.rates_hz.empty()) find_methods(core, needs, scenario, options, now_ns);

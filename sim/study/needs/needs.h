@@ -37,11 +37,13 @@ struct PathDifference {
   std::int64_t contacts_moved = 0;  ///< Contacts that moved, appeared or vanished.
 };
 
+/// What is left out at a time: a part of the step, the jitter, or an input.
 struct PartNeed {
   std::string part;                ///< One of kPartNames, "jitter", or the name of an input.
   std::optional<Part> model_part;  ///< None: jitter or an input.
-  PathDifference difference;
+  PathDifference difference = {};
   Need need = Need::needed;
+  std::optional<std::size_t> input = {};  ///< Index into Script::inputs; none: a part of the step, or jitter.
   /// Of the step with all parts minus the one without, run by run; may be negative. Not measured where the
   /// part changes the run, and of jitter and inputs.
   MedianEstimate saved_ns_per_step = {};

@@ -146,16 +146,7 @@ struct SpeedErrorOptions {
                                            std::vector<MethodKind> methods, const SpeedErrorOptions& options,
                                            const NanosecondClock& now_ns);
 
-/// The rules that do not hold, each a sentence with method, problem and rate. Never about a time:
-/// 0. Every method plays every problem to its end, with finite errors; an adaptive one may give up instead.
-/// 1. In free flight every convergent method's order can be fitted over three rates or more, and is the
-///    analytic one, +- kOrderApart; beyond the first problem only where its error is rounding at fewer.
-/// 2. The exact methods' errors are rounding, at every rate, and of those that meet walls exactly in flings,
-/// too, in each of those that the bands are over.
-/// 3. The paper's step does not converge: its error at the highest rate is above that at 60 Hz.
-/// 4. Its distance from the fixed ODE, measured here, is that of sim/reference to 1e-6 of itself.
-/// 5. Its truncation against the matched ODE is of first order, and that of its velocity is its closed form.
-/// 6. The method of Prince and Dormand (rk8pd) at tolerances of 1e-10 or less is accurate to 1e-6 px.
+/// The rules that do not hold, each a sentence with method, problem and rate; never about a time.
 [[nodiscard]] std::vector<std::string> broken_rules(const SpeedError& study);
 
 /// An order is fitted over few points, the coarsest of which still feel the next term of the error.

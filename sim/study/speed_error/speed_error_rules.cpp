@@ -14,6 +14,7 @@ class Rules {
  public:
   explicit Rules(const SpeedError& study) : study_(study) {}
 
+  // Every method plays every problem to its end; an adaptive one may give up instead.
   void errors_are_finite() {
     for (const WorkPoint& point : study_.points) {
       if (point.errors.is_failed) {
@@ -36,6 +37,7 @@ class Rules {
           order_is(convergent->order, problem, method);
       }
   }
+  // At every rate; those that meet walls exactly in each of the flings of the bands, too.
   void exact_methods_are_exact() {
     for (const WorkPoint& point : study_.points) {
       const auto* const exact = std::get_if<Exact>(&study_.methods[point.method].accuracy);
@@ -96,7 +98,7 @@ class Rules {
       broken_.push_back(
           fmt::format("{} ({}): must be {:.6g} .. {:.6g} (found {:.6g})", rule, where, low, high, value));
   }
-  // Of an accurate method few rates may be left.
+  // Beyond the first problem few rates of an accurate method may be left.
   [[nodiscard]] std::ptrdiff_t rates_beyond_rounding(std::size_t problem, std::size_t method) const {
     return std::count_if(study_.points.begin(), study_.points.end(), [&](const WorkPoint& point) {
       return point.problem == problem && point.method == method &&
