@@ -6,7 +6,6 @@
 #include <functional>
 #include <numeric>
 
-#include "sim/card/flings.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/run_check.h"
 #include "sim/study/hard_cases/hard_case.h"
@@ -232,10 +231,7 @@ Card measure_card(const ComparedCore& base, const ComparedCore& candidate, const
             .lacking = lacking_text(base, candidate),
             .cost = measure_cost(base, candidate, request.seed, request.now_ns)};
   measure_library(base, candidate, request, card);
-  FlingLines flings = measure_flings(base, candidate, request.seed, request.flings);
-  card.random = flings.random;
-  card.energy = flings.energy;
-  card.exact = std::move(flings.exact);
+  measure_flings(base, candidate, card);
   card.displays = measure_displays(base, candidate, request.seed, request.flings);
   card.rest = measure_rest(base, candidate);
   card.hard_cases = measure_hard_cases(base, candidate, request, card.lacking.empty());

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "sim/card/card.h"
-#include "sim/card/flings.h"
 #include "sim/result/number_text.h"
 
 namespace hyrax {

@@ -1,10 +1,9 @@
-#include "sim/card/flings.h"
+#include "sim/card/card.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "sim/card/compared_core.h"
 #include "sim/compare/overlay.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/reference/exact_fling.h"
@@ -22,6 +21,7 @@ constexpr Size kSprite{128, 128};
 constexpr std::int64_t kRate_hz = 60;
 constexpr std::int64_t kDuration_s = 20;  // Longer than any fling of the shipped core takes to settle.
 constexpr std::int64_t kExactSeconds = 5;
+constexpr std::int64_t kDisplayFlings = 200;
 
 std::string place_of(std::uint64_t seed, std::int64_t number) {
   return "random fling " + std::to_string(number) + " of seed " + std::to_string(seed);
@@ -119,8 +119,7 @@ bool is_same_run(const CoreRun& a, const CoreRun& b) {
                     [](const Row& x, const Row& y) { return same_bits(state_of(x), state_of(y)); });
 }
 
-}  // namespace
-
+// Its four numbers are draws 4 number .. 4 number + 3 of the seed.
 State random_fling(std::uint64_t seed, std::int64_t number) {
   const Bounds bounds = bounds_of(kWindow, kSprite);
   const auto draw = [&](std::uint64_t which, double low, double high) {
@@ -130,49 +129,48 @@ State random_fling(std::uint64_t seed, std::int64_t number) {
           draw(3, -2000.0, 500.0)};
 }
 
-FlingLines measure_flings(const ComparedCore& base, const ComparedCore& candidate, std::uint64_t seed,
-                          std::int64_t flings) {
-  FlingLines lines;
-  lines.random.changed_contacts.of = flings;
+}  // namespace
+
+void measure_flings(const ComparedCore& base, const ComparedCore& candidate, Card& card) {
+  FlingLine& line = card.random;
+  line.changed_contacts.of = card.flings;
   std::vector<double> shift_px, distances_px;
   FlingSamples before, after;
-  for (std::int64_t number = 0; number < flings; ++number) {
+  for (std::int64_t number = 0; number < card.flings; ++number) {
     const Scenario scenario =
-        scenario_from(random_fling(seed, number), kWindow, kSprite, kRate_hz, kRate_hz * kDuration_s);
-    const std::string place = place_of(seed, number);
+        scenario_from(random_fling(card.seed, number), kWindow, kSprite, kRate_hz, kRate_hz * kDuration_s);
+    const std::string place = place_of(card.seed, number);
     CoreRun from = play_by(base.at(place), scenario);
     CoreRun to = play_by(candidate.at(place), scenario);
     if (!is_same_run(to, play_by(candidate.at(place), scenario)))
       throw CoreRefused(candidate.number, "does not repeat: " + place + " played twice differs");
     const RunChange change = compare_runs(scenario, from, to);
-    lines.random.classes.add(change);
-    if (!change.contacts.is_none()) ++lines.random.changed_contacts.count;
-    if (from.at_rest_since_s) ++lines.random.settled.before;
-    if (to.at_rest_since_s) ++lines.random.settled.after;
-    if (from.at_rest_since_s && !to.at_rest_since_s) ++lines.random.no_longer_settle;
+    line.classes.add(change);
+    if (!change.contacts.is_none()) ++line.changed_contacts.count;
+    if (from.at_rest_since_s) ++line.settled.before;
+    if (to.at_rest_since_s) ++line.settled.after;
+    if (from.at_rest_since_s && !to.at_rest_since_s) ++line.no_longer_settle;
     if (from.at_rest_since_s && to.at_rest_since_s) {
       shift_px.push_back(to.final.x_px - from.final.x_px);
       distances_px.push_back(change.end_shift_px);
-      if (change.end_shift_px > lines.random.distance_max_px)
-        lines.random.farthest = both_paths(place, from, to);
-      lines.random.distance_max_px = std::max(lines.random.distance_max_px, change.end_shift_px);
+      if (change.end_shift_px > line.distance_max_px) line.farthest = both_paths(place, from, to);
+      line.distance_max_px = std::max(line.distance_max_px, change.end_shift_px);
     }
     if (!from.is_finite || !to.is_finite) continue;
     before.add(scenario, from);
     after.add(scenario, to);
   }
-  lines.random.shift_px = band_of(shift_px);
-  lines.random.distance_px = band_of(distances_px);
-  lines.random.distances_px = sorted(std::move(distances_px));
+  line.shift_px = band_of(shift_px);
+  line.distance_px = band_of(distances_px);
+  line.distances_px = sorted(std::move(distances_px));
   const auto bands = [&](const auto samples) {
     return BeforeAfter<std::optional<Band>>{band_of(before.*samples), band_of(after.*samples)};
   };
-  lines.energy = {bands(&FlingSamples::drift_px2_per_s2), bands(&FlingSamples::lift_px2_per_s2),
-                  bands(&FlingSamples::bounce_px2_per_s2), bands(&FlingSamples::friction_px2_per_s2)};
+  card.energy = {bands(&FlingSamples::drift_px2_per_s2), bands(&FlingSamples::lift_px2_per_s2),
+                 bands(&FlingSamples::bounce_px2_per_s2), bands(&FlingSamples::friction_px2_per_s2)};
   for (std::size_t second = 0; second < static_cast<std::size_t>(kExactSeconds); ++second)
-    lines.exact.push_back({static_cast<double>(second + 1),
-                           {band_of(before.distance_px[second]), band_of(after.distance_px[second])}});
-  return lines;
+    card.exact.push_back({static_cast<double>(second + 1),
+                          {band_of(before.distance_px[second]), band_of(after.distance_px[second])}});
 }
 
 namespace {

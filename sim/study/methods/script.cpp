@@ -59,7 +59,7 @@ Script script_of(const Scenario& scenario) {
   return script;
 }
 
-Script without(const Script& script, const Omitted& omitted) {
+Script without(const Script& script, const std::vector<bool>& inputs, bool jitter) {
   Script left = script;
   left.frames_s.clear();
   left.events.clear();
@@ -67,7 +67,7 @@ Script without(const Script& script, const Omitted& omitted) {
   for (std::size_t frame = 0; frame < script.frames_s.size();) {
     bool is_hitch = false, is_hitch_omitted = false;
     for (; event != script.events.end() && event->frame == static_cast<std::int64_t>(frame); ++event) {
-      const bool is_omitted = omitted.has_input(event->input);
+      const bool is_omitted = inputs[event->input];
       if (!is_omitted) left.events.push_back({std::ssize(left.frames_s), event->action, event->input});
       if (!std::holds_alternative<Hitch>(event->action)) continue;
       is_hitch = true;
@@ -81,7 +81,7 @@ Script without(const Script& script, const Omitted& omitted) {
     const std::size_t end =
         event == script.events.end() ? script.frames_s.size() : static_cast<std::size_t>(event->frame);
     const std::span stretch(script.frames_s.data() + frame, end - frame);
-    if (omitted.jitter && !stretch.empty() && !is_even(stretch))
+    if (jitter && !stretch.empty() && !is_even(stretch))
       append_even(left.frames_s, std::accumulate(stretch.begin(), stretch.end(), 0.0), script.even_frame_s);
     else
       left.frames_s.insert(left.frames_s.end(), stretch.begin(), stretch.end());

@@ -35,17 +35,10 @@ struct Script {
 
 [[nodiscard]] Script script_of(const Scenario& scenario);
 
-/// What of a script is left out, beside parts of the step.
-struct Omitted {
-  bool jitter = false;
-  std::vector<bool> inputs = {};  ///< By their index; shorter than Script::inputs: the others stay.
-
-  [[nodiscard]] bool has_input(std::size_t input) const { return input < inputs.size() && inputs[input]; }
-};
-
-/// The script without these. All else stays at its time in s: without jitter the frames between two events
-/// take equally long, as near to even_frame_s as they fit; without a hitch its time passes in such frames.
-[[nodiscard]] Script without(const Script& script, const Omitted& omitted);
+/// The script without those of its inputs that are true, and without jitter if that is. All else stays at its
+/// time in s: without jitter the frames between two events take equally long, as near to even_frame_s as they
+/// fit; without a hitch its time passes in such frames. REQUIRES: as many as Script::inputs.
+[[nodiscard]] Script without(const Script& script, const std::vector<bool>& inputs, bool jitter);
 
 /// A frame as it was played.
 struct ScriptFrame {

@@ -178,17 +178,17 @@ void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, co
 // The run without all of these.
 PathDifference difference_without(const Core& core, const Script& script, const Rows& complete,
                                   const std::vector<PartNeed*>& left_out) {
-  Omitted omitted;
-  omitted.inputs.resize(script.inputs.size());
+  std::vector<bool> inputs(script.inputs.size());
+  bool jitter = false;
   Parts parts;
   for (const PartNeed* const each : left_out)
     if (each->model_part)
       parts.leave_out(*each->model_part);
     else if (each->input)
-      omitted.inputs[*each->input] = true;
+      inputs[*each->input] = true;
     else
-      omitted.jitter = true;
-  return difference_of(complete, play_rows(core, without(script, omitted), parts));
+      jitter = true;
+  return difference_of(complete, play_rows(core, without(script, inputs, jitter), parts));
 }
 
 // Small differences add up, and one part may replace another. So if leaving out all unneeded parts moves the

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "sim/card/card.h"
-#include "sim/card/flings.h"
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
