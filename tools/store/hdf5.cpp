@@ -77,12 +77,6 @@ Handle text_type() {
   return type;
 }
 
-hssize_t length_of(hid_t dataset) {
-  const Handle space(H5Dget_space(dataset), H5Sclose);
-  assert(H5Sget_simple_extent_ndims(space) == 1);
-  return H5Sget_simple_extent_npoints(space);
-}
-
 }  // namespace
 
 Handle create_file(const std::string& path, std::uint64_t expected_bytes) {
@@ -185,8 +179,8 @@ bool share_axis(hid_t group, const char* scale) {
     const auto& [scale_name, scale_dataset] = *static_cast<const Axis*>(to);
     const Handle object(H5Oopen(parent, name, H5P_DEFAULT), H5Oclose);
     if (std::string_view(name) == scale_name || H5Iget_type(object) != H5I_DATASET) return 0;
-    return length_of(object) == length_of(scale_dataset) ? H5DSattach_scale(object, scale_dataset, 0)
-                                                         : H5DSset_scale(object, name);
+    return shape_of(object) == shape_of(scale_dataset) ? H5DSattach_scale(object, scale_dataset, 0)
+                                                       : H5DSset_scale(object, name);
   };
   return H5DSset_scale(axis.scale, scale) >= 0 &&
          H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, attach, &axis) >= 0;
@@ -264,15 +258,13 @@ std::optional<std::int64_t> read_integer_attribute(hid_t object, const char* nam
   return value;
 }
 
-std::optional<std::vector<double>> read_numbers_attribute(hid_t object, const char* name,
-                                                          std::size_t count_max) {
+std::optional<std::vector<double>> read_numbers_attribute(hid_t object, const char* name, std::size_t count) {
   const StoredAttribute stored(object, name);
-  if (stored.count < 0 || stored.count > static_cast<hssize_t>(count_max) ||
-      H5Tget_class(stored.type) != H5T_FLOAT || H5Tget_size(stored.type) != sizeof(double) ||
-      H5Sget_simple_extent_ndims(stored.space) != 1)
+  if (stored.count != static_cast<hssize_t>(count) || H5Tget_class(stored.type) != H5T_FLOAT ||
+      H5Tget_size(stored.type) != sizeof(double) || H5Sget_simple_extent_ndims(stored.space) != 1)
     return std::nullopt;
-  std::vector<double> values(static_cast<std::size_t>(stored.count));
-  if (!values.empty() && H5Aread(stored.attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
+  std::vector<double> values(count);
+  if (H5Aread(stored.attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
   return values;
 }
 

@@ -124,8 +124,8 @@ void write_attribute(hid_t object, const char* name, std::span<const double> val
 /// Nothing if the attribute is missing or of another type.
 [[nodiscard]] std::optional<std::string> read_text_attribute(hid_t object, const char* name);
 [[nodiscard]] std::optional<std::int64_t> read_integer_attribute(hid_t object, const char* name);
-/// A list of float64; at most `count_max` numbers.
+/// A list of `count` float64, at least one.
 [[nodiscard]] std::optional<std::vector<double>> read_numbers_attribute(hid_t object, const char* name,
-                                                                        std::size_t count_max);
+                                                                        std::size_t count);
 
 }  // namespace hyrax::h5

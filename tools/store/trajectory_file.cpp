@@ -144,7 +144,7 @@ Constants TrajectoryFile::read_constants() const {
   if (!h5::has_attribute(file_, "constants")) return paper_constants();
   ConstantNumbers numbers{};
   const auto values = h5::read_numbers_attribute(file_, "constants", numbers.size());
-  if (!values || values->size() != numbers.size()) refuse("attribute constants: is not 5 numbers of 64 bits");
+  if (!values) refuse("attribute constants: is not 5 numbers of 64 bits");
   std::ranges::copy(*values, numbers.begin());
   return constants_of(numbers);
 }

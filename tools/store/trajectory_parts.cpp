@@ -9,17 +9,6 @@
 namespace hyrax {
 namespace {
 
-template <class Value>
-void append_to(std::vector<Value>& values, const std::vector<Value>& more) {
-  values.insert(values.end(), more.begin(), more.end());
-}
-
-void append_to(Columns& rows, const Columns& more) {
-  append_to(rows.step, more.step);
-  append_to(rows.contact, more.contact);
-  for (const RowColumn& column : kRowColumns) append_to(rows.*column.also, more.*column.also);
-}
-
 std::vector<Column> row_columns(const Columns& rows) {
   std::vector<Column> columns = {{"step", "", "", rows.step}};
   for (const RowColumn& each : kRowColumns) columns.push_back({each.name, "", "", rows.*each.also});
@@ -54,7 +43,7 @@ RowTable::RowTable(hid_t group, std::int64_t rows)
 
 bool RowTable::append(const Columns& rows) {
   if (pending_.size() == 0 && rows.size() >= kBatch) return write(rows);
-  append_to(pending_, rows);
+  for (std::size_t index = 0; index < rows.size(); ++index) pending_.append(rows.row(index));
   if (pending_.size() < kBatch) return true;
   const bool is_written = write(pending_);
   pending_.clear();
