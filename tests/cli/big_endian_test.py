@@ -49,17 +49,16 @@ def write_big_endian(source, target):
 class BigEndian(ProgramTest):
     """A run of every kind of input, and its double in the other byte order."""
 
+    made_once = {}
+
     def setUp(self):
         super().setUp()
-        self.write("fling.json", fling(events=EVENTS))
-        self.expect(AGREED, "run", "fling.json", "-o", "little.h5")
-        self.assertGreater(write_big_endian(self.folder / "little.h5", self.folder / "big.h5"), 20)
-
-    def test_the_file_is_big_endian(self):
-        with h5py.File(self.folder / "big.h5") as file:
-            self.assertEqual(file["trajectory/x"].dtype, numpy.dtype(">f8"))
-            self.assertEqual(file["contacts/step"].dtype, numpy.dtype(">i8"))
-            self.assertEqual(file.attrs.get_id("steps").dtype, numpy.dtype(">i8"))
+        if not self.made_once:
+            self.expect(AGREED, "run", self.write("fling.json", fling(events=EVENTS)), "-o", "little.h5")
+            self.assertGreater(write_big_endian(self.folder / "little.h5", self.folder / "big.h5"), 20)
+            self.made_once.update({name: (self.folder / name).read_bytes() for name in ("little.h5", "big.h5")})
+        for name, content in self.made_once.items():
+            (self.folder / name).write_bytes(content)
 
     def test_diff_finds_the_same_bits(self):
         self.expect(AGREED, "diff", "little.h5", "big.h5")

@@ -235,14 +235,6 @@ class Bless(ProgramTest):
         self.write("file", "in the way")
         self.expect(CANNOT_ACCESS, "bless", "scenarios/new.json", "--reason", "x", "--golden", "file")
 
-    def test_a_long_run_keeps_blocks_and_stays_small(self):
-        self.write("scenarios/soak.json", fling(name="soak", steps=1_000_000))
-        self.expect(AGREED, "bless", "scenarios/soak.json", "--reason", "x")
-        with h5py.File(self.folder / "golden/soak.h5") as file:
-            self.assertIn("blocks", file)
-        self.assertLess((self.folder / "golden/soak.h5").stat().st_size, 500_000)
-        self.expect(AGREED, "check", "scenarios/soak.json")
-
 
 class Memory(ProgramTest):
     """Memory grows neither with the run nor with its contacts."""

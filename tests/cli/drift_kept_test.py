@@ -190,7 +190,7 @@ class Figures(DriftTest):
     """--figures."""
 
     def test_five_pictures_are_drawn(self):
-        self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out")
+        json.loads(self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out", "--json").out)
         self.assertEqual(self.names("out"), ["fling-drift-causes.svg", "fling-energy.svg", "fling-errors.svg",
                                              "fling-restitution.svg", "fling-whole.svg"])
 
@@ -200,10 +200,6 @@ class Figures(DriftTest):
         self.expect(BAD_INPUT, "drift", "a.json", "b.json", "--figures", "out",
                     says=("b.json", "another output of this command (found out/fling-whole.svg)"))
         self.assertEqual(self.names(), ["a.json", "b.json"])
-
-    def test_standard_output_is_the_document_alone(self):
-        outcome = self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out", "--json")
-        json.loads(outcome.out)
 
 
 if __name__ == "__main__":

@@ -182,10 +182,6 @@ class Usage(DriftTest):
         self.expect(AGREED, "run", self.write("fling.json", fling()))
         self.expect(BAD_INPUT, "drift", "fling.h5", "-o", "x.h5", says="fling.h5: is a trajectory; -o needs a scenario")
 
-    def test_it_is_on_the_first_help_screen(self):
-        first, _ = self.expect(AGREED, "--help").out.split("More:")
-        self.assertIn("  drift ", first)
-
 
 if __name__ == "__main__":
     main()

@@ -26,7 +26,7 @@ class Help(CommandTest):
     def test_the_first_screen_names_every_command_the_common_ones_first(self):
         text = self.expect(AGREED, "--help").out
         common, more = text.split("\nMore:\n")
-        for command in ("run", "check", "bless", "diff"):
+        for command in ("run", "check", "bless", "diff", "drift", "study"):
             self.assertIn(f"\n  {command} ", common)
         for command in ("validate", "schema", "info"):
             self.assertIn(f"  {command} ", more)

@@ -106,10 +106,6 @@ class Guarded(ProgramTest):
         self.write("out/paper.csv", {"format": "hyrax-verdicts/1", "verdicts": {}})
         self.assert_refused("study", "paper", "--expect", "out/paper.csv", "-o", "out", says="an input")
 
-    def test_bless_spares_its_scenario(self):
-        self.write("x.txt", fling(name="x"))
-        self.assert_refused("bless", "x.txt", "--golden", ".", "--reason", "x", says="an input")
-
     def test_two_outputs_in_one_place(self):
         os.symlink("two.h5", self.folder / "sub/one.h5")
         self.write("one.json", fling(name="one"))

@@ -2,7 +2,7 @@
 """`fuzz` finds each altered core that breaks an invariant, and any other one against the shipped core; what it writes
 is a small scenario that still fails.
 
-With HYRAX_FUZZ_TABLE=FILE.md a table of all cores is written.
+HYRAX_ALL_EDITS is set: all cores are tried, else some of them.
 """
 
 import json
@@ -10,48 +10,29 @@ import os
 import re
 import shlex
 
-from altered import ALTERED, ONLY_CONSTANTS, SAME_BITS, altered_cores, run_altered
+from altered import ALTERED, ONLY_CONSTANTS, SAME_BITS, changed_steps, run_altered
 from process import run
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, main
 
 # What it does depends on the steps of other runs, so that no scenario shows it alone.
 HIDDEN_STATE = {"hidden_state"}
 RUNS = "30"  # Of tests/README.md.
-# With HYRAX_FUZZ_TABLE all cores are tried; else some, so that the test is quick.
-TRIES_ALL = "HYRAX_FUZZ_TABLE" in os.environ
+TRIES_ALL = "HYRAX_ALL_EDITS" in os.environ
 CORES_EVERY = 1 if TRIES_ALL else 6
 # Each by another rule or operation.
 SOME_AGAINST = ("gravity_by_one_ulp", "rest_earlier", "friction_none", "two_constants", "ground_not_strict", "y_sees_x")
 
 
-def core_faults():
-    """The cores whose step alone is altered."""
-    return {core for core, (operation, _) in altered_cores().items()
-            if not re.search("clock|inputs|comparer|writer", operation)}
-
-
 class Fuzz(ProgramTest):
     """Each altered core."""
 
-    rows = []
-
-    @classmethod
-    def tearDownClass(cls):
-        super().tearDownClass()
-        if path := os.environ.get("HYRAX_FUZZ_TABLE"):
-            with open(path, "w", encoding="utf-8") as file:
-                file.write("| core | mode | run | rule | frames | shrunk to | events | shrunk to | tried |\n"
-                           "|---|---|---|---|---|---|---|---|---|\n" + "".join(cls.rows))
-
-    def failure(self, outcome, core, mode):
+    def failure(self, outcome, core):
         """The one failure of the outcome, with the scenario that was written."""
         self.assertEqual(outcome.exit_code, DISAGREED, f"{core}: {outcome}")
         failure, = outcome.json["failures"]
         scenario = json.loads((self.folder / failure["scenario"]).read_text())
         self.assertIn(f"Run {failure['run']} of hyrax-sim fuzz --seed 1", scenario["description"])
         self.assertEqual(run(PROGRAM, "validate", failure["scenario"], cwd=self.folder).exit_code, AGREED)
-        self.rows.append(f"| {core} | {mode} | {failure['run']} | {failure['rule']} | {failure['steps_before']} | "
-                         f"{failure['steps']} | {failure['events_before']} | {failure['events']} | {failure['trials']} |\n")
         return failure
 
     def fuzz_altered(self, core, *options):
@@ -60,9 +41,9 @@ class Fuzz(ProgramTest):
                    env={**os.environ, "HYRAX_ALTERED_CORE": core})
 
     def test_every_core_that_breaks_an_invariant_is_found_and_shrunk(self):
-        for core in sorted(core_faults() - SAME_BITS - ONLY_CONSTANTS - HIDDEN_STATE)[::CORES_EVERY]:
+        for core in sorted(set(changed_steps()) - SAME_BITS - ONLY_CONSTANTS - HIDDEN_STATE)[::CORES_EVERY]:
             with self.subTest(core=core):
-                failure = self.failure(self.fuzz_altered(core, "--runs", RUNS), core, "invariants")
+                failure = self.failure(self.fuzz_altered(core, "--runs", RUNS), core)
                 self.assertTrue(failure["fails_again"])
                 self.assertLessEqual(failure["steps"], 3)
                 self.assertLessEqual(failure["events"], 1)
@@ -79,7 +60,7 @@ class Fuzz(ProgramTest):
     def test_the_readme_counts_them(self):
         runs, cores, table = re.search(r"`fuzz --runs (\d+)` on each of the (\d+) \[altered cores\].*?\n\n((?:\|.*\n)+)",
                                        (SOURCE / "tests/README.md").read_text(encoding="utf-8"), re.DOTALL).groups()
-        counts = [len(core_faults() - SAME_BITS - ONLY_CONSTANTS - HIDDEN_STATE), *map(len, (ONLY_CONSTANTS, SAME_BITS - {"none"}, HIDDEN_STATE))]
+        counts = [len(set(changed_steps()) - SAME_BITS - ONLY_CONSTANTS - HIDDEN_STATE), *map(len, (ONLY_CONSTANTS, SAME_BITS - {"none"}, HIDDEN_STATE))]
         self.assertEqual([runs, int(cores), *map(int, re.findall(r"\| (\d+) \|", table))], [RUNS, sum(counts), *counts])
 
     def test_no_other_core_breaks_one(self):
@@ -88,7 +69,7 @@ class Fuzz(ProgramTest):
                 self.assertEqual(self.fuzz_altered(core, "--runs", "3000").exit_code, AGREED)
 
     def test_hidden_state_is_found_and_said_not_to_fail_again(self):
-        failure = self.failure(self.fuzz_altered("hidden_state", "--runs", RUNS), "hidden_state", "invariants")
+        failure = self.failure(self.fuzz_altered("hidden_state", "--runs", RUNS), "hidden_state")
         self.assertFalse(failure["fails_again"])
 
     def wrapper(self, core):
@@ -99,12 +80,12 @@ class Fuzz(ProgramTest):
         return path
 
     def test_against_the_shipped_core_any_change_of_bits_is_found_and_shrunk(self):
-        cores = sorted(core_faults() - SAME_BITS - HIDDEN_STATE) if TRIES_ALL else SOME_AGAINST
+        cores = sorted(set(changed_steps()) - SAME_BITS - HIDDEN_STATE) if TRIES_ALL else SOME_AGAINST
         for core in cores:
             with self.subTest(core=core):
                 outcome = run(PROGRAM, "fuzz", "--runs", "5000", "--json", "--against", self.wrapper(core), "-o", core,
                               cwd=self.folder)
-                failure = self.failure(outcome, core, "against")
+                failure = self.failure(outcome, core)
                 self.assertEqual(failure["rule"], "state-hash")
                 self.assertLessEqual(failure["steps"], 3)
                 hashes = {self.state_hash(program, failure["scenario"]) for program in (PROGRAM, self.wrapper(core))}
@@ -116,7 +97,7 @@ class Fuzz(ProgramTest):
         path.write_text(f'#!/bin/sh\ngrep -rq grab "$2" && kill -SEGV $$\nexec {shlex.quote(str(PROGRAM))} "$@"\n')
         path.chmod(0o755)
         outcome = run(PROGRAM, "fuzz", "--runs", "40", "--json", "--against", path, cwd=self.folder)
-        failure = self.failure(outcome, "a crash", "against")
+        failure = self.failure(outcome, "a crash")
         self.assertIn("signal 11 (exit code 139) there", failure["found"])
         self.assertEqual((failure["steps"], failure["events"]), (1, 1))
 
