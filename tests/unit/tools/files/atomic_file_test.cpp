@@ -7,8 +7,8 @@
 
 #include <sys/stat.h>
 
+#include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
-#include "tools/files/failure.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -26,13 +26,7 @@ class AtomicFileTest : public testing::Test {
     return path(name);
   }
   static std::string refusal(const std::string& path) {
-    try {
-      write_text_file(path, "new");
-      return "written";
-    } catch (const Failure& failure) {
-      EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
-      return failure.what();
-    }
+    return refusal_of([&] { write_text_file(path, "new"); }, ExitCode::cannot_access);
   }
 
   const TempFolder folder_;

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
-#include "tools/files/failure.h"
 
 namespace hyrax {
 namespace {
@@ -98,16 +98,9 @@ TEST_F(PartFileTest, AreNotWithoutNumber) {
   for (int number = 1; number < 100; ++number) take(number);
   EXPECT_EQ(AtomicFile(path("a.h5")).part_path(), path(".a.h5.100.part"));
   take(100);
-  try {
-    const AtomicFile part(path("a.h5"));
-    FAIL() << "should have refused";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
-    EXPECT_EQ(failure.what(), path("a.h5") +
-                                  ": cannot be written: 100 others are writing it; if none is, "
-                                  "remove the files " +
-                                  path(".a.h5.part") + ", .2.part and so on");
-  }
+  EXPECT_EQ(refusal_of([&] { const AtomicFile part(path("a.h5")); }, ExitCode::cannot_access),
+            path("a.h5") + ": cannot be written: 100 others are writing it; if none is, remove the files " +
+                path(".a.h5.part") + ", .2.part and so on");
 }
 
 }  // namespace

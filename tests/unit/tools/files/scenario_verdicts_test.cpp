@@ -1,7 +1,7 @@
 // The reader against the table of good and bad documents, which also tests the JSON Schema.
 #include <gtest/gtest.h>
 
-#include "tools/files/failure.h"
+#include "tests/unit/tools/files/refusal.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
@@ -48,13 +48,7 @@ Json document_of(const Json& entry) {
 
 // The reader's message for an entry's document, one line per fault; empty for a good one.
 std::string message_for(const Json& entry) {
-  try {
-    const Scenario scenario = to_scenario(document_of(entry), kSource, "base");
-    return scenario.name.empty() ? "a good scenario has a name" : "";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::bad_input);
-    return failure.what();
-  }
+  return refusal_of([&] { EXPECT_NE(to_scenario(document_of(entry), kSource, "base").name, ""); });
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -114,14 +108,8 @@ TEST(ScenarioVerdicts, OfGoodDocumentsReadTheSameOnceWritten) {
 TEST(ScenarioVerdicts, ListOnlyTheFirstOfVeryManyErrors) {
   std::string text = R"({"format": "hyrax-scenario/1", "name": "base", "events": [0)";
   for (int event = 1; event < 200'010; ++event) text += ",0";
-  const std::vector<std::string> lines = [&] {
-    try {
-      static_cast<void>(parse_scenario(text + "]}", kSource));
-      return std::vector<std::string>{};
-    } catch (const Failure& failure) {
-      return lines_of(failure.what());
-    }
-  }();
+  const std::vector<std::string> lines =
+      lines_of(refusal_of([&] { static_cast<void>(parse_scenario(text + "]}", kSource)); }));
   ASSERT_EQ(lines.size(), 200'001u);
   // Beside the events, window, sprite, start and clock are missing.
   EXPECT_EQ(lines.back(), std::string(kSource) + ": and 14 more errors");

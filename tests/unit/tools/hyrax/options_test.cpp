@@ -3,19 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/files/failure.h"
+#include "tests/unit/tools/files/refusal.h"
 
 namespace hyrax {
 namespace {
 
 std::string refusal(const std::vector<std::string>& arguments) {
-  try {
-    static_cast<void>(parse_options(arguments));
-    return "taken";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::bad_input);
-    return failure.what();
-  }
+  return refusal_of([&] { static_cast<void>(parse_options(arguments)); });
 }
 
 TEST(PetOptions, AreAllLeftOut) {

@@ -3,7 +3,7 @@
 
 #include <regex>
 
-#include "tools/files/failure.h"
+#include "tests/unit/tools/files/refusal.h"
 #include "tools/files/text_file.h"
 #include "tools/report/figure_json.h"
 
@@ -60,13 +60,8 @@ TEST(FigureJson, HoldsGridsAndLists) {
 }
 
 TEST(FigureJson, RefusesWhatIsNoFigureAndSaysWhere) {
-  const auto refused = [](const std::string& text) -> std::string {
-    try {
-      (void)figures_of(parse_json(text, "text"), "figures");
-    } catch (const Failure& failure) {
-      return failure.what();
-    }
-    return "";
+  const auto refused = [](const std::string& text) {
+    return refusal_of([&] { static_cast<void>(figures_of(parse_json(text, "text"), "figures")); });
   };
   EXPECT_EQ(
       refused(R"([{"title": "t", "new": 1, "body": {"plots": [{"series": [{"x": [1], "y": [null]}]}]}}])"),

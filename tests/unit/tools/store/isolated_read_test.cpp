@@ -19,8 +19,8 @@ class IsolatedRead : public testing::Test {
   void SetUp() override { write_bytes(path_, "a file"); }
 
   // The sentence, without the path.
-  std::string message_of(const std::function<void()>& read) const {
-    const std::string message = refusal([&] { read_isolated(path_, read); });
+  std::string message_of(const auto& read) const {
+    const std::string message = refusal_of([&] { read_isolated(path_, read); });
     return message.empty() ? message : message.substr(path_.size());
   }
 
@@ -79,15 +79,9 @@ TEST_F(IsolatedRead, IsUnderLimitsRegardlessOfInheritedSignals) {
 
 TEST_F(IsolatedRead, WithoutAnOutcomeIsNoSuccess) {
   std::signal(SIGCHLD, SIG_IGN);  // The system then discards how a child ended.
-  try {
-    read_isolated(path_, [] { std::raise(SIGSEGV); });
-    ADD_FAILURE() << "should have refused";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::cannot_access);
-    EXPECT_NE(std::string(failure.what()).find("the exit status of its child process is unknown"),
-              std::string::npos)
-        << failure.what();
-  }
+  const std::string said =
+      refusal_of([&] { read_isolated(path_, [] { std::raise(SIGSEGV); }); }, ExitCode::cannot_access);
+  EXPECT_NE(said.find("the exit status of its child process is unknown"), std::string::npos) << said;
   std::signal(SIGCHLD, SIG_DFL);
 }
 

@@ -1,7 +1,6 @@
 // Flings in trajectory files, for the store's tests.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "sim/core/core.h"
@@ -12,8 +11,8 @@
 #include "sim/trajectory/physics_model.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
+#include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
-#include "tools/files/failure.h"
 #include "tools/store/trajectory_file.h"
 #include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_writer.h"
@@ -40,18 +39,6 @@ inline std::vector<Row> rows_of(const TrajectoryFile& file) {
   std::vector<Row> rows;
   for (std::size_t row = 0; row < columns.size(); ++row) rows.push_back(columns.row(row));
   return rows;
-}
-
-/// The message of a refused read, empty if it succeeds. Fails the test for any exit code other than
-/// that of bad input.
-inline std::string refusal(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::bad_input) << failure.what();
-    return failure.what();
-  }
-  return "";
 }
 
 /// Reads all that a trajectory file holds.

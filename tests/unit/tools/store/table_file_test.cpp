@@ -1,8 +1,8 @@
 // A study's tables in HDF5.
 #include <gtest/gtest.h>
 
+#include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
-#include "tools/files/failure.h"
 #include "tools/store/hdf5.h"
 #include "tools/store/table_file.h"
 
@@ -40,12 +40,7 @@ class StudyTables : public testing::Test {
   }
   // Why the file is refused; empty if it is not.
   [[nodiscard]] std::string refusal() const {
-    try {
-      static_cast<void>(read_study_file(path_));
-    } catch (const Failure& failure) {
-      return failure.what();
-    }
-    return "";
+    return refusal_of([&] { static_cast<void>(read_study_file(path_)); });
   }
 
   const TempFolder folder_;
