@@ -4,7 +4,7 @@
 import signal
 import unittest
 
-from hyrax_program import FLING, FLINGER, HyraxTest
+from hyrax_program import FLING, HyraxTest
 from process import skip_without
 
 SPRITE_PX = 128
