@@ -48,24 +48,22 @@ void StepWatch::check(const Row& row) {
       ++steps_;
       dt_max_s_ = std::max(dt_max_s_, row.dt_s);
       check_bounds(step);
-      if (core_.constants) check_laws(step);
+      if (core_.constants) {
+        check_step_energy(step);
+        check_energy_ceiling(step);
+        check_speed(step);
+        check_velocity(step);
+        check_position(step);
+        check_clamp(step);
+        check_bounce(step);
+        check_mirror(step);
+        check_y_alone(step);
+        check_no_time(step);
+      }
     }
   }
   has_row_ = true;
   before_ = row;
-}
-
-void StepWatch::check_laws(const Step& step) {
-  check_step_energy(step);
-  check_energy_ceiling(step);
-  check_speed(step);
-  check_velocity(step);
-  check_position(step);
-  check_clamp(step);
-  check_bounce(step);
-  check_mirror(step);
-  check_y_alone(step);
-  check_no_time(step);
 }
 
 void StepWatch::start_from(const State& body, Bounds bounds) {

@@ -45,7 +45,6 @@ class StepWatch : public RowSink {
   void start_from(const State& body, Bounds bounds);
   void check_finite(const Row& row);
   void check_bounds(const Step& step);
-  void check_laws(const Step& step);
   void check_step_energy(const Step& step);
   void check_energy_ceiling(const Step& step);
   void check_speed(const Step& step);

@@ -85,8 +85,7 @@ Table rate_table(const std::vector<KeptAtRate>& rates) {
        column_of("about_kept", "1", "throws with half to twice their energy after ten minutes", rates,
                  [](const KeptAtRate& each) { return each.about_kept.count; }),
        column_of("throws", "1", "played", rates, [](const KeptAtRate& each) { return each.about_kept.of; }),
-       column_of("seed", "1", "of the throws", rates,
-                 [](const KeptAtRate&) { return static_cast<std::int64_t>(kFlingSeed); })}};
+       column_of("seed", "1", "of the throws", rates, [](const KeptAtRate&) { return kFlingSeed; })}};
 }
 
 Table shown_rates(const std::vector<KeptAtRate>& rates) {

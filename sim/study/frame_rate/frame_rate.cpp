@@ -25,11 +25,6 @@ Clock clock_of(DisplayClock kind, double rate_hz) {
   return clock;
 }
 
-const MethodKind& method_named(const std::vector<MethodKind>& kinds, std::string_view name) {
-  return *std::find_if(kinds.begin(), kinds.end(),
-                       [name](const MethodKind& kind) { return kind.name == name; });
-}
-
 struct PlayedFling {
   Landing landing;
   State end;
@@ -215,7 +210,8 @@ FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rat
   std::array<std::vector<double>, kDisplayClockNames.size()> spreads_by_paper_px;
   for (std::size_t method = 0; method < kFrameRateMethods.size(); ++method)
     for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock) {
-      displays.play(method_named(kinds, kFrameRateMethods[method]), method, static_cast<DisplayClock>(clock));
+      displays.play(*std::ranges::find(kinds, kFrameRateMethods[method], &MethodKind::name), method,
+                    static_cast<DisplayClock>(clock));
       const std::vector<double> spreads_px = displays.spreads_px();
       if (method == 0)
         spreads_by_paper_px[clock] = spreads_px;

@@ -69,8 +69,7 @@ Table score_table(const std::string& name, const std::vector<Independence>& scor
                      [](const Independence& score) { return score.spreads_px.high; }),
            column_of("flings", "1", "played", scores,
                      [](const Independence& score) { return score.spreads_px.samples; }),
-           column_of("seed", "1", "of the flings", scores,
-                     [](const Independence&) { return static_cast<std::int64_t>(kFlingSeed); }),
+           column_of("seed", "1", "of the flings", scores, [](const Independence&) { return kFlingSeed; }),
            column_of("other_contacts", "1",
                      "flings that meet a side wall or the top another number of times at some rate", scores,
                      [](const Independence& score) { return score.other_contacts.count; })}};

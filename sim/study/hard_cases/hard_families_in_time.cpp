@@ -88,19 +88,17 @@ void hitch_family(const Core& core, const ScenarioForm& form, Family& family) {
   if (!(form.is_steady && form.length > kHitchAtRest && !form.scenario.events.empty() &&
         has_only<Hitch>(form.scenario.events)))
     return;
-  struct Moment {
-    const char* name;
-    std::int64_t frame;
-  };
   const std::optional<std::int64_t> landing = first_landing(core, form.scenario);
   if (!landing) return;
-  for (const Moment moment : {Moment{"in-flight", *landing * 2 / 5}, Moment{"before-contact", *landing - 1},
-                              Moment{"at-contact", *landing}, Moment{"after-contact", *landing + 1},
-                              Moment{"at-rest", kHitchAtRest}})
+  for (const auto& [moment, frame] : {std::pair("in-flight", *landing * 2 / 5),
+                                      {"before-contact", *landing - 1},
+                                      {"at-contact", *landing},
+                                      {"after-contact", *landing + 1},
+                                      {"at-rest", kHitchAtRest}})
     for (const double dt_s : {0.5, 3600.0, 28800.0}) {
       Scenario scenario = form.scenario;
-      scenario.events = {{moment.frame, Hitch{dt_s}}};
-      family.add(fmt::format("{}-{:g}-s", moment.name, dt_s),
+      scenario.events = {{frame, Hitch{dt_s}}};
+      family.add(fmt::format("{}-{:g}-s", moment, dt_s),
                  "one frame takes long: nothing may be launched or fall through", scenario);
     }
 }

@@ -68,11 +68,9 @@ Table summary_of(const Table& claims) {
 VerdictsByClaim checked_verdicts(const ExpectedVerdicts& expected, const std::vector<Claim>& claims) {
   std::string unknown, faults;
   for (const auto& [name, verdict] : expected.verdicts) {
-    const auto is_named = [&name = name](const Claim& claim) { return claim.id == name; };
-    if (std::none_of(claims.begin(), claims.end(), is_named))
+    if (std::ranges::find(claims, name, &Claim::id) == claims.end())
       unknown += (unknown.empty() ? "" : ", ") + name;
-    else if (std::find(kClaimVerdictNames.begin(), kClaimVerdictNames.end(), verdict) ==
-             kClaimVerdictNames.end())
+    else if (std::ranges::find(kClaimVerdictNames, verdict) == kClaimVerdictNames.end())
       faults += fmt::format("\n{}: /verdicts/{}: unknown verdict (found {}); allowed: {}", expected.path,
                             name, verdict, fmt::join(kClaimVerdictNames, ", "));
   }
@@ -136,7 +134,7 @@ ListField expected_field(const Claim& claim, const VerdictsByClaim& expected,
   const auto verdict = expected.find(claim.id);
   if (verdict == expected.end()) return {.text = "no verdict", .fill = Tone::hairline};
   if (verdict->second == name_of(claim.verdict)) return {.text = verdict->second};
-  const auto name = std::find(kClaimVerdictNames.begin(), kClaimVerdictNames.end(), verdict->second);
+  const auto name = std::ranges::find(kClaimVerdictNames, verdict->second);
   return {.text = verdict->second,
           .fill = tones[static_cast<std::size_t>(name - kClaimVerdictNames.begin())]};
 }
@@ -190,8 +188,7 @@ std::vector<Claim> paper_claims(const Core& core, double step_s) {
                                   wall_claims(core), time_step_claims(core), order_claims(core),
                                   constant_claims(core), use_claims(core), speed_claims(step_s)})
     std::move(some.begin(), some.end(), std::back_inserter(claims));
-  std::stable_sort(claims.begin(), claims.end(),
-                   [](const Claim& a, const Claim& b) { return a.section() < b.section(); });
+  std::ranges::stable_sort(claims, {}, &Claim::section);
   return claims;
 }
 

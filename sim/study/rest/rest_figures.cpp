@@ -101,8 +101,7 @@ Figure time_figure(const std::vector<RateEnds>& map) {
 Figure bounce_figure(const Core& core, std::vector<DropBounce> bounces) {
   constexpr std::array<Tone, 7> kTones = {Tone::vermilion, Tone::orange, Tone::blue, Tone::purple,
                                           Tone::sky_blue,  Tone::green,  Tone::ink};
-  std::sort(bounces.begin(), bounces.end(),
-            [](const DropBounce& a, const DropBounce& b) { return a.phase < b.phase; });
+  std::ranges::sort(bounces, {}, &DropBounce::phase);
   std::map<double, Series> rates;
   for (const DropBounce& bounce : bounces) {
     rates[bounce.rate_hz].x.push_back(bounce.phase);

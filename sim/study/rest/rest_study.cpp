@@ -58,8 +58,7 @@ Table map_table(const std::vector<RateEnds>& map) {
            time("time_low", "time to settle, 10 %", &Band::low),
            time("time_median", "time to settle, median", &Band::median),
            time("time_high", "time to settle, 90 %", &Band::high),
-           column_of("seed", "1", "of the flings", map,
-                     [](const RateEnds&) { return static_cast<std::int64_t>(kFlingSeed); })}};
+           column_of("seed", "1", "of the flings", map, [](const RateEnds&) { return kFlingSeed; })}};
 }
 
 Column analytic_column(const std::vector<RestBoundary>& boundaries) {

@@ -303,8 +303,7 @@ std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem)
 }
 
 std::vector<std::string> convergence_sentences(const SpeedError& study) {
-  const auto at_60 = std::find_if(study.paper.begin(), study.paper.end(),
-                                  [](const PaperErrors& paper) { return paper.rate_hz == 60.0; });
+  const auto at_60 = std::ranges::find(study.paper, 60.0, &PaperErrors::rate_hz);
   if (at_60 == study.paper.end()) return {};
   const PaperErrors& last = study.paper.back();
   return {

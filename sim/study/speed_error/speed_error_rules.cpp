@@ -54,8 +54,7 @@ class Rules {
     }
   }
   void paper_does_not_converge() {
-    const auto at_60 = std::find_if(study_.paper.begin(), study_.paper.end(),
-                                    [](const PaperErrors& paper) { return paper.rate_hz == 60.0; });
+    const auto at_60 = std::ranges::find(study_.paper, 60.0, &PaperErrors::rate_hz);
     if (at_60 != study_.paper.end() && study_.paper.back().rate_hz > 120.0)
       require("the paper's step leaves the fixed laws as its frames become shorter, px",
               "at the highest rate", study_.paper.back().model_px, at_60->model_px, kInfinity);

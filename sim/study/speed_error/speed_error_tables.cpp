@@ -112,8 +112,7 @@ Table bands_table(const SpeedError& study) {
               {problem_column(study, bands), method_column(study, bands),
                column_of("rate", "Hz", "frames per second", bands, &MethodBands::rate_hz),
                column_of("flings", "1", "played", bands, [](B b) { return b.position_px.samples; }),
-               column_of("seed", "1", "of their starts", bands,
-                         [](B) { return static_cast<std::int64_t>(kBandSeed); })}};
+               column_of("seed", "1", "of their starts", bands, [](B) { return kBandSeed; })}};
   const auto add_band = [&](const std::string& name, const std::string& what, Band MethodBands::*band) {
     for (const auto& [suffix, text, part] :
          {std::tuple{"_median", "median", &Band::median}, std::tuple{"_low", "10 %", &Band::low},
