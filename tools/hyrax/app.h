@@ -11,11 +11,9 @@
 
 #include "tools/files/failure.h"
 #include "tools/hyrax/frame_log.h"
-#include "tools/hyrax/frame_pacer.h"
 #include "tools/hyrax/options.h"
 #include "tools/hyrax/pet.h"
 #include "tools/hyrax/playback.h"
-#include "tools/hyrax/repeated.h"
 #include "tools/hyrax/window.h"
 
 namespace hyrax {

@@ -1,4 +1,4 @@
-#include "tools/hyrax/frame_pacer.h"
+#include "tools/hyrax/window.h"
 
 #include <algorithm>
 

@@ -14,7 +14,6 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
 #include "tools/hyrax/pet.h"
-#include "tools/hyrax/repeated.h"
 
 namespace hyrax {
 namespace {
