@@ -63,15 +63,6 @@ std::string numbered(const std::string& name, int number) {
   return number == 1 ? name : fmt::format("{}-{}", name, number);
 }
 
-// The file of the failing scenario, and what is printed about it.
-struct Written {
-  std::string path;
-  std::int64_t steps = 0;
-  std::int64_t events = 0;
-  std::int64_t trials = 0;
-  bool fails_again = true;
-};
-
 std::string shrunk_text(const Shrunk& shrunk) {
   if (!shrunk.fails_again) return "Not shrunk: it did not fail again.";
   return shrunk.is_complete ? "Shrunk." : "Shrunk as far as the limit of trials and time allowed.";
@@ -83,12 +74,12 @@ std::string description_of(const FuzzLimits& limits, const FuzzFailure& failure,
                      failure.broken.rule(), failure.broken.found, shrunk_text(shrunk));
 }
 
-// A file of that name is kept: the scenario gets a number.
-Written write_failure(const FuzzRequest& request, const FuzzLimits& limits, const FuzzFailure& failure,
-                      Shrunk shrunk) {
+// Names the scenario, and returns the path of its file. A file of that name is kept: the scenario gets a
+// number.
+std::string write_failure(const FuzzRequest& request, const FuzzLimits& limits, const FuzzFailure& failure,
+                          Shrunk& shrunk) {
   make_folder(request.folder);
   Scenario& scenario = shrunk.scenario;
-  scenario.name = failure.scenario.name;
   std::string path;
   for (int number = 1; path.empty() || is_there(path); ++number) {
     scenario.name = numbered(failure.scenario.name, number);
@@ -97,21 +88,20 @@ Written write_failure(const FuzzRequest& request, const FuzzLimits& limits, cons
   }
   scenario.description = description_of(limits, failure, shrunk);
   write_text_file(path, scenario_file_text(scenario));
-  return {path, step_count(scenario), static_cast<std::int64_t>(scenario.events.size()), shrunk.trials,
-          shrunk.fails_again};
+  return path;
 }
 
-Json failure_json(const FuzzFailure& failure, const Written& written) {
+Json failure_json(const FuzzFailure& failure, const Shrunk& shrunk, const std::string& path) {
   return Json::Object{{"run", failure.run},
                       {"rule", failure.broken.name()},
                       {"found", failure.broken.found},
                       {"steps_before", step_count(failure.scenario)},
-                      {"events_before", static_cast<std::int64_t>(failure.scenario.events.size())},
-                      {"scenario", written.path},
-                      {"steps", written.steps},
-                      {"events", written.events},
-                      {"trials", written.trials},
-                      {"fails_again", written.fails_again}};
+                      {"events_before", std::ssize(failure.scenario.events)},
+                      {"scenario", path},
+                      {"steps", step_count(shrunk.scenario)},
+                      {"events", std::ssize(shrunk.scenario.events)},
+                      {"trials", shrunk.trials},
+                      {"fails_again", shrunk.fails_again}};
 }
 
 void print_json(const FuzzRequest& request, const FuzzLimits& limits, const FuzzOutcome& outcome,
@@ -127,8 +117,8 @@ void print_json(const FuzzRequest& request, const FuzzLimits& limits, const Fuzz
 }
 
 // Commands that show the failure again.
-std::string commands_for(const Core& core, const FuzzRequest& request, const Written& written) {
-  const std::string path = as_argument(written.path);
+std::string commands_for(const Core& core, const FuzzRequest& request, const std::string& written) {
+  const std::string path = as_argument(written);
   if (request.against.empty() && !core.constants) return "  " + program_command({"run", path}) + "\n";
   if (request.against.empty())
     return "  " + program_command({"study", "hard-cases", path, "--gate", "--no-figures"}) + "\n";
@@ -145,17 +135,18 @@ void print_outcome(const FuzzRequest& request, const FuzzLimits& limits, const F
 }
 
 void print_failure(const Core& core, const FuzzRequest& request, const FuzzFailure& failure,
-                   const Written& written) {
+                   const Shrunk& shrunk, const std::string& path) {
   const BrokenRule& broken = failure.broken;
   print_text("run {} {}: {} ({}): {}\n", failure.run,
              VerdictWord{broken.invariant ? "breaks an invariant" : "differs", false}, broken.name(),
              broken.rule(), broken.found);
-  print_text("written: {} ({} and {}; found with {} and {})\n", written.path,
-             plain_counted(written.steps, "frame"), plain_counted(written.events, "event"),
-             step_count(failure.scenario), failure.scenario.events.size());
-  if (!written.fails_again)
+  print_text("written: {} ({} and {}; found with {} and {})\n", path,
+             plain_counted(step_count(shrunk.scenario), "frame"),
+             plain_counted(shrunk.scenario.events.size(), "event"), step_count(failure.scenario),
+             failure.scenario.events.size());
+  if (!shrunk.fails_again)
     print_text("it did not fail again: what it does depends on more than the scenario\n");
-  if (!request.printing.is_quiet()) print_text("{}", commands_for(core, request, written));
+  if (!request.printing.is_quiet()) print_text("{}", commands_for(core, request, path));
 }
 
 ExitCode run_fuzz(const Core& core, const FuzzRequest& request) {
@@ -184,10 +175,10 @@ ExitCode run_fuzz(const Core& core, const FuzzRequest& request) {
   Json::Array failures;
   if (outcome.failure) {
     const FuzzFailure& failure = *outcome.failure;
-    const Written written = write_failure(request, limits, failure,
-                                          shrink_broken(core, failure.scenario, failure.broken, against));
-    failures.push_back(failure_json(failure, written));
-    if (!request.printing.is_json) print_failure(core, request, failure, written);
+    Shrunk shrunk = shrink_broken(core, failure.scenario, failure.broken, against);
+    const std::string path = write_failure(request, limits, failure, shrunk);
+    failures.push_back(failure_json(failure, shrunk, path));
+    if (!request.printing.is_json) print_failure(core, request, failure, shrunk, path);
   } else if (!request.printing.is_json) {
     print_text("{}\n", VerdictWord{request.against.empty() ? "all invariants hold"
                                    : outcome.not_compared == 0
