@@ -14,11 +14,7 @@ install(CODE "
 target_include_directories(hyrax_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hyrax>)
 set_target_properties(hyrax_physics PROPERTIES EXPORT_NAME physics)
 
-install(TARGETS hyrax-sim EXPORT hyrax RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(
-  TARGETS hyrax_physics
-  EXPORT hyrax
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS hyrax-sim hyrax_physics EXPORT hyrax)
 install(FILES ${PROJECT_SOURCE_DIR}/sim/physics/physics.h ${PROJECT_SOURCE_DIR}/sim/physics/strict_arithmetic.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hyrax/sim/physics)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
