@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "tools/app/bless/bless_report.h"
-#include "tools/app/causes/library.h"
 #include "tools/app/command_line/options.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"

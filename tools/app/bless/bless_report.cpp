@@ -6,7 +6,6 @@
 
 #include "sim/core/core.h"
 #include "sim/trajectory/physics_model.h"
-#include "tools/app/causes/group_text.h"
 #include "tools/app/diff/difference_text.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/printable.h"

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "sim/trajectory/physics_model.h"
-#include "tools/app/causes/library.h"
 #include "tools/app/check/check_verdict.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/summary_text.h"

@@ -10,7 +10,8 @@
 #include "sim/result/figure.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
-#include "tools/app/causes/library.h"
+#include "tools/files/golden_place.h"
+#include "tools/files/path.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
@@ -55,23 +56,14 @@ std::vector<HeaderChange> header_changes_of(const CoreVerdict& verdict) {
 
 }  // namespace
 
-// The traced steps, where they are complete, and what plays them.
-struct CoreCheck::Steps {
-  std::optional<TracedStep> accepted, program;
-  std::optional<Core> accepted_core;
-};
-
-CoreCheck::~CoreCheck() = default;
-CoreCheck::CoreCheck(CoreCheck&&) noexcept = default;
-
 CoreCheck::CoreCheck(const Core& core, const std::string& golden_folder, CoreCommands commands)
-    : core_(core), steps_(std::make_unique<Steps>()) {
+    : core_(core) {
   verdict_.golden_folder = golden_folder;
   verdict_.commands = std::move(commands);
   const AcceptedCore program = program_core(core);
-  if (!program.step.empty()) steps_->program = read_step(program.step);
-  if (steps_->program)
-    verdict_.paths = static_cast<std::int64_t>(steps_->program->paths_of(CoreFunction::update).size());
+  if (!program.step.empty()) program_step_ = read_step(program.step);
+  if (program_step_)
+    verdict_.paths = static_cast<std::int64_t>(program_step_->paths_of(CoreFunction::update).size());
   try {
     accepted_ = read_accepted_core(golden_folder);
   } catch (const Failure& failure) {
@@ -99,8 +91,8 @@ void CoreCheck::compare() {
     verdict_.exit_code = ExitCode::bad_input;  // As for golden files of another class.
     return;
   }
-  if (!accepted_->step.empty()) steps_->accepted = read_step(accepted_->step);
-  if (steps_->accepted) steps_->accepted_core = traced_core(*steps_->accepted);
+  if (!accepted_->step.empty()) accepted_step_ = read_step(accepted_->step);
+  if (accepted_step_) accepted_core_ = traced_core(*accepted_step_);
   for (HeaderChange& change : header_changes(accepted_->header, program.header))
     verdict_.changes.push_back({std::move(change), std::nullopt});
   if (accepted_->header == program.header && accepted_->step == program.step) {
@@ -116,19 +108,18 @@ CauseBase CoreCheck::base() const {
   const std::vector<HeaderChange> changes = header_changes_of(verdict_);
   return {
       .program = core_,
-      .accepted = steps_->accepted_core ? &*steps_->accepted_core : nullptr,
-      .has_further_members = steps_->accepted && steps_->accepted->members.size() > kMembersOfRows,
+      .accepted = accepted_core_ ? &*accepted_core_ : nullptr,
+      .has_further_members = accepted_step_ && accepted_step_->members.size() > kMembersOfRows,
       .why_not_played = why_not_played(),
       .is_same_core = verdict_.status == CoreStatus::accepted || verdict_.status == CoreStatus::proved_equal,
       .core_change = changes.empty() ? std::string(kHeaderIsSame) : changes_sentence(changes),
-      .calls_libm =
-          steps_->accepted && std::ranges::any_of(steps_->accepted->expressions, depends_on_library)};
+      .calls_libm = accepted_step_ && std::ranges::any_of(accepted_step_->expressions, depends_on_library)};
 }
 
 std::string CoreCheck::why_not_played() const {
   if (!accepted_ || verdict_.status == CoreStatus::none) return verdict_.why;
   return "the accepted core cannot be played: " + (accepted_->step.empty() ? accepted_->why_incomplete
-                                                   : steps_->accepted      ? "its step cannot be interpreted"
+                                                   : accepted_step_        ? "its step cannot be interpreted"
                                                                            : verdict_.why);
 }
 
@@ -141,16 +132,16 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   if (fresh.empty()) return;
   verdict_.status = CoreStatus::changed;
   verdict_.why.clear();
-  if (!steps_->accepted_core || !steps_->program) return;
-  TracedStep all = *steps_->accepted;
+  if (!accepted_core_ || !program_step_) return;
+  TracedStep all = *accepted_step_;
   for (const CoreChange& change : verdict_.changes)
     if (change.change.kind == HeaderChangeKind::constant)
       all = with_constant(all, change.change.from.value, change.change.to.value);
-  if (all != *steps_->program) return;  // Something else changed, too: a constant alone proves nothing.
+  if (all != *program_step_) return;  // Something else changed, too: a constant alone proves nothing.
   for (CoreChange& change : verdict_.changes) {
     if (change.change.kind != HeaderChangeKind::constant) continue;
     const auto alone =
-        traced_core(with_constant(*steps_->accepted, change.change.from.value, change.change.to.value));
+        traced_core(with_constant(*accepted_step_, change.change.from.value, change.change.to.value));
     change.scenarios = std::ranges::count_if(
         fresh, [&](const StoredRun* run) { return match(*alone, run->scenario, *run).rows; });
   }
@@ -158,10 +149,9 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
 
 void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const bool is_open = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
-  if (!is_open || !steps_->accepted_core || !steps_->program) return;
-  const StepPair pair(*steps_->accepted, *steps_->program,
-                      shared_names(accepted_->header, core_.record.header));
-  const CorePair cores{pair, *steps_->accepted_core, core_};
+  if (!is_open || !accepted_core_ || !program_step_) return;
+  const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
+  const CorePair cores{pair, *accepted_core_, core_};
   std::vector<bool> noticed(pair.differences().size());
   std::vector<UnlistedFolder> unlisted;
   for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
@@ -180,6 +170,22 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
     verdict_.why = fmt::format("{} steps tried, none of other bits", verdict_.unnoticed.front().steps_tried);
   else if (!pair.are_setters_equal())
     verdict_.why = "the constructor or a setter is another one, and no scenario shows it";
+}
+
+std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
+                                  const std::string& golden_option) {
+  std::vector<Library> libraries;
+  for (const std::string& argument : arguments) {
+    const bool is_library = is_folder(argument) && !golden_option.empty();
+    const std::string path = is_folder(argument) ? argument + "/x.json" : argument;
+    std::string scenarios = scenarios_folder_of(path);
+    if (scenarios.empty() && is_library) scenarios = argument;
+    if (scenarios.empty()) continue;
+    const auto is_known = [&](const Library& library) { return library.scenarios_folder == scenarios; };
+    if (std::ranges::any_of(libraries, is_known)) continue;
+    libraries.push_back({scenarios, golden_folder_for(path, golden_option), golden_option});
+  }
+  return libraries;
 }
 
 CoreChecks::CoreChecks(const Core& core, const std::vector<std::string>& scenarios,

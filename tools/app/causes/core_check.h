@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -71,13 +70,23 @@ struct CoreVerdict {
   ExitCode exit_code = ExitCode::agreed;
 };
 
+/// A library: a folder of scenarios, and its golden folder.
+struct Library {
+  std::string scenarios_folder;
+  std::string golden_folder;
+  std::string golden_option;  ///< --golden as given; empty if it was not.
+};
+
+/// The libraries that scenarios or folders of them belong to, each once: the nearest folder named
+/// `scenarios`; with --golden also a folder that is in none. Scenarios outside of any have no accepted core.
+[[nodiscard]] std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
+                                                const std::string& golden_option);
+
 class CoreCheck {
  public:
   /// Reads and compares; refers to the core. What is damaged or missing becomes part of the verdict.
   /// @param commands that the verdict suggests; empty ones are left out.
   CoreCheck(const Core& core, const std::string& golden_folder, CoreCommands commands);
-  ~CoreCheck();
-  CoreCheck(CoreCheck&&) noexcept;
 
   [[nodiscard]] const CoreVerdict& verdict() const { return verdict_; }
   [[nodiscard]] const std::optional<AcceptedCore>& accepted() const { return accepted_; }
@@ -97,15 +106,15 @@ class CoreCheck {
   }
 
  private:
-  struct Steps;
-
   void compare();
   [[nodiscard]] std::string why_not_played() const;
 
   const Core& core_;
   CoreVerdict verdict_;
   std::optional<AcceptedCore> accepted_;
-  std::unique_ptr<Steps> steps_;
+  // The traced steps, where they are complete, and what plays the accepted one.
+  std::optional<TracedStep> accepted_step_, program_step_;
+  std::optional<Core> accepted_core_;
 };
 
 /// The checks of several golden folders, each made when first asked for.

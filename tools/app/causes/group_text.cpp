@@ -1,4 +1,4 @@
-#include "tools/app/causes/group_text.h"
+#include "tools/app/causes/difference_group.h"
 
 #include <fmt/format.h>
 

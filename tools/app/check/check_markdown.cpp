@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "tools/app/causes/group_text.h"
 #include "tools/app/check/check_report.h"
 #include "tools/files/printable.h"
 

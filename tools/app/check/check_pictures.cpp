@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "sim/compare/overlay.h"
-#include "tools/app/causes/group_text.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/report/report_page.h"
 #include "tools/app/runs/scenario_run.h"

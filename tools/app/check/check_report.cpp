@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "tools/app/causes/group_text.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"

@@ -8,7 +8,6 @@
 
 #include "sim/core/core.h"
 #include "tools/app/causes/difference_group.h"
-#include "tools/app/causes/library.h"
 #include "tools/app/check/check_verdict.h"
 #include "tools/app/command_line/print.h"
 #include "tools/files/json.h"

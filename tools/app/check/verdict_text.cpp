@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "tools/app/causes/group_text.h"
 #include "tools/app/check/check_report.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/diff/difference_text.h"

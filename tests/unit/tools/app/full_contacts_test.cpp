@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/shipped_core.h"
-#include "tools/app/causes/group_text.h"
+#include "tools/app/causes/difference_group.h"
 #include "tools/app/diff/trajectory_diff.h"
 
 namespace hyrax {
