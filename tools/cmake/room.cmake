@@ -86,3 +86,12 @@ function(hyrax_library kind target)
   cmake_language(CALL hyrax_${kind} ${target})
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
 endfunction()
+
+# hyrax_embed(TARGET FILE HEADER CONSTANT): the text of FILE is the constant CONSTANT of the header HEADER, which the
+# sources of TARGET see.
+function(hyrax_embed target file header constant)
+  file(READ ${file} text)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(CONFIGURE OUTPUT ${target}_text/${header} @ONLY CONTENT "inline constexpr char @constant@[] = R\"text(@text@)text\";\n")
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${target}_text)
+endfunction()
