@@ -7,6 +7,7 @@
 
 #include <shellapi.h>
 
+#include "help_text.h"
 #include "sim/core/shipped_core.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
@@ -29,7 +30,7 @@ std::vector<std::string> command_line() {
 ExitCode run(const Core& core, HINSTANCE instance) {
   const PetOptions options = parse_options(command_line());
   if (options.wants_help || options.wants_version) {
-    report(options.wants_help ? std::string(help_text()) : "hyrax " + std::string(build_info().version));
+    report(options.wants_help ? std::string(kHelpText) : "hyrax " + std::string(build_info().version));
     return ExitCode::agreed;
   }
   if (const auto fault = arithmetic_fault())

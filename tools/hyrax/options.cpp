@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 
-#include "help_text.h"
 #include "tools/files/failure.h"
 #include "tools/files/unknown_word.h"
 
@@ -63,7 +62,5 @@ PetOptions parse_options(const std::vector<std::string>& arguments) {
     refuse("--record is not allowed with --replay: a replay is recorded already");
   return options;
 }
-
-std::string_view help_text() { return kHelpText; }
 
 }  // namespace hyrax

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hyrax {
@@ -20,7 +19,5 @@ struct PetOptions {
 
 /// ERRORS: Failure(bad_input) that names the option, the value and the rule.
 [[nodiscard]] PetOptions parse_options(const std::vector<std::string>& arguments);
-
-[[nodiscard]] std::string_view help_text();
 
 }  // namespace hyrax
