@@ -1,8 +1,7 @@
 #!/usr/bin/python3
 """hyrax-compare: each line of the card against an independent evaluation, refusals, exit codes.
 
-HYRAX_COMPARE_ALL=1 compares and refuses every candidate, and holds invariants and claims to the studies of altered
-cores; without it, a few of each. The program is built here: only the build that runs this test needs it.
+HYRAX_COMPARE_ALL=1 compares and refuses every candidate; without it, a few of each. The program is built here: only the build that runs this test needs it.
 """
 
 import json
@@ -30,9 +29,6 @@ LIBRARY = ["flings/first-fling", "flings/corner-fling", "flings/into-the-ceiling
            "clocks/jitter-uniform", "clocks/fling-144-hz", "recorded/caught-in-flight",
            "recorded/throw-into-the-lower-left-corner", "recorded/carried-and-laid-down", "hard/start-far-outside",
            "hard/window-of-no-size"]
-# Candidates that are the same as an altered core of tests/must_fail.
-ALTERED = {"friction_wrong": "friction_stronger", "gravity_stronger": "gravity_stronger", "no_rest_rule": "rest_rule_gone",
-           "drag_by_time": "drag_by_time", "position_first": "position_before_velocity", "bounce_gains": "bounce_gains"}
 
 
 def setUpModule():
@@ -278,52 +274,6 @@ class Same(CompareTest):
         header = self.header("same", [])
         text = self.compare(AGREED, header, "--scenarios", "library", "--flings", 1).out
         self.assertEqual(text.count("not measured: no scenarios in a folder named"), 2)
-
-
-@unittest.skipUnless(IS_ALL, "nightly")
-class Studied(CompareTest):
-    """Invariants and claims, held to the studies of hyrax-sim linked with the altered core of the same change."""
-
-    def study(self, core, *arguments):
-        """The JSON document of a study by an altered core."""
-        outcome = run(pathlib.Path(os.environ["HYRAX_CONTROLS"]) / "control_altered", "study", *arguments, "--json",
-                      "--no-figures", "-o", self.folder / "out", cwd=SOURCE,
-                      env={**os.environ, "HYRAX_ALTERED_CORE": core})
-        return json.loads(outcome.out)
-
-    # These families and what is expected of them depend on the core that makes them: the card takes those of the base.
-    OF_THE_CORE = re.compile("(grazing|hitch|rest|zeno|any-jitter/resonant)\\b")
-
-    def broken(self, core):
-        """Names of broken invariants."""
-        cases = self.study(core, "hard-cases", "--quick")["cases"]
-        return {f"{case['case']}: {name}" for case in cases for name, each in case["invariants"].items()
-                if each["verdict"] == "broken" and not self.OF_THE_CORE.match(case["case"])}
-
-    def claims(self, core):
-        """Verdicts of all claims, that of the time of a step left out."""
-        return {claim["claim"]: claim["verdict"] for claim in self.study(core, "paper")["claims"]
-                if claim["section"] != "7"}
-
-    def test_invariants_and_claims_agree_with_the_studies(self):
-        self.assertEqual(self.broken("none"), set())
-        before, broken = self.claims("none"), 0
-        for name, core in ALTERED.items():
-            with self.subTest(name):
-                outcome = self.compare(AGREED, self.header(name, candidates.COMPARED[name]), "--json", "--flings", 1)
-                card = json.loads(outcome.out)
-                newly = {each for kind in ("general", "listing") for each in card["hard_cases"][kind]["newly_broken"]
-                         if not self.OF_THE_CORE.match(each) and not each.startswith("fuzz-")}
-                self.assertEqual(newly, self.broken(core))
-                broken += len(newly)
-                after = self.claims(core)
-                changed = {each["claim"]: (each["verdict"]["before"], each["verdict"]["after"])
-                           for each in card["claims"]["changed"] if not each["claim"].startswith("7-")}
-                other = {claim: (before[claim], after[claim]) for claim in before if before[claim] != after[claim]}
-                unmeasured = {claim for claim, verdicts in other.items() if "not measured" in verdicts}
-                self.assertEqual(set(card["claims"]["not_measured"]), unmeasured)
-                self.assertEqual(changed, {claim: other[claim] for claim in other if claim not in unmeasured})
-        self.assertGreater(broken, 0)
 
 
 class Consequence(CompareTest):
