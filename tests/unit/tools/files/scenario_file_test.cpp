@@ -144,17 +144,6 @@ TEST_F(ScenarioFile, HoldsOverridesToTheSameRules) {
   EXPECT_EQ(refusal(path, {{"steps", "7"}}).find(path + ": steps: is not a JSON Pointer"), 0u);
 }
 
-TEST_F(ScenarioFile, ReadsTheSameOnceWritten) {
-  for (const std::string& path : scenario_files()) {
-    const Scenario scenario = load_scenario(path);
-    const Scenario again = parse_scenario(scenario_file_text(scenario), path);
-    EXPECT_TRUE(plays_the_same(scenario, again)) << path;
-    EXPECT_EQ(scenario.name, again.name) << path;
-    EXPECT_EQ(scenario.description, again.description) << path;
-    EXPECT_EQ(scenario.expect, again.expect) << path;
-  }
-}
-
 TEST_F(ScenarioFile, ReadsTheSameBitsOnceWrittenForRandomFlings) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     Scenario scenario = any_fling(seed, 1000);

@@ -99,6 +99,8 @@ TEST(ScenarioVerdicts, OfGoodDocumentsReadTheSameOnceWritten) {
     const std::string text = scenario_file_text(scenario);
     const Scenario again = parse_scenario(text, "written");
     EXPECT_TRUE(plays_the_same(scenario, again)) << text;
+    EXPECT_EQ(scenario.name, again.name) << text;
+    EXPECT_EQ(scenario.description, again.description) << text;
     EXPECT_EQ(scenario.expect, again.expect) << text;
     EXPECT_EQ(scenario_file_text(again), text);
   }
