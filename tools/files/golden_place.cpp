@@ -71,13 +71,10 @@ std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const 
   return std::nullopt;
 }
 
-std::string golden_folder_of(const std::string& scenario_path) {
+std::string golden_folder_of(const std::string& scenario_path, const std::string& given) {
+  if (!given.empty()) return given;
   const fs::path scenarios = scenario_place(scenario_path).scenarios;
   return scenarios.empty() ? "" : (scenarios.parent_path() / "golden").string();
-}
-
-std::string golden_folder_for(const std::string& scenario_path, const std::string& golden_folder) {
-  return golden_folder.empty() ? golden_folder_of(scenario_path) : golden_folder;
 }
 
 std::string scenarios_folder_of(const std::string& scenario_path) {

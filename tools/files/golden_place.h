@@ -23,12 +23,9 @@ struct GoldenPlace {
 [[nodiscard]] std::optional<GoldenPlace> golden_place(const std::string& scenario_path,
                                                       const std::string& golden_folder);
 
-/// The `golden` beside the nearest folder named `scenarios` above the file; empty without such a folder.
-[[nodiscard]] std::string golden_folder_of(const std::string& scenario_path);
-
-/// The golden folder of a scenario: `golden_folder` if one was given, else golden_folder_of.
-[[nodiscard]] std::string golden_folder_for(const std::string& scenario_path,
-                                            const std::string& golden_folder);
+/// The golden folder of a scenario: `given` if it is not empty, else the `golden` beside the nearest folder
+/// named `scenarios` above the file; empty without such a folder.
+[[nodiscard]] std::string golden_folder_of(const std::string& scenario_path, const std::string& given = "");
 
 /// The nearest folder named `scenarios` above the file; empty without one.
 [[nodiscard]] std::string scenarios_folder_of(const std::string& scenario_path);

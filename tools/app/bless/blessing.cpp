@@ -132,7 +132,7 @@ void plan(const Core& core, Blessing& blessing, const BlessOptions& options, con
   Scenario scenario = load_scenario(blessing.path);
   require_measurable(core, blessing.path, scenario);
   blessing.golden = place_of(blessing.path, options.golden_folder);
-  blessing.golden_folder = golden_folder_for(blessing.path, options.golden_folder);
+  blessing.golden_folder = golden_folder_of(blessing.path, options.golden_folder);
   require_usable(*blessing.golden, guard);
   const RunSummary summary = compare(core, scenario, blessing);
   if (options.updates_hash || options.updates_ranges)

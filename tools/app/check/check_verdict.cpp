@@ -67,7 +67,7 @@ CheckVerdict check_scenario(const Core& core, const std::string& path, const Che
   CheckVerdict verdict;
   verdict.path = path;
   verdict.golden_option = options.golden_folder;
-  verdict.golden_folder = golden_folder_for(path, options.golden_folder);
+  verdict.golden_folder = golden_folder_of(path, options.golden_folder);
   const auto start = std::chrono::steady_clock::now();
   try {
     if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
