@@ -213,7 +213,7 @@ std::string quoted(const std::string& text) {
 
 class Writer {
  public:
-  explicit Writer(JsonLayout layout) : layout_(layout) {}
+  explicit Writer(int depth_indented) : depth_indented_(depth_indented) {}
 
   std::string take() { return std::move(text_); }
 
@@ -246,7 +246,7 @@ class Writer {
   template <class Members, class WriteMember>
   void write_members(char open, char close, const Members& members, int depth,
                      const WriteMember& write_member) {
-    const bool is_indented = depth < layout_.depth_indented && !members.empty();
+    const bool is_indented = depth < depth_indented_ && !members.empty();
     const bool has_space = open == '{' && !is_indented && !members.empty();
     text_ += open;
     bool is_first = true;
@@ -267,7 +267,7 @@ class Writer {
     text_.append(static_cast<std::size_t>(2 * depth), ' ');
   }
 
-  JsonLayout layout_;
+  int depth_indented_;
   std::string text_;
 };
 
@@ -304,8 +304,8 @@ Json parse_json(std::string_view text, const std::string& source) {
   return Builder(text, source).parse();
 }
 
-std::string to_text(const Json& json, JsonLayout layout) {
-  Writer writer(layout);
+std::string to_text(const Json& json, int depth_indented) {
+  Writer writer(depth_indented);
   writer.write(json, 0);
   return writer.take();
 }

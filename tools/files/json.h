@@ -93,15 +93,9 @@ template <class Items, class ToJson>
 /// text in UTF-8 without byte-order mark, deeper nesting, or very many numbers beyond binary64.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& source);
 
-/// Layout of a document: members and elements down to a depth have lines of their own, the rest is in one
-/// line.
-struct JsonLayout {
-  int depth_indented = 0;
-};
-
-/// The document as text, without a last newline. A non-finite number becomes the string "NaN",
-/// "Infinity" or "-Infinity".
-[[nodiscard]] std::string to_text(const Json& json, JsonLayout layout = {});
+/// The document as text, without a last newline. Members and elements down to a depth have lines of their
+/// own, the rest is in one line. A non-finite number becomes the string "NaN", "Infinity" or "-Infinity".
+[[nodiscard]] std::string to_text(const Json& json, int depth_indented = 0);
 
 /// Shortest decimal text that reads back to the same double.
 [[nodiscard]] std::string to_text(double value);

@@ -120,8 +120,6 @@ Json to_json(const Scenario& scenario) {
   return document;
 }
 
-std::string scenario_file_text(const Scenario& scenario) {
-  return to_text(to_json(scenario), {.depth_indented = 1}) + "\n";
-}
+std::string scenario_file_text(const Scenario& scenario) { return to_text(to_json(scenario), 1) + "\n"; }
 
 }  // namespace hyrax

@@ -313,7 +313,7 @@ std::string canonical_text(const Sweep& sweep, const Json& base) {
                               {"seed", sweep.seed},
                               {"vary", std::move(vary)},
                               {"keep", std::move(keep)}},
-                 {.depth_indented = 1});
+                 1);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::string card_text(const Result& card, const BeforeAfter<std::string>& header
 std::string card_json(const Result& card, const BeforeAfter<std::string>& headers) {
   Json::Object object{{"candidate", headers.after}, {"base", headers.before}};
   add_members(object, card.summary);
-  return to_text(std::move(object), {.depth_indented = 2}) + "\n";
+  return to_text(std::move(object), 2) + "\n";
 }
 
 ShownResult shown_card(const Result& card, const BeforeAfter<std::string>& headers) {

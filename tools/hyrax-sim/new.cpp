@@ -61,7 +61,7 @@ ExitCode write_new(const NewRequest& request) {
   if (frames) inputs.push_back(request.clock.path);
   OutputGuard(inputs).admit_scenario("hyrax-sim new", path, request.is_forced);
   AtomicFile file(path);
-  file.write(to_text(document, {.depth_indented = 1}) + "\n");
+  file.write(to_text(document, 1) + "\n");
   request.is_forced ? file.commit() : file.commit_as_new();
   if (request.printing.is_json) {
     Json::Object written{{"scenario", path}, {"steps", steps}};

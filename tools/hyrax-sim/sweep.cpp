@@ -54,8 +54,7 @@ OutputGuard guard_of(const std::string& path, const SweepFile& file) {
 }
 
 void report(const SweepRequest& request, const std::string& text, Json::Object document) {
-  print_text("{}\n",
-             request.printing.is_json ? to_text(Json(std::move(document)), {.depth_indented = 1}) : text);
+  print_text("{}\n", request.printing.is_json ? to_text(Json(std::move(document)), 1) : text);
 }
 
 ExitCode write_member(const SweepRequest& request) {

@@ -61,7 +61,7 @@ void LastFailed::update(const std::vector<CheckVerdict>& verdicts, OutputGuard& 
     std::error_code error;
     fs::create_directories(fs::path(file_).parent_path(), error);
     const Json document = Json::Object{{"not_agreed", Json::Array(paths_.begin(), paths_.end())}};
-    write_text_file(file_, to_text(document, {.depth_indented = 2}) + "\n");
+    write_text_file(file_, to_text(document, 2) + "\n");
   } catch (const Failure&) {
     // The verdicts do not depend on it.
   }

@@ -39,7 +39,7 @@ void print_verdict(const std::string& name, const Verdict& verdict, const Printi
 }
 
 void print_json(const Json& document, int depth_indented) {
-  print_text("{}\n", to_text(document, {.depth_indented = depth_indented}));
+  print_text("{}\n", to_text(document, depth_indented));
 }
 
 }  // namespace hyrax

@@ -52,7 +52,7 @@ void print_text(fmt::format_string<decltype(printed(std::declval<const Values&>(
 /// Prints the text of a verdict and what does not hold; of `verdict` detail that alone, or NAME: BRIEF.
 void print_verdict(const std::string& name, const Verdict& verdict, const Printing& printing);
 
-/// Prints a document and a line end. @param depth_indented as JsonLayout's.
+/// Prints a document and a line end. @param depth_indented as to_text's.
 void print_json(const Json& document, int depth_indented = 2);
 
 }  // namespace hyrax

@@ -149,10 +149,8 @@ TEST(Json, EscapesWhatATextCannotHold) {
 TEST(Json, IndentsDownToTheGivenDepth) {
   const Json json = parsed(R"({"a": {"b": [1, 2]}, "c": [], "d": {}})");
   EXPECT_EQ(to_text(json), R"({ "a": { "b": [1, 2] }, "c": [], "d": {} })");
-  EXPECT_EQ(to_text(json, {.depth_indented = 1}),
-            "{\n  \"a\": { \"b\": [1, 2] },\n  \"c\": [],\n  \"d\": {}\n}");
-  EXPECT_EQ(to_text(json, {.depth_indented = 2}),
-            "{\n  \"a\": {\n    \"b\": [1, 2]\n  },\n  \"c\": [],\n  \"d\": {}\n}");
+  EXPECT_EQ(to_text(json, 1), "{\n  \"a\": { \"b\": [1, 2] },\n  \"c\": [],\n  \"d\": {}\n}");
+  EXPECT_EQ(to_text(json, 2), "{\n  \"a\": {\n    \"b\": [1, 2]\n  },\n  \"c\": [],\n  \"d\": {}\n}");
 }
 
 TEST(JsonRefusal, NamesLineAndColumn) {
