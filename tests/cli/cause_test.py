@@ -14,18 +14,15 @@ import h5py
 import numpy
 
 import program
+from check_program import THIRD, CheckTest
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling, main
 
 ALTERED = os.environ["HYRAX_ALTERED_SIM"]
 
 
-class CauseTest(ProgramTest):
-    """A project with three throws, and the program with a changed core."""
-
-    def setUp(self):
-        super().setUp()
-        self.project("a/first", "a/second", "third")
+class CauseTest(CheckTest):
+    """The program with a changed core."""
 
     def altered(self, core, *arguments, exit_code=DISAGREED, command=("check",)):
         """The outcome of `check`, or of another command, with that core."""
@@ -182,8 +179,7 @@ class Causes(CauseTest):
                                       "scenarios/third.json": "scenario"})
 
     def test_an_expectation_that_fails_is_no_group(self):
-        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
-        self.write("scenarios/third.json", fling(name="third", start=start, expect={"contacts": {"right": 2}}))
+        self.write("scenarios/third.json", fling(name="third", start=THIRD, expect={"contacts": {"right": 2}}))
         outcome = self.expect(DISAGREED, "check", "--json")
         self.assertEqual(outcome.json["groups"], [])
         lines = self.expect(DISAGREED, "check").out.splitlines()
@@ -195,7 +191,7 @@ class Text(CauseTest):
     """What is printed."""
 
     def test_names_of_the_program_s_own_are_not(self):
-        for core in ("gravity_stronger", "side_walls_softer", "right_does_not_turn", "frames_longer", "bounce_explodes"):
+        for core in ("gravity_stronger", "frames_longer", "bounce_explodes"):
             text = self.stronger("--verbose").out if core == "gravity_stronger" else self.altered(core, "--verbose").out
             self.assertEqual(re.findall(r"\b[a-z]+_\w+", text.replace(f"ALTERED_CORE {core};", "")), [])
 

@@ -1,6 +1,8 @@
 """Shared by the tests of `check`: a project, and a golden file with one value changed."""
 
-from program import ProgramTest
+from program import FLING, ProgramTest
+
+THIRD = {**FLING["start"], "vx_px_per_s": 1180}  # The start of the third throw.
 
 
 def nudge(path, dataset, row):

@@ -42,11 +42,6 @@ class Files(StudyTest):
         self.assertEqual(self.names("new/folder"), ["needs.csv", "needs.h5"])
         self.assertIn("written: new/folder/needs.h5, new/folder/needs.csv", self.outcome.out)
 
-    def test_in_a_checkout_version_control_ignores_them(self):
-        ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()
-        for suffix in (".csv", ".h5", ".svg", ".html"):
-            self.assertIn("/*" + suffix, ignored)
-
     def test_the_file_says_what_it_is_and_where_it_is_from(self):
         with h5py.File(self.folder / "new/folder/needs.h5") as file:
             self.assertEqual(file.attrs["format"], "hyrax-study/1")
@@ -144,6 +139,11 @@ class Usage(StudyTest):
         self.expect(CANNOT_ACCESS, "study", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json",
                     says="fling.json: ")
         self.assertEqual(pathlib.Path(self.folder / "fling.json").stat().st_nlink, 1)
+
+    def test_in_a_checkout_version_control_ignores_them(self):
+        ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()
+        for suffix in (".csv", ".h5", ".svg", ".html"):
+            self.assertIn("/*" + suffix, ignored)
 
     def test_its_help_names_the_studies(self):
         text = self.expect(AGREED, "study", "--help").out
