@@ -1,7 +1,6 @@
 // One fling on several displays.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -18,44 +17,6 @@ TEST(FrameRate, ThePapersMethodIsTheCoreOnEveryClock) {
   const FrameRateStudy study = study_frame_rate(shipped_core(), {24.0, 144.0}, 3);
   EXPECT_EQ(study.landings.size(), 2u * 3u * 2u * (1u + 3u)) << "the drawn fling, and three more";
   for (const Landing& landing : study.landings) EXPECT_TRUE(landing.is_core);
-}
-
-TEST(FrameRate, OneDisplayAloneIsIndependentOfItself) {
-  for (const Independence& score : study_frame_rate(shipped_core(), {60.0}, 2).scores)
-    EXPECT_EQ(score.score, 100.0);
-}
-
-TEST(FrameRate, APathEndsWhereItLands) {
-  const FrameRateStudy study = study_frame_rate(shipped_core(), {60.0}, 1);
-  ASSERT_FALSE(study.paths.empty());
-  const Landing& landing = study.landings.front();
-  double last_px = 0.0;
-  for (const FanPoint& point : study.paths)
-    if (point.method == landing.method) last_px = point.x_px;
-  EXPECT_NEAR(last_px, landing.x_px, 0.5);
-}
-
-TEST(FrameRate, AShiftIsFromSixtyHertzAndItsContactsAreCounted) {
-  const FrameRateStudy study = study_frame_rate(shipped_core(), {60.0, 240.0}, 20);
-  ASSERT_EQ(study.shifts.size(), 2u * 3u * 2u);
-  const auto place_px = [&](double rate_hz, std::int64_t fling) {
-    return std::find_if(study.landings.begin(), study.landings.end(), [&](const Landing& landing) {
-      return landing.rate_hz == rate_hz && landing.fling == fling;
-    });
-  };
-  std::vector<double> shifts_px;
-  Share other;
-  for (std::int64_t fling = 0; fling <= 20; ++fling) {
-    const Landing &at_60 = *place_px(60.0, fling), &at_240 = *place_px(240.0, fling);
-    shifts_px.push_back(std::fabs(at_240.x_px - at_60.x_px));
-    other.add(at_240.contacts.left != at_60.contacts.left || at_240.contacts.right != at_60.contacts.right ||
-              at_240.contacts.top != at_60.contacts.top);
-  }
-  EXPECT_EQ(study.shifts[0].shift_px.high, 0.0) << "from itself";
-  EXPECT_EQ(study.shifts[0].other_contacts.count, 0);
-  EXPECT_EQ(study.shifts[1].shift_px.median, quantile(shifts_px, 0.5));
-  EXPECT_GT(other.count, 0);
-  EXPECT_EQ(study.shifts[1].other_contacts.count, other.count);
 }
 
 // The drawn fling, flown here in steps of a second: whatever the rate, its place is one.
@@ -81,13 +42,6 @@ TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
     EXPECT_GT(study.shifts[0].shift_px.high, 0.0);
     EXPECT_EQ(study.shifts[1].shift_px.high, 0.0) << "from itself";
     EXPECT_GT(study.shifts[2].shift_px.high, 0.0);
-  }
-}
-
-TEST(FrameRate, ByTimeItIsSteadierInMostFlings) {
-  for (const Share& steadier : study_frame_rate(shipped_core(), {24.0, 60.0, 240.0}, 30).steadier_by_time) {
-    EXPECT_EQ(steadier.of, 31);
-    EXPECT_GT(steadier.low(), 0.5);
   }
 }
 

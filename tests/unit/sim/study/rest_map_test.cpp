@@ -45,42 +45,9 @@ TEST(FinalState, IsMovingAtAnyOtherSpeedOrPlace) {
             FinalState::moving);
 }
 
-TEST(RestBoundaries, AreMeasuredWhereTheyAreDerived) {
-  const std::vector<RestBoundary> boundaries = rest_boundaries(shipped_core());
-  ASSERT_EQ(boundaries.size(), 3u);
-  for (const RestBoundary& boundary : boundaries) {
-    EXPECT_TRUE(boundary.agrees()) << boundary.name;
-    ASSERT_TRUE(boundary.measured_hz.has_value());
-    EXPECT_NEAR(*boundary.measured_hz, boundary.analytic_hz, 1e-9 * boundary.analytic_hz);
-  }
-}
-
 TEST(RestBoundaries, DisagreeIfNotMeasuredOrElsewhere) {
   EXPECT_FALSE((RestBoundary{"none", "", 100.0, {}}.agrees()));
   EXPECT_FALSE((RestBoundary{"off", "", 100.0, 100.001}.agrees()));
-}
-
-TEST(RestMap, EndsAsTheBoundariesAllowAtEveryRate) {
-  for (const RateEnds& ends :
-       rest_map(shipped_core(), {24.0, 57.0, 58.0, 60.0, 89.0, 91.0, 143.0, 144.0, 500.0}, 30)) {
-    EXPECT_EQ(ends.unforeseen, 0) << ends.rate_hz;
-    ASSERT_TRUE(ends.settles_s);
-    EXPECT_EQ(ends.settles_s->samples, 30);
-    EXPECT_LE(ends.settles_s->low, ends.settles_s->median);
-    EXPECT_LE(ends.settles_s->median, ends.settles_s->high);
-  }
-}
-
-TEST(Bounces, KeepTheCoresRestitutionOnAverage) {
-  double sum = 0.0;
-  const std::vector<DropBounce> bounces = bounces_at(shipped_core(), 240.0, 50);
-  ASSERT_EQ(bounces.size(), 50u);
-  for (const DropBounce& bounce : bounces) {
-    EXPECT_GE(bounce.phase, 0.0);
-    EXPECT_LE(bounce.phase, 1.0);
-    sum += bounce.restitution;
-  }
-  EXPECT_NEAR(sum / 50.0, shipped_core().constants->restitution, 1e-3);
 }
 
 TEST(RestVerdict, SaysWhatMovesAndWhatIsBroken) {
