@@ -6,21 +6,12 @@
 #include <numeric>
 
 #include "sim/study/methods/problem.h"
+#include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
 namespace {
 
-Scenario fling() {
-  Scenario scenario;
-  scenario.name = "fling";
-  scenario.window = {1920, 1080};
-  scenario.sprite = {128, 128};
-  scenario.start = {100.0, 100.0};
-  scenario.start_velocity = {900.0, -1200.0};
-  scenario.clock.base = FixedRate{60.0};
-  scenario.length = std::int64_t{120};
-  return scenario;
-}
+Scenario fling() { return fling_at(60.0, 120); }
 
 double sum_s(const std::vector<double>& frames_s) {
   return std::accumulate(frames_s.begin(), frames_s.end(), 0.0);

@@ -11,17 +11,16 @@
 namespace hyrax {
 namespace {
 
-// A clock that ticks once per reading: costs are meaningless, and no real time passes.
+// On a clock that ticks once per reading: costs are meaningless, and no real time passes.
 SpeedError some_study() {
   static const SpeedError study = [] {
-    std::int64_t now_ns = 0;
     SpeedErrorOptions options;
     options.rates_hz = {15.0, 30.0, 60.0, 240.0, 960.0, 3840.0};
     options.cost.repetitions = 2;
     options.band_rates_hz = {60.0};
     const std::vector<Problem> problems = study_problems();
     return study_speed_error(shipped_core(), {problems[0], problems[4]}, frame_methods(shipped_core()),
-                             options, [now_ns]() mutable { return now_ns += 100'000; });
+                             options, steady_ns);
   }();
   return study;
 }
