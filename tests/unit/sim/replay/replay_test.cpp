@@ -54,48 +54,6 @@ TEST(Replay, PlaysRandomFlingsByTheFrameRule) {
     expect_plain_run(any_fling(seed, 1000), "seed " + std::to_string(seed));
 }
 
-TEST(Replay, WithoutStepsHoldsTheStartOnly) {
-  TraceSink trace;
-  const RunSummary summary = replay(shipped_core(), fling_at(60.0, 0), trace);
-  ASSERT_EQ(trace.rows().size(), 1u);
-  EXPECT_EQ(trace.rows()[0].step, 0);
-  EXPECT_EQ(trace.rows()[0].t_s, 0.0);
-  EXPECT_EQ(trace.rows()[0].dt_s, 0.0);
-  EXPECT_EQ(trace.rows()[0].x_px, 300.0);
-  EXPECT_EQ(trace.rows()[0].vy_px_per_s, -700.0);
-  EXPECT_EQ(trace.rows()[0].contact, 0);
-  EXPECT_EQ(trace.blocks().size(), 1u);
-  EXPECT_EQ(summary.steps, 0);
-  EXPECT_FALSE(summary.had_drag);
-  EXPECT_EQ(summary.at_rest_since_s, std::nullopt);
-}
-
-TEST(Replay, HoldsTheSpriteFromGrabToRelease) {
-  TraceSink trace;
-  replay(shipped_core(),
-         fling_at(60.0, 30, {{std::int64_t{10}, Grab{}}, {std::int64_t{20}, Release{{1.0, 2.0}}}}), trace);
-  const Row& held = trace.rows()[11];
-  EXPECT_EQ(held.vx_px_per_s, 0.0);
-  EXPECT_EQ(held.vy_px_per_s, 0.0);
-  EXPECT_EQ(held.x_px, trace.rows()[10].x_px);
-  for (std::size_t row = 12; row <= 20; ++row) {
-    EXPECT_EQ(trace.rows()[row].y_px, held.y_px);
-    EXPECT_EQ(trace.rows()[row].contact, 0);
-    EXPECT_EQ(trace.rows()[row].dt_s, 1.0 / 60.0);
-  }
-  // Let go before its frame's update, so that frame moves already.
-  EXPECT_GT(trace.rows()[21].y_px, held.y_px);
-}
-
-TEST(Replay, HoldsASpriteBeyondAWallWithoutContact) {
-  TraceSink trace;
-  replay(shipped_core(),
-         fling_at(60.0, 9, {{std::int64_t{2}, Grab{}}, {std::int64_t{3}, Place{{-500.0, 9000.0}}}}), trace);
-  EXPECT_EQ(trace.rows().back().x_px, -500.0);
-  EXPECT_EQ(trace.rows().back().y_px, 9000.0);
-  EXPECT_TRUE(trace.contacts().empty());
-}
-
 TEST(Replay, RecordsEveryFewRowsAndTheLastOne) {
   TraceSink trace(RowSink::Wants{.rows_every = 4});
   replay(shipped_core(), fling_at(60.0, 10), trace);

@@ -1,9 +1,6 @@
-// One replay into several sinks, and by another core than the shipped one.
+// One replay into several sinks.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "sim/core/core_of.h"
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -57,42 +54,6 @@ TEST(Tee, GivesASinkFewerRowsWhenItRequestsFewer) {
   EXPECT_LT(sink.steps.size(), 10'001u);  // It is queried again after a batch.
   EXPECT_EQ(sink.repetition.from_step, summary.periodic_from_step);
   EXPECT_EQ(sink.repetition.period_steps, summary.period_steps);
-}
-
-// A core that never loses speed at a wall.
-class Elastic {
- public:
-  static constexpr double GRAVITY = 1200.0, RESTITUTION = 1.0, AIR_DRAG = 1.0, GROUND_FRICTION = 1.0,
-                          REST_THRESHOLD = 0.0;
-
-  Elastic(double x, double y, double vx, double vy) : state_{x, y, vx, vy} {}
-  void update(double dt_s, int window_width, int window_height, int width, int height) {
-    const Bounds bounds{static_cast<double>(window_width - width),
-                        static_cast<double>(window_height - height)};
-    ListingStep(constants_of<Elastic>(), AllParts{}, bounds)(state_, dt_s);
-  }
-  double x() const { return state_.x_px; }
-  double y() const { return state_.y_px; }
-  double vx() const { return state_.vx_px_per_s; }
-  double vy() const { return state_.vy_px_per_s; }
-  void setPos(double x, double y) { state_.x_px = x, state_.y_px = y; }
-  void setVelocity(double vx, double vy) { state_.vx_px_per_s = vx, state_.vy_px_per_s = vy; }
-  void resetVelocity() { setVelocity(0.0, 0.0); }
-
- private:
-  State state_;
-};
-
-TEST(Replay, PlaysAnyCoreOfThatInterface) {
-  TraceSink trace;
-  const RunSummary summary = replay(core_of<Elastic>("elastic", {}), fling_at(60.0, 600), trace);
-  EXPECT_GE(summary.contacts.ground, 5);
-  for (const Contact& contact : trace.contacts()) {
-    EXPECT_EQ(std::fabs(contact.vx_after_px_per_s), std::fabs(contact.vx_before_px_per_s));
-    EXPECT_EQ(std::fabs(contact.vy_after_px_per_s), std::fabs(contact.vy_before_px_per_s));
-    EXPECT_GT(contact.overshoot_px, 0.0);
-  }
-  EXPECT_EQ(std::fabs(summary.final.vx_px_per_s), 2400.0);
 }
 
 }  // namespace

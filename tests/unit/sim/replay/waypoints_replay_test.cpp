@@ -9,17 +9,6 @@
 namespace hyrax {
 namespace {
 
-// Passes every row to a meter for short runs.
-class EveryRow final : public RowSink {
- public:
-  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override { meter_.rows(batch); }
-  [[nodiscard]] Waypoints take() { return meter_.take(); }
-
- private:
-  WaypointMeter meter_{0};
-};
-
 void expect_same(const Row& a, const Row& b) {
   EXPECT_EQ(a.step, b.step);
   EXPECT_TRUE(same_bits(a.t_s, b.t_s));
@@ -28,7 +17,7 @@ void expect_same(const Row& a, const Row& b) {
 
 void expect_same_waypoints(const Scenario& scenario, std::int64_t steps) {
   WaypointMeter blocks(steps);
-  EveryRow rows;
+  WaypointMeter rows(0);  // Gets every row, as of a short run.
   replay(shipped_core(), scenario, {&blocks, &rows});
   const Waypoints a = blocks.take();
   const Waypoints b = rows.take();
