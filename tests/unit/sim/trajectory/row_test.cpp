@@ -8,6 +8,7 @@
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/state_hash.h"
+#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 namespace {
@@ -45,13 +46,7 @@ TEST(PackedRow, ReadsBackToTheSameBits) {
   RowBlock block;
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   pack_row(block.extend(1), 0.1, -0.0, not_a_number, 5e-324, -1.7976931348623157e308, 31);
-  const Row row = block.row(0);
-  EXPECT_TRUE(same_bits(row.dt_s, 0.1));
-  EXPECT_TRUE(same_bits(row.x_px, -0.0));
-  EXPECT_TRUE(same_bits(row.y_px, not_a_number));
-  EXPECT_TRUE(same_bits(row.vx_px_per_s, 5e-324));
-  EXPECT_TRUE(same_bits(row.vy_px_per_s, -1.7976931348623157e308));
-  EXPECT_EQ(row.contact, 31);
+  EXPECT_TRUE(same_row(block.row(0), {0, 0.0, 0.1, -0.0, not_a_number, 5e-324, -1.7976931348623157e308, 31}));
 }
 
 TEST(RowBlock, HoldsFourThousandAndNinetySixRows) {
@@ -99,19 +94,11 @@ TEST(FiniteState, ChecksEveryField) {
 }
 
 TEST(Columns, GiveBackTheRowsTheyTook) {
+  const Row rows[] = {{1, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8}, {9, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16}};
   Columns columns;
-  columns.append({1, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8});
-  columns.append({9, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16});
+  for (const Row& row : rows) columns.append(row);
   ASSERT_EQ(columns.size(), 2u);
-  const Row row = columns.row(1);
-  EXPECT_EQ(row.step, 9);
-  EXPECT_EQ(row.t_s, 10.0);
-  EXPECT_EQ(row.dt_s, 11.0);
-  EXPECT_EQ(row.x_px, 12.0);
-  EXPECT_EQ(row.y_px, 13.0);
-  EXPECT_EQ(row.vx_px_per_s, 14.0);
-  EXPECT_EQ(row.vy_px_per_s, 15.0);
-  EXPECT_EQ(row.contact, 16);
+  for (std::size_t row = 0; row < 2; ++row) EXPECT_TRUE(same_row(columns.row(row), rows[row]));
   columns.clear();
   EXPECT_EQ(columns.size(), 0u);
 }
