@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/replay/replay.h"
+#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 namespace {
@@ -70,18 +71,12 @@ TEST(ContactChance, OfNoChangedStartHasAnIntervalAboveZero) {
 }
 
 TEST(ContactChance, IsThatOfPlainSampling) {
-  struct Walls final : RowSink {
-    [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-    void rows(const Columns& batch) override {
-      contacts.insert(contacts.end(), batch.contact.begin(), batch.contact.end());
-    }
-    std::vector<std::uint8_t> contacts;
-  };
   const auto contacts_of = [](const Scenario& scenario) {
-    Walls walls;
-    (void)replay(shipped_core(), scenario, walls);
-    for (std::uint8_t& contact : walls.contacts) contact &= static_cast<std::uint8_t>(~kRestBit);
-    return walls.contacts;
+    TraceSink trace;
+    (void)replay(shipped_core(), scenario, trace);
+    std::vector<int> walls;
+    for (const Row& row : trace.rows()) walls.push_back(row.contact & ~kRestBit);
+    return walls;
   };
   const Scenario scenario = falling(300.0, 120.0, {2400.0, -700.0}, 400);
   const auto contacts = contacts_of(scenario);

@@ -7,23 +7,15 @@
 #include "sim/search/random_scenario.h"
 #include "sim/search/scenario_edit.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 namespace {
 
-class Rows : public RowSink {
- public:
-  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t row = 0; row < batch.size(); ++row) all.push_back(batch.row(row));
-  }
-  std::vector<Row> all;
-};
-
 std::vector<Row> rows_of(const Scenario& scenario) {
-  Rows rows;
+  TraceSink rows;
   replay(shipped_core(), scenario, rows);
-  return std::move(rows.all);
+  return rows.rows();
 }
 
 Digest hash_of(const Scenario& scenario) { return replay(shipped_core(), scenario).state_hash; }

@@ -9,37 +9,23 @@
 #include "sim/replay/replay.h"
 #include "sim/search/step_watch.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 namespace {
 
-// Passes rows to a watch, one of them changed.
-class Tampering : public RowSink {
- public:
-  Tampering(StepWatch& watch, std::int64_t step, std::function<void(Row&)> change)
-      : watch_(watch), step_(step), change_(std::move(change)) {}
-  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    Columns changed;
-    for (std::size_t index = 0; index < batch.size(); ++index) {
-      Row row = batch.row(index);
-      if (row.step == step_) change_(row);
-      changed.append(row);
-    }
-    watch_.rows(changed);
-  }
-
- private:
-  StepWatch& watch_;
-  std::int64_t step_;
-  std::function<void(Row&)> change_;
-};
-
+// Of a run with one row changed.
 InvariantMeasures watched(const Scenario& scenario, std::int64_t step = -1,
                           const std::function<void(Row&)>& change = {}) {
+  TraceSink trace({.rows_every = 1});
+  replay(shipped_core(), scenario, trace);
+  Columns rows;
+  for (Row row : trace.rows()) {
+    if (row.step == step) change(row);
+    rows.append(row);
+  }
   StepWatch watch(shipped_core(), scenario);
-  Tampering sink(watch, step, change);
-  replay(shipped_core(), scenario, sink, {.skips_repetition = false, .checks_bounds = false});
+  watch.rows(rows);
   return watch.measures();
 }
 
