@@ -28,13 +28,9 @@ std::string place_of(std::uint64_t seed, std::int64_t number) {
 }
 
 // Sums the energy drift of flight arcs.
-class ArcDriftSum final : public DriftSink {
- public:
-  void arc(const ArcErrors& arc) override { sum_ += arc.energy_drift_end_px2_per_s2; }
-  [[nodiscard]] double sum() const { return sum_; }
-
- private:
-  double sum_ = 0.0;
+struct ArcDriftSum final : DriftSink {
+  void arc(const ArcErrors& arc) override { px2_per_s2 += arc.energy_drift_end_px2_per_s2; }
+  double px2_per_s2 = 0.0;
 };
 
 // REQUIRES: the rows have their contacts.
@@ -46,7 +42,7 @@ double energy_drift_px2_per_s2(const Scenario& scenario, const CoreRun& run) {
   for (const Row& row : run.rows) batch.append(row);
   meter.rows(batch);
   meter.finish();
-  return sum.sum();
+  return sum.px2_per_s2;
 }
 
 Figure both_paths(const std::string& place, const CoreRun& base, const CoreRun& candidate) {

@@ -75,16 +75,15 @@ Table case_table(const std::vector<PlayedCase>& cases) {
 
 // The members of the JSON document.
 Table summary_of(const std::vector<PlayedCase>& cases) {
-  Table summary = case_table(cases);
-  std::erase_if(summary.columns, [](const Column& column) { return column.name == "why"; });
-  summary.columns.push_back(column_of("invariants", "", "", cases, [](PlayedRef played) {
-    Table verdicts = verdict_table(judgements_of({&played, 1}));
-    std::erase_if(verdicts.columns,
+  std::vector<Column> columns = case_table(cases).columns;
+  std::erase_if(columns, [](const Column& column) { return column.name == "why"; });
+  columns.push_back(column_of("invariants", "", "", cases, [](PlayedRef played) {
+    std::vector<Column> verdicts = verdict_table(judgements_of({&played, 1})).columns;
+    std::erase_if(verdicts,
                   [](const Column& column) { return column.name == "case" || column.name == "margin_unit"; });
-    verdicts.shape = JsonShape::by_first;
-    return verdicts;
+    return Table{"invariants", "", std::move(verdicts), JsonShape::by_first};
   }));
-  return summary;
+  return {"cases", "", std::move(columns)};
 }
 
 Table invariant_table(const std::vector<Judgement>& judgements) {
