@@ -25,7 +25,7 @@ enum class MemberRole : std::uint8_t { result, input, grid };  ///< A grid is an
 class MemberNumbers {
  public:
   /// @param name as "x" or "contacts.left"; unit as "px", empty if there is none.
-  /// @param members how many will be added.
+  /// @param members how many will be added; if they are a sample already, at most kSamplesMax.
   MemberNumbers(std::string name, std::string unit, std::string long_name, MemberRole role,
                 std::int64_t members);
 

@@ -84,27 +84,40 @@ MemberRole role_of(const EnsembleReader& reader, std::size_t index) {
                                                                            : MemberRole::input;
 }
 
+// Every row is read, or of a very long file every K-th.
+std::int64_t rows_between_read(const EnsembleReader& reader) {
+  constexpr std::int64_t kReadMax = 100'000'000;
+  return reader.rows() <= kReadMax ? 1 : sample_stride(reader.rows(), kSamplesMax);
+}
+
 // All numbers of a column: one, or of contacts one a wall.
 void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, std::size_t index) {
   const EnsembleColumn& column = reader.columns()[index];
   if (column.type == ColumnType::byte) return;
   const MemberRole role = role_of(reader, index);
   const std::size_t first = all.size();
+  const std::int64_t between = rows_between_read(reader);
   for (std::size_t part = 0; part < column.width; ++part)
     all.emplace_back(column.width == 1 ? column.name : column.name + "." + std::string(kWallNames.at(part)),
-                     column.unit, column.long_name, role, reader.rows());
-  constexpr std::int64_t kRowsAtOnce = 1 << 16;
+                     column.unit, column.long_name, role, (reader.rows() + between - 1) / between);
+  const std::int64_t rows_at_once = between == 1 ? 1 << 16 : 1;
   std::vector<std::byte> bytes;
   for (const auto take : {&MemberNumbers::add, &MemberNumbers::bin}) {
     if (take == &MemberNumbers::bin && role != MemberRole::result) continue;
-    for (std::int64_t row = 0; row < reader.rows(); row += kRowsAtOnce) {
-      const std::int64_t count = std::min(kRowsAtOnce, reader.rows() - row);
+    for (std::int64_t row = 0; row < reader.rows(); row += std::max(rows_at_once, between)) {
+      const std::int64_t count = std::min(rows_at_once, reader.rows() - row);
       bytes.resize(static_cast<std::size_t>(count) * column.row_bytes());
       reader.read(index, row, count, bytes.data());
       for (std::size_t value = 0; value < static_cast<std::size_t>(count) * column.width; ++value)
         (all[first + value % column.width].*take)(number_at(column.type, bytes.data() + 8 * value));
     }
   }
+}
+
+// One of every so many rows is in the samples.
+std::int64_t rows_between_samples(const EnsembleReader& reader) {
+  const std::int64_t between = rows_between_read(reader);
+  return between * sample_stride((reader.rows() + between - 1) / between, kSamplesMax);
 }
 
 // A varied number of each member: of a seed both halves.
@@ -127,7 +140,7 @@ std::vector<double> values_of(const Sweep& sweep, std::size_t key, const std::ve
 Json members_json(const Core& core, const EnsembleReader& reader, const std::vector<MemberNumbers>& numbers) {
   const Sweep& sweep = reader.sweep();
   std::vector<double> members;
-  for (std::int64_t row = 0; row < reader.rows(); row += sample_stride(reader.rows(), kSamplesMax))
+  for (std::int64_t row = 0; row < reader.rows(); row += rows_between_samples(reader))
     members.push_back(static_cast<double>(reader.head().part.member(row)));
   Json::Array inputs, results;
   for (std::size_t key = 0; key < sweep.vary.size(); ++key)
@@ -185,6 +198,10 @@ Json sweep_result(const Core& core, const std::string& path) {
     result.verdict.text.emplace_back(fmt::format("Part {} of {} of the sweep: {} members.",
                                                  reader.head().part.index, reader.head().part.count,
                                                  count_text(reader.rows())));
+  if (const std::int64_t between = rows_between_read(reader); between > 1)
+    result.verdict.text.emplace_back(
+        fmt::format("All numbers are those of a sample: 1 of every {} of {} members.", between,
+                    count_text(reader.rows())));
   for (const MemberNumbers& each : numbers)
     if (each.name() == "at_rest_since")
       result.verdict.text.emplace_back(fmt::format("{} of {} members have settled by the end.",
