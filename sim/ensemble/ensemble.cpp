@@ -1,6 +1,7 @@
 #include "sim/ensemble/ensemble.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -25,16 +26,8 @@ Detail detail_of(const KeepSet& keep) {
 
 LaneClock lane_clock(const Clock& clock) {
   if (std::holds_alternative<RecordedSteps>(clock.base)) return LaneClock::trace;
-  if (!clock.jitter) return LaneClock::fixed;
-  switch (clock.jitter->kind) {
-    case Jitter::Kind::uniform:
-      return LaneClock::uniform;
-    case Jitter::Kind::normal:
-      return LaneClock::normal;
-    case Jitter::Kind::missed_frames:
-      return LaneClock::missed_frames;
-  }
-  return LaneClock::fixed;
+  constexpr std::array kJittered = {LaneClock::uniform, LaneClock::normal, LaneClock::missed_frames};
+  return clock.jitter ? kJittered[static_cast<std::size_t>(clock.jitter->kind)] : LaneClock::fixed;
 }
 
 bool has_timing_keys(const Sweep& sweep) {
@@ -101,28 +94,12 @@ class EnsemblePlayer::Batch {
     member.walls = 0;
     member.timeline = {};
     member.rest = {scenario.start.x_px, scenario.start.y_px, 0.0};
-    MemberResult& result = *member.result;
-    result.contacts = {};
-    result.x_min_px = result.x_max_px = scenario.start.x_px;
-    result.y_min_px = result.y_max_px = scenario.start.y_px;
-    result.speed_max_px_per_s = 0.0;
-    take_extremes(member);
+    member.result->contacts = {};
+    member.result->begin_extremes(member.world.state);
     for (const Event& event : scenario.events) actions_.push_back(event.action);
     if (!has_own_frames_) return;
     const std::vector<std::int64_t> frames = frames_of(scenario, member.steps);
     event_frames_.insert(event_frames_.end(), frames.begin(), frames.end());
-  }
-
-  // Of the row that a member is at; speeds stay squared until the end.
-  static void take_extremes(MovingMember& member) {
-    const State& state = member.world.state;
-    MemberResult& result = *member.result;
-    result.x_min_px = state.x_px < result.x_min_px ? state.x_px : result.x_min_px;
-    result.x_max_px = state.x_px > result.x_max_px ? state.x_px : result.x_max_px;
-    result.y_min_px = state.y_px < result.y_min_px ? state.y_px : result.y_min_px;
-    result.y_max_px = state.y_px > result.y_max_px ? state.y_px : result.y_max_px;
-    const double squared = state.vx_px_per_s * state.vx_px_per_s + state.vy_px_per_s * state.vy_px_per_s;
-    if (squared > result.speed_max_px_per_s) result.speed_max_px_per_s = squared;
   }
 
   [[nodiscard]] std::int64_t end_frame(std::size_t member, std::size_t event) const {
@@ -162,7 +139,7 @@ class EnsemblePlayer::Batch {
 
   void hold(MovingMember& member, std::int64_t frames) const {
     member.walls = 0;
-    take_extremes(member);
+    member.result->include(member.world.state);
     const bool moves = member.rest.moves_to(member.world.state.x_px, member.world.state.y_px);
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       const double dt_s = member.hitch_dt_s ? *member.hitch_dt_s : frame_dt_s(member, member.frame);
@@ -209,11 +186,11 @@ class EnsemblePlayer::Batch {
   std::vector<Leg> legs_;
 };
 
-EnsemblePlayer::EnsemblePlayer(const Core& core, const Sweep& sweep, const EnsembleOptions& options)
+EnsemblePlayer::EnsemblePlayer(const Core& core, const Sweep& sweep, const KernelSet* kernels)
     : core_(core), sweep_(sweep) {
   if (!core.shape.constants || needs_replay(sweep)) return;
-  batch_ = std::make_unique<Batch>(
-      sweep, options.kernels != nullptr ? *options.kernels : kernel_sets().front(), *core.shape.constants);
+  if (kernels == nullptr) kernels = &kernel_sets().front();
+  batch_ = std::make_unique<Batch>(sweep, *kernels, *core.shape.constants);
 }
 EnsemblePlayer::~EnsemblePlayer() = default;
 EnsemblePlayer::EnsemblePlayer(EnsemblePlayer&&) noexcept = default;

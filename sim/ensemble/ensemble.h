@@ -27,6 +27,11 @@ struct MemberResult {
   double y_max_px = 0.0;
   double speed_max_px_per_s = 0.0;
   Digest state_hash{};
+
+  /// Extremes of the start, and of the rows after it: a row replaces one only if it is strictly beyond it.
+  /// That of the speed is squared until its owner has taken all rows.
+  void begin_extremes(const State& start);
+  void include(const State& row);
 };
 
 /// Steps that were played, and how many of them were computed in full: in the others the state repeats
@@ -42,17 +47,12 @@ struct StepTally {
   }
 };
 
-/// How members of a core of the paper's shape are played; those of any other are replayed, step by step. All
-/// ways give the same bits.
-struct EnsembleOptions {
-  const KernelSet* kernels = nullptr;  ///< The fastest that this machine can run, if it is not set.
-};
-
-/// Plays members of a sweep. One a thread.
+/// Plays members of a sweep: those of a core of the paper's shape by kernels, those of any other step by
+/// step, to the same bits. One a thread.
 class EnsemblePlayer {
  public:
-  /// Refers to the core and the sweep.
-  EnsemblePlayer(const Core& core, const Sweep& sweep, const EnsembleOptions& options = {});
+  /// Refers to the core and the sweep. @param kernels null: the fastest that this machine can run.
+  EnsemblePlayer(const Core& core, const Sweep& sweep, const KernelSet* kernels = nullptr);
   ~EnsemblePlayer();
   EnsemblePlayer(EnsemblePlayer&&) noexcept;
 

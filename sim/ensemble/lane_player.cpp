@@ -279,8 +279,7 @@ class LanePlayer::Sliding {
     member.world.state.vx_px_per_s = lanes_.vx_px_per_s[lane];
     if (!is_tracked()) return;
     member.rest.x_px = lanes_.anchor_x_px[lane];
-    if (lanes_.x_px[lane] < member.result->x_min_px) member.result->x_min_px = lanes_.x_px[lane];
-    if (lanes_.x_px[lane] > member.result->x_max_px) member.result->x_max_px = lanes_.x_px[lane];
+    member.result->include(member.world.state);
   }
 
   LanePlayer& player_;

@@ -67,7 +67,7 @@ void expect_same(Sweep sweep, const std::string& note, const std::vector<KeepSet
     for (const KernelSet& kernels : kernel_sets()) {
       sweep.keep = keeps[set];
       std::vector<MemberResult> found(members);
-      const StepTally tally = EnsemblePlayer(shipped_core(), sweep, {.kernels = &kernels}).play({}, 0, found);
+      const StepTally tally = EnsemblePlayer(shipped_core(), sweep, &kernels).play({}, 0, found);
       EXPECT_EQ(tally.steps, replayed.steps) << note;
       EXPECT_LE(tally.computed, tally.steps) << note;
       for (std::size_t member = 0; member < members; ++member) {
