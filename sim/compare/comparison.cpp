@@ -46,20 +46,6 @@ std::string input_text(const Input& input) {
 
 }  // namespace
 
-std::string_view name_of(DifferenceClass difference) {
-  switch (difference) {
-    case DifferenceClass::rounding:
-      return "rounding";
-    case DifferenceClass::values:
-      return "values";
-    case DifferenceClass::contacts:
-      return "contacts";
-    case DifferenceClass::shape:
-      return "shape";
-  }
-  return "";
-}
-
 std::optional<std::uint64_t> ulps_of(std::string_view field, double expected, double actual) {
   if (field == kRowFields.back().name) return std::nullopt;
   return ulps_between(expected, actual);

@@ -40,7 +40,10 @@ enum class DifferenceClass {
 };
 inline constexpr std::array<DifferenceClass, 4> kDifferenceClasses = {
     DifferenceClass::rounding, DifferenceClass::values, DifferenceClass::contacts, DifferenceClass::shape};
-[[nodiscard]] std::string_view name_of(DifferenceClass difference);
+[[nodiscard]] constexpr std::string_view name_of(DifferenceClass difference) {
+  constexpr std::array<std::string_view, 4> kNames = {"rounding", "values", "contacts", "shape"};
+  return kNames[static_cast<std::size_t>(difference)];
+}
 
 /// The fields of a row, in the order in which a difference is looked for.
 struct RowField {

@@ -48,12 +48,6 @@ void Overlay::add(const Row& a, const Row& b) {
   stride_ *= 2;
 }
 
-std::vector<Overlay::Pair> Overlay::pairs() const {
-  std::vector<Pair> pairs = kept_;
-  if (seen_ > 0) pairs.push_back(farthest_);
-  return pairs;
-}
-
 Figure Overlay::figure(const Texts& texts) const {
   const auto& [right_px, bottom_px] = texts.bounds;
   std::vector<Series> scene = {{.name = "walls, for the corner",
@@ -63,7 +57,9 @@ Figure Overlay::figure(const Texts& texts) const {
                                {.name = texts.a, .look = {.tone = Tone::blue, .width_px = 4.0}},
                                {.name = texts.b, .look = {.tone = Tone::vermilion, .width_px = 1.5}}};
   Series distance{.name = "distance", .look = {.tone = Tone::ink, .width_px = 1.5}};
-  for (const Pair& pair : pairs()) {
+  std::vector<Pair> pairs = kept_;
+  if (seen_ > 0) pairs.push_back(farthest_);
+  for (const Pair& pair : pairs) {
     scene[1].x.push_back(pair.a.x_px);
     scene[1].y.push_back(pair.a.y_px);
     scene[2].x.push_back(pair.b.x_px);

@@ -37,7 +37,6 @@ class Overlay {
     Position b;
     double px = 0.0;
   };
-  [[nodiscard]] std::vector<Pair> pairs() const;
 
   std::vector<Pair> kept_;
   std::size_t stride_ = 1;  // So many pairs become one.

@@ -1,41 +1,14 @@
 #include "sim/compare/run_comparer.h"
 
 #include <algorithm>
-#include <cstring>
 
+#include "sim/compare/trajectory_comparer.h"
 #include "sim/trajectory/block_rows.h"
 
 namespace hyrax {
 namespace {
 
 constexpr std::size_t kRowsAround = 2;
-
-template <class Value>
-bool is_same_column(const std::vector<Value>& kept, std::size_t first, const std::vector<Value>& batch) {
-  return first + batch.size() <= kept.size() &&
-         std::memcmp(kept.data() + first, batch.data(), batch.size() * sizeof(Value)) == 0;
-}
-
-bool is_same(const Columns& kept, std::size_t first, const Columns& batch) {
-  return is_same_column(kept.step, first, batch.step) && is_same_column(kept.t_s, first, batch.t_s) &&
-         is_same_column(kept.dt_s, first, batch.dt_s) && is_same_column(kept.x_px, first, batch.x_px) &&
-         is_same_column(kept.y_px, first, batch.y_px) &&
-         is_same_column(kept.vx_px_per_s, first, batch.vx_px_per_s) &&
-         is_same_column(kept.vy_px_per_s, first, batch.vy_px_per_s) &&
-         is_same_column(kept.contact, first, batch.contact);
-}
-
-// REQUIRES: lists of the same contacts, at the same steps.
-std::optional<Divergence> first_difference(const std::vector<Contact>& expected,
-                                           const std::vector<Contact>& actual) {
-  for (std::size_t index = 0; index < expected.size(); ++index)
-    for (const ContactField& field : kContactFields) {
-      if (agrees(field, expected[index], actual[index])) continue;
-      return divergence_at(actual[index].step, field.name, expected[index].*field.value,
-                           actual[index].*field.value);
-    }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -51,10 +24,10 @@ std::optional<Divergence> first_difference(const Row& expected, const Row& actua
 void RunComparer::rows(const Columns& batch) {
   const auto first = static_cast<std::size_t>(rows_seen_);
   rows_seen_ += static_cast<std::int64_t>(batch.size());
-  if (is_same(kept_.rows, first, batch)) return;
   for (std::size_t index = 0; index < batch.size() && first + index < kept_.rows.size(); ++index) {
     const Row expected = kept_.rows.row(first + index);
     const Row actual = batch.row(index);
+    if (same_bits(expected, actual)) continue;
     distance_.add(expected, actual);
     if (result_.first) continue;
     result_.first = first_difference(expected, actual);
@@ -191,7 +164,7 @@ std::string RunComparer::difference_in_shape(const Played& played) const {
   return "";
 }
 
-// Batches and blocks of equal bytes were not searched for a NaN, with which a run ends.
+// Rows and blocks of equal bits were not searched for a NaN, with which a run ends.
 void RunComparer::compare_ends(const Played& played) {
   if (kept_.final.step == played.final.step && (result_.first || !is_finite(state_of(played.final))))
     distance_.add(kept_.final, played.final);

@@ -21,6 +21,18 @@ bool Tolerance::accepts(double a, double b) const {
   return ulps && *ulps_between(a, b) <= static_cast<std::uint64_t>(*ulps);
 }
 
+std::optional<Divergence> first_difference(const std::vector<Contact>& a, const std::vector<Contact>& b,
+                                           const Tolerance& tolerance) {
+  for (std::size_t index = 0; index < a.size(); ++index)
+    for (const ContactField& field : kContactFields) {
+      const double left = a[index].*field.value;
+      const double right = b[index].*field.value;
+      if (!agrees(field, a[index], b[index]) && !tolerance.accepts(left, right))
+        return divergence_at(a[index].step, field.name, left, right);
+    }
+  return std::nullopt;
+}
+
 void TrajectoryComparer::compare(const Row& a, const Row& b) {
   bool differs = false;
   for (std::size_t index = 0; index < kRowFields.size(); ++index) {
@@ -43,13 +55,7 @@ void TrajectoryComparer::compare(const std::vector<Contact>& a, const std::vecto
   if (!contacts_.is_none()) return;
   if (first_) return;
   for (std::size_t index = 0; index < a.size(); ++index) distance_.add(a[index], b[index]);
-  for (std::size_t index = 0; index < a.size() && !first_; ++index)
-    for (const ContactField& field : kContactFields) {
-      const double left = a[index].*field.value;
-      const double right = b[index].*field.value;
-      if (first_ || agrees(field, a[index], b[index]) || tolerance_.accepts(left, right)) continue;
-      first_ = divergence_at(a[index].step, field.name, left, right);
-    }
+  first_ = first_difference(a, b, tolerance_);
 }
 
 }  // namespace hyrax

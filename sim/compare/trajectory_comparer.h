@@ -21,6 +21,12 @@ struct Tolerance {
   [[nodiscard]] bool accepts(double a, double b) const;
 };
 
+/// The first quantity of a contact that differs by more than the tolerance; nothing where none does.
+/// REQUIRES: lists of the same contacts, at the same steps.
+[[nodiscard]] std::optional<Divergence> first_difference(const std::vector<Contact>& a,
+                                                         const std::vector<Contact>& b,
+                                                         const Tolerance& tolerance = {});
+
 /// The largest difference of a field, within the tolerance or not: the first NaN, else the first of the
 /// largest magnitude.
 struct WorstDifference {

@@ -33,6 +33,11 @@ inline void set_state(Row& row, const State& state) {
   row.vy_px_per_s = state.vy_px_per_s;
 }
 
+[[nodiscard]] inline bool same_bits(const Row& a, const Row& b) {
+  return a.step == b.step && same_bits(a.t_s, b.t_s) && same_bits(a.dt_s, b.dt_s) &&
+         same_bits(state_of(a), state_of(b)) && a.contact == b.contact;
+}
+
 /// The state after a frame: the row, the time as the time rule holds it, the sizes in force and
 /// whether the sprite is held. What comes next follows from the scenario and the row's number.
 struct Keyframe {

@@ -20,8 +20,7 @@ bool is_same_but_for_time(const Keyframe& a, const Keyframe& b) {
 }  // namespace
 
 bool is_same_keyframe(const Keyframe& a, const Keyframe& b) {
-  return is_same_but_for_time(a, b) && a.row.step == b.row.step && same_bits(a.row.t_s, b.row.t_s) &&
-         same_bits(a.row.dt_s, b.row.dt_s) && a.timeline.frames == b.timeline.frames;
+  return is_same_but_for_time(a, b) && same_bits(a.row, b.row) && a.timeline.frames == b.timeline.frames;
 }
 
 RowCheck check_of(const Row& row) {

@@ -19,10 +19,8 @@ void WaypointMeter::rows(const Columns& batch) {
 
 void WaypointMeter::block(const Block& block, std::int64_t count) {
   BlockRows rows(block.keyframe, block.rows);
-  if (!last_) add(rows.first());
-  if (has_all_seconds()) return find_apex(block);
   for (std::size_t index = 0; index < block.rows.size(); ++index) add(rows.next());
-  if (count > 1) add_repetitions(block, count);
+  if (count > 1 && !has_all_seconds()) add_repetitions(block, count);
 }
 
 void WaypointMeter::add(const Row& row) {
@@ -30,15 +28,6 @@ void WaypointMeter::add(const Row& row) {
   while (last_ && !has_all_seconds() && is_past_next_second(row.t_s, row.dt_s))
     found_.at_seconds.push_back(*last_);
   last_ = row;
-}
-
-void WaypointMeter::find_apex(const Block& block) {
-  std::size_t highest = 0;
-  for (std::size_t index = 1; index < block.rows.size(); ++index)
-    if (block.rows.row(index).y_px < block.rows.row(highest).y_px) highest = index;
-  if (!(block.rows.row(highest).y_px < found_.apex.y_px)) return;
-  BlockRows rows(block.keyframe, block.rows);
-  for (std::size_t index = 0; index <= highest; ++index) found_.apex = rows.next();
 }
 
 // All frames have one dt, so that the row at a second is found without a walk.

@@ -38,7 +38,6 @@ class WaypointMeter final : public RowSink {
     return t_s > static_cast<double>(found_.at_seconds.size() + 1) + 1e-9 * dt_s;
   }
   void add(const Row& row);
-  void find_apex(const Block& block);
   void add_repetitions(const Block& block, std::int64_t count);
 
   std::int64_t steps_;
