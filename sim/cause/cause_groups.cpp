@@ -57,15 +57,19 @@ struct StepEvidence {
 
 StepEvidence evidence_of(const Core& core, const StoredRun& run, const StoredRun& other) {
   StepEvidence evidence;
-  StepJudge judge(core);
   for (const ObservedStep& step : observed_steps(run, other, core)) {
     evidence.has_steps = true;
-    if (judge.gives(step)) continue;
+    if (gives(core, step)) continue;
     evidence.gives_all = false;
     evidence.gives_free_steps &= step.follows_input;
   }
   return evidence;
 }
+
+constexpr char kOtherBits[] =
+    "the accepted core gives other bits, too: the compiler, its flags, the processor, the C library, or a "
+    "fault of "
+    "the program";
 
 class CauseFinder {
  public:
@@ -129,10 +133,10 @@ class CauseFinder {
   // rows.
   [[nodiscard]] Cause step_cause(const StoredRun& golden, const StoredRun& fresh, const Core& core) const {
     if (base_.has_further_members && !match(core, golden.scenario, golden).rows)
-      return {CauseKind::unknown, other_bits()};
+      return {CauseKind::unknown, kOtherBits};
     const StepEvidence kept = evidence_of(core, golden, fresh);
     if (!kept.has_steps || !kept.gives_free_steps) {
-      if (base_.calls_libm || !kept.has_steps) return {CauseKind::unknown, other_bits()};
+      if (base_.calls_libm || !kept.has_steps) return {CauseKind::unknown, kOtherBits};
       return {CauseKind::golden, "the golden file's scenario and inputs do not give its rows"};
     }
     // Its own inputs do give its rows, though this program does not play them in their frames.
@@ -142,15 +146,9 @@ class CauseFinder {
     if (!kept.gives_all || !played.gives_all || golden.state_hash != fresh.state_hash) {
       if (played.gives_free_steps && !golden.inputs.empty())
         return {CauseKind::input, "an input has another effect"};
-      return {CauseKind::unknown, other_bits()};
+      return {CauseKind::unknown, kOtherBits};
     }
     return {CauseKind::unknown, "all rows agree, but what is measured of the contacts differs"};
-  }
-
-  [[nodiscard]] std::string other_bits() const {
-    return "the accepted core gives other bits, too: the compiler, its flags, the processor, the C library, "
-           "or a "
-           "fault of the program";
   }
 
   const CauseBase& base_;

@@ -110,18 +110,6 @@ namespace {
 
 constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
 
-class RowsSink final : public RowSink {
- public:
-  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size(); ++index) rows_.append(batch.row(index));
-  }
-  [[nodiscard]] const Columns& rows() const { return rows_; }
-
- private:
-  Columns rows_;
-};
-
 // Hitches and resizes leave position and velocity as they are.
 bool sets_state(const Action& action) {
   return !std::holds_alternative<Hitch>(action) && !std::holds_alternative<Resize>(action);
@@ -194,12 +182,13 @@ Keyframe keyframe_of_block(const std::vector<StoredBlock>& blocks, std::int64_t 
 std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun& other, const Core& core) {
   const std::int64_t differing = first_block_that_differs(run.blocks, other.blocks);
   const Keyframe from = keyframe_of_block(run.blocks, std::max<std::int64_t>(0, differing - 1));
-  RowsSink sink;
-  Replay replay(core, run.scenario, from, sink);
+  RunRecorder recorder(0);  // Of all rows.
+  Replay replay(core, run.scenario, from, recorder);
   replay.play_to(std::min(run.steps, from.row.step + 2 * kRows - 1));
   static_cast<void>(replay.finish());
   StepCollector collector(run.inputs, world_of(from), from.row.step);
-  for (std::size_t index = 0; index < sink.rows().size(); ++index) collector.take(sink.rows().row(index));
+  const Columns rows = recorder.take().rows;
+  for (std::size_t index = 0; index < rows.size(); ++index) collector.take(rows.row(index));
   return std::move(collector).steps();
 }
 
@@ -214,13 +203,14 @@ std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& 
   return std::move(collector).steps();
 }
 
-bool StepJudge::gives(const ObservedStep& observed) {
+bool gives(const Core& core, const ObservedStep& observed) {
   const auto& [state, window, sprite, is_held] = observed.before;
   const Stretch stretch{.window = window, .sprite = sprite, .dt_s = &observed.dt_s, .frames = 1};
   CoreBody after{state};
   RestAnchor rest;
-  rows_.shrink(0);
-  core_.kernel->play(stretch, after, rest, rows_, log_);
+  RowBlock rows;
+  StretchLog log;
+  core.kernel->play(stretch, after, rest, rows, log);
   return same_bits(after.state, observed.after);
 }
 

@@ -38,24 +38,12 @@ struct ObservedStep {
 
 /// The steps of a run: all of a short one; of a long one those of the first block
 /// whose digest is not the one in `other`, and of the block before it. Held frames have none.
-/// @param core plays the rows of a long run's blocks, from their keyframes. REQUIRES: as StepJudge.
+/// @param core plays the rows of a long run's blocks, from their keyframes. REQUIRES: as gives().
 [[nodiscard]] std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other,
                                                        const Core& core);
 
-/// Takes single steps by a core, to compare them with what was observed. REQUIRES: a core without members
-/// besides x, y, vx and vy, since a row is all that is known of its state.
-class StepJudge {
- public:
-  /// Refers to the core.
-  explicit StepJudge(const Core& core) : core_(core) {}
-
-  /// Whether the core makes of the state the bits that were observed.
-  [[nodiscard]] bool gives(const ObservedStep& observed);
-
- private:
-  const Core& core_;
-  RowBlock rows_;
-  StretchLog log_;
-};
+/// Whether the core makes of the state the bits that were observed. REQUIRES: a core without members besides
+/// x, y, vx and vy, since a row is all that is known of its state.
+[[nodiscard]] bool gives(const Core& core, const ObservedStep& observed);
 
 }  // namespace hyrax
