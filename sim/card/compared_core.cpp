@@ -67,9 +67,6 @@ class GuardedKernel final : public KernelOver {
     return guarded(0, std::ssize(frames_s) * parts,
                    [&] { return KernelOver::played(body, frames_s, bounds, parts); });
   }
-  [[nodiscard]] State stopped(const State& body) const override {
-    return guarded(0, 0, [&] { return KernelOver::stopped(body); });
-  }
 
  private:
   int number_;

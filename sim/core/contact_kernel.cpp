@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -56,6 +57,12 @@ void tell_by_step(const Stretch& stretch, const State& start, TracedBody& traced
       });
 }
 
+// One coordinate and its speed.
+struct Motion {
+  double at_px;
+  double v_px_per_s;
+};
+
 std::uint8_t with_rest_bit(std::uint8_t walls, const State& after) {
   const bool rests = touches(walls, Wall::ground) && after.vy_px_per_s == 0.0;
   return static_cast<std::uint8_t>(walls | (rests ? kRestBit : 0));
@@ -65,7 +72,6 @@ std::uint8_t with_rest_bit(std::uint8_t walls, const State& after) {
 void tell_by_rows(const Stretch& stretch, const State& start, const std::optional<Constants>& constants,
                   std::size_t first_row, RowBlock& rows, StretchLog& log) {
   const Bounds bounds = bounds_of(stretch.window, stretch.sprite);
-  const RowWalls walls(bounds);
   const ListingStep listing(constants.value_or(Constants()), AllParts{}, bounds);
   bool is_listed = false;
   tell_contacts(
@@ -74,7 +80,7 @@ void tell_by_rows(const Stretch& stretch, const State& start, const std::optiona
         State listed = from;
         const std::uint8_t met = listing(listed, dt_s);
         is_listed = constants && same_bits(listed, after);
-        return is_listed ? with_rest_bit(met, after) : walls.contact_of(from, dt_s, after);
+        return is_listed ? with_rest_bit(met, after) : contact_of_rows(bounds, from, dt_s, after);
       },
       [&](Wall wall, const State& from, double dt_s, const State& after) {
         if (is_listed) return listing_meeting(listing, wall, from, dt_s, after);
@@ -82,7 +88,27 @@ void tell_by_rows(const Stretch& stretch, const State& start, const std::optiona
       });
 }
 
+// The wall at 0 or at `high_px` that one coordinate met.
+std::uint8_t met(const Motion& before, double dt_s, const Motion& after, double high_px, Wall low,
+                 Wall high) {
+  const double reach_px = std::max(std::fabs(before.v_px_per_s), std::fabs(after.v_px_per_s)) * dt_s;
+  const bool turned_up = before.v_px_per_s < 0.0 && after.v_px_per_s > 0.0;
+  const bool turned_down = before.v_px_per_s > 0.0 && after.v_px_per_s < 0.0;
+  if (after.at_px <= 0.0 || (turned_up && before.at_px <= reach_px)) return static_cast<std::uint8_t>(low);
+  if (after.at_px >= high_px || (turned_down && high_px - before.at_px <= reach_px))
+    return static_cast<std::uint8_t>(high);
+  return 0;
+}
+
 }  // namespace
+
+std::uint8_t contact_of_rows(const Bounds& bounds, const State& before, double dt_s, const State& after) {
+  const std::uint8_t in_x = met({before.x_px, before.vx_px_per_s}, dt_s, {after.x_px, after.vx_px_per_s},
+                                bounds.right_px, Wall::left, Wall::right);
+  const std::uint8_t in_y = met({before.y_px, before.vy_px_per_s}, dt_s, {after.y_px, after.vy_px_per_s},
+                                bounds.bottom_px, Wall::top, Wall::ground);
+  return with_rest_bit(static_cast<std::uint8_t>(in_x | in_y), after);
+}
 
 // Of further members the traced step's own go on behind the object of the core.
 bool ContactKernel::keeps_members() const { return step_ && step_->step().members.size() > kMembersOfRows; }

@@ -7,6 +7,13 @@
 
 namespace hyrax {
 
+State Core::stopped(const State& body) const {
+  Keyframe frame;
+  set_state(frame.row, body);
+  kernel->apply(Stop{}, frame);
+  return state_of(frame.row);
+}
+
 // In the largest window there is, most flights meet no wall. One that does flies again at the same velocity
 // in the middle of the window: its speeds are those of the flight, and so is its distance, to the rounding of
 // such a place. If that distance is speed times dt, as the listing moves, the position is exact; else to

@@ -41,7 +41,7 @@ struct Core {
     return kernel->played(body, frames_s, bounds, parts);
   }
   /// resetVelocity.
-  [[nodiscard]] State stopped(const State& body) const { return kernel->stopped(body); }
+  [[nodiscard]] State stopped(const State& body) const;
   /// One call of update without walls. REQUIRES: constants.
   [[nodiscard]] State flight(const State& body, double dt_s) const;
 };

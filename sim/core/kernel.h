@@ -83,8 +83,6 @@ class Kernel {
   /// Calls of update through the frames, each in so many equal parts.
   [[nodiscard]] virtual State played(const State& body, std::span<const double> frames_s,
                                      const Bounds& bounds, int parts) const = 0;
-  /// resetVelocity.
-  [[nodiscard]] virtual State stopped(const State& body) const = 0;
 };
 
 /// Plays as another kernel does: base of those that add something to some of its calls.
@@ -105,7 +103,6 @@ class KernelOver : public Kernel {
                              int parts) const override {
     return kernel_->played(body, frames_s, bounds, parts);
   }
-  [[nodiscard]] State stopped(const State& body) const override { return kernel_->stopped(body); }
 
  private:
   std::shared_ptr<const Kernel> kernel_;

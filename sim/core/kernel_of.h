@@ -39,12 +39,10 @@ namespace hyrax {
   return *least >= 0.0 && same_bits(body.x_px + vx * *most, body.x_px);
 }
 
-/// What tells the walls of cores: the listing's step with their constants, or a step of their own.
+/// What tells the walls of cores: the listing's step with their constants.
 template <class Cores>
 [[nodiscard]] auto listing_of(const Cores& cores, const Bounds& bounds) {
-  if constexpr (requires { cores.listing(bounds); })
-    return cores.listing(bounds);
-  else if constexpr (requires { cores.constants(); })
+  if constexpr (requires { cores.constants(); })
     return ListingStep(cores.constants(), AllParts{}, bounds);
   else
     return std::monostate();
@@ -63,10 +61,9 @@ struct StepFacts {
 /// a step, the velocity with which it met them and how far it overshot follow from the listing's step
 /// (sim/motion/step.h) with the core's constants: the core's own step must be that one bit for bit, or its
 /// contacts come from ContactKernel (sim/core/contact_kernel.h).
-/// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`; it may
-/// have another step than the listing's to find the walls by: `listing(const Bounds&)`, with `fly` and
-/// `meet_walls_in_x`. A core that knows its walls tells them: `contact` and `meeting` as TracedBody's
-/// (sim/trace/step_player.h). Without all of these there are no contacts.
+/// @tparam Cores makes cores: `Cores::Core`, `Core make(const State&)` and `Constants constants()`. A core
+/// that knows its walls tells them: `contact` and `meeting` as TracedBody's (sim/trace/step_player.h).
+/// Without these there are no contacts.
 template <class Cores>
 class KernelOf final : public Kernel {
  public:
@@ -118,11 +115,6 @@ class KernelOf final : public Kernel {
         for (int part = 0; part < parts; ++part) moving.update(frame_s / parts, right_px, bottom_px, 0, 0);
     }
     return state_of(moving);
-  }
-  [[nodiscard]] State stopped(const State& body) const override {
-    Core stopped = cores_.make(body);
-    stopped.resetVelocity();
-    return state_of(stopped);
   }
 
  private:

@@ -19,7 +19,7 @@ constexpr double kDt_s = 0.1;
 constexpr State kInside{500.0, 250.0, 0.0, 0.0};
 
 std::uint8_t contact_between(const State& before, const State& after) {
-  return RowWalls(kBounds).contact_of(before, kDt_s, after);
+  return contact_of_rows(kBounds, before, kDt_s, after);
 }
 
 std::uint8_t bit(Wall wall) { return static_cast<std::uint8_t>(wall); }
@@ -54,7 +54,7 @@ TEST(RowWalls, SetTheRestBitOnTheGroundOnly) {
 }
 
 TEST(RowWalls, OfTwoAtTheSamePlaceAreTheLeftAndTheTop) {
-  EXPECT_EQ(RowWalls({0.0, -20.0}).contact_of(kInside, kDt_s, {0.0, -10.0, 1.0, 1.0}),
+  EXPECT_EQ(contact_of_rows({0.0, -20.0}, kInside, kDt_s, {0.0, -10.0, 1.0, 1.0}),
             bit(Wall::left) | bit(Wall::top));
 }
 
