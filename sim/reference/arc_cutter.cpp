@@ -17,29 +17,16 @@ bool is_measurable(const Row& row) {
 }
 
 ArcEnd end_at(std::uint8_t contact) {
-  if (touches(contact, Wall::left)) return ArcEnd::left;
-  if (touches(contact, Wall::right)) return ArcEnd::right;
-  return touches(contact, Wall::top) ? ArcEnd::top : ArcEnd::ground;
+  for (const Wall wall : kWalls)
+    if (touches(contact, wall)) return static_cast<ArcEnd>(wall_index(wall));
+  return ArcEnd::ground;
 }
 
 }  // namespace
 
 std::optional<Wall> wall_of(ArcEnd end) {
-  switch (end) {
-    case ArcEnd::left:
-      return Wall::left;
-    case ArcEnd::right:
-      return Wall::right;
-    case ArcEnd::top:
-      return Wall::top;
-    case ArcEnd::ground:
-      return Wall::ground;
-    case ArcEnd::input:
-    case ArcEnd::hold:
-    case ArcEnd::end:
-      return std::nullopt;
-  }
-  return std::nullopt;
+  if (end > ArcEnd::ground) return std::nullopt;
+  return kWalls[static_cast<std::size_t>(end)];
 }
 
 ArcCutter::ArcCutter(const Scenario& scenario, std::vector<Input> inputs, ArcVisitor& visitor)

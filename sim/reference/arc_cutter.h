@@ -14,7 +14,7 @@
 
 namespace hyrax {
 
-/// Why an arc goes no further: a clamp (in a corner the wall in x), an input, a grab, or the run.
+/// Why an arc goes no further: a clamp, by kWalls (in a corner the wall in x), an input, a grab, or the run.
 enum class ArcEnd { left, right, top, ground, input, hold, end };
 
 inline constexpr std::array<std::string_view, 7> kArcEndNames = {"left",  "right", "top", "ground",

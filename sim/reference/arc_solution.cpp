@@ -32,9 +32,10 @@ Position ArcSolution::model_at_other_rates() const {
 void ArcSolution::open_segment(double dt_s) {
   if (frames_ > 0) {
     start_.t = start_.t + two_product(frames(), dt_s_);
-    move_on(start_.discrete, powers_->wide_discrete(frames_));
-    move_on(start_.matched, powers_->wide_matched(frames_));
-    move_on(start_.exact_law, powers_->wide_exact_law(frames_));
+    const FramePowers::Forms<DoubleDouble>& powers = powers_->wide(frames_);
+    move_on(start_.discrete, powers.discrete);
+    move_on(start_.matched, powers.matched);
+    move_on(start_.exact_law, powers.exact_law);
     was_at_model_rate_ = was_at_model_rate_ && is_at_model_rate();
     start_.dt_squares = start_.dt_squares + two_product(dt_s_, dt_s_) * frames();
   }

@@ -48,17 +48,15 @@ class FramePowers {
   /// Those of the paper's drag are made once.
   [[nodiscard]] static std::shared_ptr<const FramePowers> of(const Model& model);
 
-  /// REQUIRES: n <= kFramesMax.
-  [[nodiscard]] const FramePower<double>& discrete(std::size_t n) const { return rounded_[n].discrete; }
-  [[nodiscard]] const FramePower<double>& matched(std::size_t n) const { return rounded_[n].matched; }
-  [[nodiscard]] const FramePower<double>& exact_law(std::size_t n) const { return rounded_[n].exact_law; }
-  [[nodiscard]] const FramePower<DoubleDouble>& wide_discrete(std::size_t n) const {
-    return wide_[n].discrete;
-  }
-  [[nodiscard]] const FramePower<DoubleDouble>& wide_matched(std::size_t n) const { return wide_[n].matched; }
-  [[nodiscard]] const FramePower<DoubleDouble>& wide_exact_law(std::size_t n) const {
-    return wide_[n].exact_law;
-  }
+  template <class Number>
+  struct Forms {
+    FramePower<Number> discrete;
+    FramePower<Number> matched;
+    FramePower<Number> exact_law;
+  };
+  /// After n frames. REQUIRES: n <= kFramesMax.
+  [[nodiscard]] const Forms<double>& rounded(std::size_t n) const { return rounded_[n]; }
+  [[nodiscard]] const Forms<DoubleDouble>& wide(std::size_t n) const { return wide_[n]; }
 
   /// ln(a); the matched drag rate of a frame is -ln(a) / dt.
   [[nodiscard]] double log_air_drag() const { return log_.hi; }
@@ -66,12 +64,6 @@ class FramePowers {
   [[nodiscard]] double shift() const { return shift_.hi; }
 
  private:
-  template <class Number>
-  struct Forms {
-    FramePower<Number> discrete;
-    FramePower<Number> matched;
-    FramePower<Number> exact_law;
-  };
   void extend();
   [[nodiscard]] FramePower<DoubleDouble> exact_law_after(double frames, DoubleDouble power) const;
   void push(const Forms<DoubleDouble>& forms);
@@ -112,9 +104,13 @@ class ArcSolution {
   [[nodiscard]] double elapsed_s() const { return start_.t.hi + (frames() * dt_s_ + start_.t.lo); }
   [[nodiscard]] bool solves_x() const { return solves_x_; }
 
-  [[nodiscard]] Flight discrete() const { return flight(powers_->discrete(frames_), start_.discrete); }
-  [[nodiscard]] Flight matched() const { return flight(powers_->matched(frames_), start_.matched); }
-  [[nodiscard]] Flight exact_law() const { return flight(powers_->exact_law(frames_), start_.exact_law); }
+  [[nodiscard]] Flight discrete() const {
+    return flight(powers_->rounded(frames_).discrete, start_.discrete);
+  }
+  [[nodiscard]] Flight matched() const { return flight(powers_->rounded(frames_).matched, start_.matched); }
+  [[nodiscard]] Flight exact_law() const {
+    return flight(powers_->rounded(frames_).exact_law, start_.exact_law);
+  }
   /// What the discretisation of gravity did to the energy since the arc's first row, px^2/s^2: along the
   /// exact law de/dt = -k v^2 - g eta, so it is -sum of g eta_i dt_i over the frames, whatever the speed.
   [[nodiscard]] double gravity_energy_px2_per_s2() const {

@@ -7,7 +7,7 @@
 namespace hyrax {
 namespace {
 
-FramePower<double> rounded(const FramePower<DoubleDouble>& wide) {
+FramePower<double> hi_of(const FramePower<DoubleDouble>& wide) {
   return {wide.power.hi, wide.sum.hi, wide.sum_of_sums.hi};
 }
 
@@ -68,7 +68,7 @@ FramePower<DoubleDouble> FramePowers::exact_law_after(double frames, DoubleDoubl
 
 void FramePowers::push(const Forms<DoubleDouble>& forms) {
   wide_.push_back(forms);
-  rounded_.push_back({rounded(forms.discrete), rounded(forms.matched), rounded(forms.exact_law)});
+  rounded_.push_back({hi_of(forms.discrete), hi_of(forms.matched), hi_of(forms.exact_law)});
 }
 
 }  // namespace hyrax

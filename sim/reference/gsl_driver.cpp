@@ -11,32 +11,14 @@ namespace {
 
 constexpr double kFirstStep_frames = 1.0;
 
+// By GslStepper.
 const gsl_odeiv2_step_type* type_of(GslStepper stepper) {
-  switch (stepper) {
-    case GslStepper::rk2:
-      return gsl_odeiv2_step_rk2;
-    case GslStepper::rk4:
-      return gsl_odeiv2_step_rk4;
-    case GslStepper::rkf45:
-      return gsl_odeiv2_step_rkf45;
-    case GslStepper::rkck:
-      return gsl_odeiv2_step_rkck;
-    case GslStepper::rk8pd:
-      return gsl_odeiv2_step_rk8pd;
-    case GslStepper::rk1imp:
-      return gsl_odeiv2_step_rk1imp;
-    case GslStepper::rk2imp:
-      return gsl_odeiv2_step_rk2imp;
-    case GslStepper::rk4imp:
-      return gsl_odeiv2_step_rk4imp;
-    case GslStepper::bsimp:
-      return gsl_odeiv2_step_bsimp;
-    case GslStepper::msadams:
-      return gsl_odeiv2_step_msadams;
-    case GslStepper::msbdf:
-      return gsl_odeiv2_step_msbdf;
-  }
-  return gsl_odeiv2_step_rk8pd;
+  const std::array types = {gsl_odeiv2_step_rk2,     gsl_odeiv2_step_rk4,    gsl_odeiv2_step_rkf45,
+                            gsl_odeiv2_step_rkck,    gsl_odeiv2_step_rk8pd,  gsl_odeiv2_step_rk1imp,
+                            gsl_odeiv2_step_rk2imp,  gsl_odeiv2_step_rk4imp, gsl_odeiv2_step_bsimp,
+                            gsl_odeiv2_step_msadams, gsl_odeiv2_step_msbdf};
+  static_assert(types.size() == kGslStepperNames.size());
+  return types[static_cast<std::size_t>(stepper)];
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ void WholeMeter::take(const Row& row) {
   if (row.step == 0) {
     exact_ = state_of(row);
   } else {
-    if (!playback_.is_held()) fly_to(row.t_s);
+    if (!playback_.is_held() && !still_from_step_) exact_ = fling_.at(row.t_s - from_s_);
     compare(row);
   }
   Row from = row;
@@ -81,11 +81,6 @@ void WholeMeter::start(const Row& from) {
   met_.clear();
   compared_ = 0;
   contact_before_ = 0;
-}
-
-void WholeMeter::fly_to(double t_s) {
-  if (still_from_step_) return;
-  exact_ = fling_.at(t_s - from_s_);
 }
 
 void WholeMeter::compare(const Row& row) {

@@ -59,7 +59,6 @@ class WholeMeter final : public RowSink {
  private:
   void take(const Row& row);
   void start(const Row& from);
-  void fly_to(double t_s);
   void compare(const Row& row);
   void compare_contacts(const Row& row);
   void end_without(std::string why);

@@ -142,7 +142,7 @@ TEST(ExactLaw, HasTheCoefficientsOfTheStepInEveryFrame) {
   for (const double air_drag : {0.5, 0.9, 0.999, 1.0 - 1e-4, 1.0 - 1e-5, 1.0 - 1e-9, 1.0}) {
     const FramePowers powers(Model{.air_drag = air_drag});
     for (std::size_t n = 1; n <= FramePowers::kFramesMax; ++n) {
-      const FramePower<DoubleDouble>&law = powers.wide_exact_law(n), &step = powers.wide_discrete(n);
+      const FramePower<DoubleDouble>&law = powers.wide(n).exact_law, &step = powers.wide(n).discrete;
       EXPECT_LT(std::fabs((law.sum + -step.sum).hi), 1e-21 * step.sum.hi) << air_drag << ", " << n;
       EXPECT_LT(std::fabs((law.sum_of_sums + -step.sum_of_sums).hi), 1e-21 * step.sum_of_sums.hi)
           << air_drag << ", " << n;
