@@ -79,10 +79,6 @@ Scenario edge_run(std::uint64_t seed) {
   return run;
 }
 
-Scenario fling(double rate_hz, std::int64_t frames, const State& start) {
-  return scenario_from(start, {1920, 1080}, {128, 128}, rate_hz, frames);
-}
-
 }  // namespace
 
 Digest fingerprint_of(const Core& core) {
@@ -92,9 +88,11 @@ Digest fingerprint_of(const Core& core) {
     hash.add(std::as_bytes(std::span(played)));
   };
   for (std::uint64_t seed = 0; seed < kEdgeRuns; ++seed) add(edge_run(seed));
-  add(fling(240.0, 1600, {300.0, 500.0, 1700.0, -900.0}));  // Until it has settled.
-  add(fling(60.0, 2,
-            {896.0, 952.0, 9.0, -11.658324991658324}));  // It bounces at 5 px/s, the threshold itself.
+  constexpr Size kWindow{1920, 1080};
+  constexpr Size kSprite{128, 128};
+  add(scenario_from({300.0, 500.0, 1700.0, -900.0}, kWindow, kSprite, 240.0, 1600));  // Until it has settled.
+  // It bounces at 5 px/s, the threshold itself.
+  add(scenario_from({896.0, 952.0, 9.0, -11.658324991658324}, kWindow, kSprite, 60.0, 2));
   return hash.value();
 }
 
