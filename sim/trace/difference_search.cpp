@@ -1,4 +1,4 @@
-#include "sim/trace/difference_search.h"
+#include "sim/trace/step_difference.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
-#include "sim/trace/operations.h"
 #include "sim/trace/step_draw.h"
+#include "sim/trace/step_program.h"
 
 namespace hyrax {
 namespace {
@@ -68,13 +68,15 @@ class Search {
 
   // Which numbers each expression depends on, a bit each.
   static std::vector<std::uint16_t> dependencies_of(const TracedStep& step) {
-    constexpr std::array<std::string_view, kStepNumbers> kNames = {
-        "x", "y", "vx", "vy", "dt", "window_width", "window_height", "sprite_width", "sprite_height"};
+    std::vector<std::string> names;
+    for (std::size_t member = 0; member < 4; ++member) names.push_back(member_name(member));
+    for (const std::string_view argument : kArgumentNames[static_cast<std::size_t>(CoreFunction::update)])
+      names.emplace_back(argument);
     std::vector<std::uint16_t> dependencies;
     for (const Expression& expression : step.expressions) {
       std::uint16_t bits = 0;
       for (std::size_t number = 0; number < kStepNumbers; ++number)
-        if (expression.op == Operator::argument && expression.name == kNames[number])
+        if (expression.op == Operator::argument && expression.name == names[number])
           bits = static_cast<std::uint16_t>(1u << number);
       for (const std::int32_t operand : expression.operands)
         if (operand >= 0) bits |= dependencies[static_cast<std::size_t>(operand)];
@@ -113,7 +115,8 @@ class Search {
     const State& state = input.world.state;
     target_.owner->run(CoreFunction::construct, members,
                        {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s, 0.0});
-    target_.owner->evaluate(members, arguments_of(input), values_);
+    target_.owner->evaluate(members, update_arguments(input.dt_s, input.world.window, input.world.sprite),
+                            values_);
     ++result_.steps_tried;
   }
 

@@ -24,6 +24,18 @@ enum class Operator : std::uint8_t {
 
 enum class Relation : std::uint8_t { less, less_or_equal, equal };
 
+/// The functions of one and of two numbers that a step may call besides `fma`: one(name, is_fixed), where
+/// IEEE-754 fixes the result or not.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage)
+#define HYRAX_TRACE_FUNCTIONS(one, two)                                                               \
+  one(fabs, true) one(sqrt, true) one(floor, true) one(ceil, true) one(trunc, true) one(round, true)  \
+      one(rint, true) one(nearbyint, true) one(cbrt, false) one(exp, false) one(exp2, false)          \
+          one(expm1, false) one(log, false) one(log2, false) one(log10, false) one(log1p, false)      \
+              one(sin, false) one(cos, false) one(tan, false) one(asin, false) one(acos, false)       \
+                  one(atan, false) one(sinh, false) one(cosh, false) one(tanh, false) two(pow, false) \
+                      two(atan2, false) two(hypot, false) two(fmod, true) two(remainder, true)        \
+                          two(copysign, true) two(fmin, true) two(fmax, true)
+
 /// The functions of a core. Arguments by name: construct `start_x start_y start_vx start_vy`; update `dt
 /// window_width window_height sprite_width sprite_height`; set_position `new_x new_y`; set_velocity `new_vx
 /// new_vy`. Members before the call: `x y vx vy`, then `member_5` and so on.

@@ -1,4 +1,4 @@
-#include "sim/trace/operations.h"
+#include "sim/trace/step_program.h"
 
 #include <array>
 #include <cmath>
@@ -32,27 +32,11 @@ constexpr KnownCall known(std::string_view name, int operands, Function /*unused
 }
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
-#define HYRAX_ONE(name) known(#name, 1, [](auto a, auto, auto) { return std::name(a); })
-#define HYRAX_TWO(name) known(#name, 2, [](auto a, auto b, auto) { return std::name(a, b); })
+#define HYRAX_ONE(name, is_fixed) known(#name, 1, [](auto a, auto, auto) { return std::name(a); }),
+#define HYRAX_TWO(name, is_fixed) known(#name, 2, [](auto a, auto b, auto) { return std::name(a, b); }),
 // NOLINTEND(cppcoreguidelines-macro-usage)
-constexpr std::array kKnownCalls = {
-    HYRAX_ONE(fabs),     HYRAX_ONE(sqrt),
-    HYRAX_ONE(floor),    HYRAX_ONE(ceil),
-    HYRAX_ONE(trunc),    HYRAX_ONE(round),
-    HYRAX_ONE(rint),     HYRAX_ONE(nearbyint),
-    HYRAX_ONE(cbrt),     HYRAX_ONE(exp),
-    HYRAX_ONE(exp2),     HYRAX_ONE(expm1),
-    HYRAX_ONE(log),      HYRAX_ONE(log2),
-    HYRAX_ONE(log10),    HYRAX_ONE(log1p),
-    HYRAX_ONE(sin),      HYRAX_ONE(cos),
-    HYRAX_ONE(tan),      HYRAX_ONE(asin),
-    HYRAX_ONE(acos),     HYRAX_ONE(atan),
-    HYRAX_ONE(sinh),     HYRAX_ONE(cosh),
-    HYRAX_ONE(tanh),     HYRAX_TWO(pow),
-    HYRAX_TWO(atan2),    HYRAX_TWO(hypot),
-    HYRAX_TWO(fmod),     HYRAX_TWO(remainder),
-    HYRAX_TWO(copysign), HYRAX_TWO(fmin),
-    HYRAX_TWO(fmax),     known("fma", 3, [](auto a, auto b, auto c) { return std::fma(a, b, c); })};
+constexpr std::array kKnownCalls = {HYRAX_TRACE_FUNCTIONS(HYRAX_ONE, HYRAX_TWO) known(
+    "fma", 3, [](auto a, auto b, auto c) { return std::fma(a, b, c); })};
 #undef HYRAX_ONE
 #undef HYRAX_TWO
 

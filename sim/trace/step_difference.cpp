@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "sim/trace/decision_tree.h"
-#include "sim/trace/difference_search.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 
@@ -103,76 +102,45 @@ bool differs(const TracedBody& a, const TracedBody& b) {
 
 }  // namespace
 
-class StepPair::Data {
- public:
-  Data(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)
-      : names_(names),
-        programs_{make_step_program(accepted), make_step_program(current)},
-        are_setters_equal_(without_update(accepted) == without_update(current)) {
+struct StepPair::Data {
+  Data(const TracedStep& accepted, const TracedStep& current, const NumberNames& number_names)
+      : names(number_names),
+        programs{make_step_program(accepted), make_step_program(current)},
+        are_setters_equal(without_update(accepted) == without_update(current)) {
     SharedNumbers shared;
-    sides_ = {make_side(accepted, shared), make_side(current, shared)};
+    sides = {make_side(accepted, shared), make_side(current, shared)};
     if (only_update(accepted) == only_update(current)) return;
     for (std::size_t owner = 0; owner < 2; ++owner) {
       find_comparisons(owner);
       find_expressions(owner);
     }
     find_paths();
-    if (differences_.empty())
+    if (differences.empty())
       add(0, {.is_in_accepted = true, .text = "the paths of update"},
-          std::vector<bool>(sides_[0].paths().size(), true));
+          std::vector<bool>(sides[0].paths().size(), true));
   }
 
-  [[nodiscard]] const std::vector<StepDifference>& differences() const { return differences_; }
-  [[nodiscard]] bool are_setters_equal() const { return are_setters_equal_; }
-
-  bool notice(const StepInput& input, std::vector<bool>& noticed) const {
-    if (!is_playable()) return false;
-    TracedBody a(*programs_[0], input.world.state);
-    TracedBody b(*programs_[1], input.world.state);
-    a.update(input);
-    b.update(input);
-    if (!differs(a, b)) return false;
-    for (std::size_t index = 0; index < differences_.size(); ++index) {
-      const std::int32_t path = differences_[index].is_in_accepted ? a.path() : b.path();
-      if (is_on_path_[index][static_cast<std::size_t>(path)]) noticed[index] = true;
-    }
-    return true;
-  }
-
-  [[nodiscard]] DifferenceSearch search(std::size_t difference, std::uint64_t seed,
-                                        std::int64_t steps_max) const {
-    if (!is_playable()) return {};
-    const StepDifference& wanted = differences_[difference];
-    const std::size_t owner = wanted.is_in_accepted ? 0 : 1;
-    return search_difference({.owner = programs_[owner].get(),
-                              .other = programs_[1 - owner].get(),
-                              .is_on_path = is_on_path_[difference],
-                              .comparison = wanted.is_comparison ? wanted.index : -1},
-                             seed, steps_max);
-  }
-
- private:
-  [[nodiscard]] bool is_playable() const { return programs_[0] && programs_[1]; }
+  [[nodiscard]] bool is_playable() const { return programs[0] && programs[1]; }
 
   void add(std::size_t owner, StepDifference difference, std::vector<bool> is_on_path) {
     difference.is_in_accepted = owner == 0;
-    differences_.push_back(std::move(difference));
-    is_on_path_.push_back(std::move(is_on_path));
+    differences.push_back(std::move(difference));
+    on_paths.push_back(std::move(is_on_path));
   }
 
   // Whether the other step has it, too.
   [[nodiscard]] bool has_operand(std::size_t owner, std::int32_t index) const {
-    return index < 0 || sides_[owner].is_number(index) ||
-           sides_[1 - owner].has_expressions.contains(
-               sides_[owner].expressions[static_cast<std::size_t>(index)]);
+    return index < 0 || sides[owner].is_number(index) ||
+           sides[1 - owner].has_expressions.contains(
+               sides[owner].expressions[static_cast<std::size_t>(index)]);
   }
 
   void find_comparisons(std::size_t owner) {
-    const Side& side = sides_[owner];
+    const Side& side = sides[owner];
     for (std::size_t index = 0; index < side.comparisons.size(); ++index) {
       const StepComparison& comparison = side.step.comparisons[index];
       if (!side.has_comparisons.contains(side.comparisons[index]) ||
-          sides_[1 - owner].has_comparisons.contains(side.comparisons[index]) ||
+          sides[1 - owner].has_comparisons.contains(side.comparisons[index]) ||
           !has_operand(owner, comparison.left) || !has_operand(owner, comparison.right))
         continue;
       const auto number = static_cast<std::int32_t>(index);
@@ -181,13 +149,13 @@ class StepPair::Data {
         is_on_path.push_back(
             std::any_of(path.outcomes.begin(), path.outcomes.end(),
                         [&](const StepOutcome& outcome) { return outcome.comparison == number; }));
-      add(owner, {.text = comparison_text(side.step, number, names_), .is_comparison = true, .index = number},
+      add(owner, {.text = comparison_text(side.step, number, names), .is_comparison = true, .index = number},
           std::move(is_on_path));
     }
   }
 
   void find_expressions(std::size_t owner) {
-    const Side& side = sides_[owner];
+    const Side& side = sides[owner];
     for (std::size_t index = 0; index < side.expressions.size(); ++index) {
       const auto number = static_cast<std::int32_t>(index);
       const Expression& expression = side.step.expressions[index];
@@ -197,15 +165,14 @@ class StepPair::Data {
         continue;
       std::vector<bool> is_on_path;
       for (const std::vector<bool>& evaluated : side.evaluated) is_on_path.push_back(evaluated[index]);
-      add(owner, {.text = expression_text(side.step, number, names_), .index = number},
-          std::move(is_on_path));
+      add(owner, {.text = expression_text(side.step, number, names), .index = number}, std::move(is_on_path));
     }
   }
 
   // Members that become something else where both steps calculate and compare the same.
   void find_paths() {
-    const Side& a = sides_[0];
-    const Side& b = sides_[1];
+    const Side& a = sides[0];
+    const Side& b = sides[1];
     const std::vector<bool> is_told_a = told_paths(0);
     const std::vector<bool> is_told_b = told_paths(1);
     std::map<std::map<std::int32_t, bool>, std::size_t> paths_b;
@@ -233,17 +200,17 @@ class StepPair::Data {
           if (agree(outcomes, other)) compare(p, q);
     }
     for (auto& [expression, is_on_path] : found)
-      add(0, {.text = expression_text(a.step, expression, names_), .index = expression},
+      add(0, {.text = expression_text(a.step, expression, names), .index = expression},
           std::move(is_on_path));
   }
 
   // By path of a side: whether it evaluates a difference that was found.
   [[nodiscard]] std::vector<bool> told_paths(std::size_t owner) const {
-    std::vector<bool> told(sides_[owner].paths().size());
-    for (std::size_t index = 0; index < differences_.size(); ++index)
-      if (differences_[index].is_in_accepted == (owner == 0))
+    std::vector<bool> told(sides[owner].paths().size());
+    for (std::size_t index = 0; index < differences.size(); ++index)
+      if (differences[index].is_in_accepted == (owner == 0))
         for (std::size_t path = 0; path < told.size(); ++path)
-          if (is_on_path_[index][path]) told[path] = true;
+          if (on_paths[index][path]) told[path] = true;
     return told;
   }
 
@@ -261,12 +228,12 @@ class StepPair::Data {
     });
   }
 
-  NumberNames names_;
-  std::array<std::shared_ptr<const StepProgram>, 2> programs_;
-  bool are_setters_equal_ = false;
-  std::array<Side, 2> sides_;
-  std::vector<StepDifference> differences_;
-  std::vector<std::vector<bool>> is_on_path_;  // By difference, by path of the step that has it.
+  NumberNames names;
+  std::array<std::shared_ptr<const StepProgram>, 2> programs;
+  bool are_setters_equal = false;
+  std::array<Side, 2> sides;
+  std::vector<StepDifference> differences;
+  std::vector<std::vector<bool>> on_paths;  // By difference, by path of the step that has it.
 };
 
 StepPair::StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)
@@ -274,14 +241,33 @@ StepPair::StepPair(const TracedStep& accepted, const TracedStep& current, const 
 StepPair::~StepPair() = default;
 StepPair::StepPair(StepPair&&) noexcept = default;
 
-const std::vector<StepDifference>& StepPair::differences() const { return data_->differences(); }
-bool StepPair::are_setters_equal() const { return data_->are_setters_equal(); }
+const std::vector<StepDifference>& StepPair::differences() const { return data_->differences; }
+bool StepPair::are_setters_equal() const { return data_->are_setters_equal; }
+
 bool StepPair::notice(const StepInput& input, std::vector<bool>& noticed) const {
   assert(noticed.size() == differences().size());
-  return data_->notice(input, noticed);
+  if (!data_->is_playable()) return false;
+  TracedBody a(*data_->programs[0], input.world.state);
+  TracedBody b(*data_->programs[1], input.world.state);
+  a.update(input);
+  b.update(input);
+  if (!differs(a, b)) return false;
+  for (std::size_t index = 0; index < noticed.size(); ++index) {
+    const std::int32_t path = differences()[index].is_in_accepted ? a.path() : b.path();
+    if (data_->on_paths[index][static_cast<std::size_t>(path)]) noticed[index] = true;
+  }
+  return true;
 }
+
 DifferenceSearch StepPair::search(std::size_t difference, std::uint64_t seed, std::int64_t steps_max) const {
-  return data_->search(difference, seed, steps_max);
+  if (!data_->is_playable()) return {};
+  const StepDifference& wanted = differences()[difference];
+  const std::size_t owner = wanted.is_in_accepted ? 0 : 1;
+  return search_difference({.owner = data_->programs[owner].get(),
+                            .other = data_->programs[1 - owner].get(),
+                            .is_on_path = data_->on_paths[difference],
+                            .comparison = wanted.is_comparison ? wanted.index : -1},
+                           seed, steps_max);
 }
 
 }  // namespace hyrax

@@ -30,6 +30,18 @@ struct DifferenceSearch {
   std::int64_t steps_tried = 0;
 };
 
+/// A difference, as the search sees it.
+struct SearchTarget {
+  const StepProgram* owner = nullptr;  ///< Of the step that has it.
+  const StepProgram* other = nullptr;
+  std::vector<bool> is_on_path = {};  ///< By path of the owner's update: whether it evaluates the difference.
+  std::int32_t comparison = -1;       ///< In the owner; -1: the difference is no comparison.
+};
+
+/// As StepPair::search.
+[[nodiscard]] DifferenceSearch search_difference(const SearchTarget& target, std::uint64_t seed,
+                                                 std::int64_t steps_max);
+
 /// Two complete steps, made ready to be compared.
 class StepPair {
  public:
@@ -56,7 +68,7 @@ class StepPair {
                                         std::int64_t steps_max) const;
 
  private:
-  class Data;
+  struct Data;
   std::unique_ptr<Data> data_;
 };
 

@@ -13,9 +13,9 @@ TracedBody::TracedBody(const StepProgram& program, const State& start) : program
 
 void TracedBody::update(double dt_s, int window_width_px, int window_height_px, int sprite_width_px,
                         int sprite_height_px) {
-  path_ = program_->run(CoreFunction::update, members_,
-                        {dt_s, static_cast<double>(window_width_px), static_cast<double>(window_height_px),
-                         static_cast<double>(sprite_width_px), static_cast<double>(sprite_height_px)});
+  path_ = program_->run(
+      CoreFunction::update, members_,
+      update_arguments(dt_s, {window_width_px, window_height_px}, {sprite_width_px, sprite_height_px}));
   contact_ = program_->contact_bits(path_);
   if (touches(contact_, Wall::ground) && vy() == 0.0) contact_ |= kRestBit;
 }
@@ -38,9 +38,7 @@ void TracedBody::setVelocity(double vx_px_per_s, double vy_px_per_s) {
 void TracedBody::resetVelocity() { program_->run(CoreFunction::reset_velocity, members_, {}); }
 
 WallMeeting TracedBody::meeting(Wall wall, double dt_s, const Size& window, const Size& sprite) const {
-  const StepArguments arguments = {
-      dt_s, static_cast<double>(window.width_px), static_cast<double>(window.height_px),
-      static_cast<double>(sprite.width_px), static_cast<double>(sprite.height_px)};
+  const StepArguments arguments = update_arguments(dt_s, window, sprite);
   TracedBody after = *this;
   const std::int32_t path = program_->run(CoreFunction::update, after.members_, arguments);
   std::vector<double> values;

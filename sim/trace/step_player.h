@@ -15,11 +15,8 @@ namespace hyrax {
 /// needed (step_program.h).
 class StepProgram;
 
-/// Whether the step can be played: nothing unknown is called, and every outcome of its comparisons leads to
-/// one path.
-[[nodiscard]] bool is_playable(const TracedStep& step);
-
-/// Null if not playable. REQUIRES: a step as canonical() or read_step() return it.
+/// Null if not playable: something unknown is called, or an outcome of its comparisons leads to no path, or
+/// to two. REQUIRES: a step as canonical() or read_step() return it.
 [[nodiscard]] std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step);
 
 /// One step: the state after the inputs of its frame, sizes and dt.

@@ -5,8 +5,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
-
-#include "sim/trace/operations.h"
+#include <utility>
 
 namespace hyrax {
 namespace {
@@ -14,19 +13,10 @@ namespace {
 // Paths that share nothing repeat operations: no step that is one has so many.
 constexpr std::size_t kInstructionsMax = 1 << 20;
 
-constexpr std::array<std::array<std::string_view, kStepArgumentsMax>, kCoreFunctions> kArgumentNames = {
-    {{"start_x", "start_y", "start_vx", "start_vy", ""},
-     {"dt", "window_width", "window_height", "sprite_width", "sprite_height"},
-     {"new_x", "new_y", "", "", ""},
-     {"new_vx", "new_vy", "", "", ""},
-     {}}};
-
 // Index of a member by its name; -1: none.
 std::int32_t member_of(std::string_view name, std::size_t members) {
-  constexpr std::array<std::string_view, 4> kNames = {"x", "y", "vx", "vy"};
   for (std::size_t member = 0; member < members; ++member)
-    if (member < kNames.size() ? name == kNames[member] : name == "member_" + std::to_string(member + 1))
-      return static_cast<std::int32_t>(member);
+    if (name == member_name(member)) return static_cast<std::int32_t>(member);
   return -1;
 }
 
@@ -89,14 +79,14 @@ class Values {
 
 }  // namespace
 
-std::optional<StepProgram> StepProgram::of(const TracedStep& step) {
-  if (step.members.size() < 4 || step.members.size() > kStepMembersMax) return std::nullopt;
+std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step) {
+  if (step.members.size() < 4 || step.members.size() > kStepMembersMax) return nullptr;
   StepProgram program(step);
   for (const Expression& expression : step.expressions)
     if (is_leaf(expression))  // They come first.
       program.leaves_.push_back(expression.op == Operator::constant ? value_of(expression) : 0.0);
   for (std::size_t function = 0; function < kCoreFunctions; ++function)
-    if (!program.add_function(static_cast<CoreFunction>(function))) return std::nullopt;
+    if (!program.add_function(static_cast<CoreFunction>(function))) return nullptr;
   for (std::size_t index = 0; index < step.expressions.size(); ++index)
     if (!is_leaf(step.expressions[index]))
       program.all_.push_back(instruction_of(step, static_cast<std::int32_t>(index)));
@@ -106,7 +96,7 @@ std::optional<StepProgram> StepProgram::of(const TracedStep& step) {
     for (const PathContact& contact : contacts) bits |= static_cast<std::uint8_t>(contact.wall);
     program.contact_bits_.push_back(bits);
   }
-  return program;
+  return std::make_shared<const StepProgram>(std::move(program));
 }
 
 bool StepProgram::add_function(CoreFunction function) {
@@ -242,13 +232,6 @@ void StepProgram::evaluate(std::span<const double> members, const StepArguments&
   values.resize(step_.expressions.size());
   load(functions_[static_cast<std::size_t>(CoreFunction::update)], members, arguments, values.data());
   execute(all_, values.data());
-}
-
-bool is_playable(const TracedStep& step) { return StepProgram::of(step).has_value(); }
-
-std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step) {
-  std::optional<StepProgram> program = StepProgram::of(step);
-  return program ? std::make_shared<const StepProgram>(*std::move(program)) : nullptr;
 }
 
 }  // namespace hyrax

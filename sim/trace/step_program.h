@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,20 +14,31 @@
 
 namespace hyrax {
 
-/// Arguments of a function, in the order in which it takes them.
-inline constexpr std::size_t kStepArgumentsMax = 5;
+/// Arguments of a function, as in kArgumentNames.
 using StepArguments = std::array<double, kStepArgumentsMax>;
 
-[[nodiscard]] inline StepArguments arguments_of(const StepInput& input) {
-  const World& world = input.world;
-  return {input.dt_s, static_cast<double>(world.window.width_px), static_cast<double>(world.window.height_px),
-          static_cast<double>(world.sprite.width_px), static_cast<double>(world.sprite.height_px)};
+/// Those of update.
+[[nodiscard]] inline StepArguments update_arguments(double dt_s, const Size& window, const Size& sprite) {
+  return {dt_s, static_cast<double>(window.width_px), static_cast<double>(window.height_px),
+          static_cast<double>(sprite.width_px), static_cast<double>(sprite.height_px)};
 }
 
-/// One operation on the values of expressions. Values of every kind are kept as doubles.
+/// What an operation does to values of its kind. Values of every kind are doubles: a `float` and an `int` are
+/// exact in one. As the program that a build makes of the header, with what C++ leaves undefined defined: an
+/// int wraps around, its quotient by 0 is 0, and what fits no int becomes the least, as on x86. Null: a
+/// function that is not known.
+using OperationFunction = double (*)(double, double, double);
+[[nodiscard]] OperationFunction operation_of(const Expression& expression);
+
+[[nodiscard]] inline bool holds(Relation relation, double left, double right) {
+  return relation == Relation::less            ? left < right
+         : relation == Relation::less_or_equal ? left <= right
+                                               : left == right;
+}
+
+/// One operation on the values of expressions.
 struct StepInstruction {
-  using Function = double (*)(double, double, double);
-  Function function = nullptr;  ///< Null: one of the four that are done in place, by `op`.
+  OperationFunction function = nullptr;  ///< Null: one of the four that are done in place, by `op`.
   Operator op = Operator::add;
   std::int32_t result = 0;
   std::array<std::int32_t, 3> operands = {0, 0, 0};
@@ -35,9 +46,6 @@ struct StepInstruction {
 
 class StepProgram {
  public:
-  /// Nothing if not playable. REQUIRES: canonical.
-  [[nodiscard]] static std::optional<StepProgram> of(const TracedStep& step);
-
   /// Calls a function: `members` become what its path makes of them. Returns the index of that path.
   std::int32_t run(CoreFunction function, std::span<double> members, const StepArguments& arguments) const;
 
@@ -75,6 +83,7 @@ class StepProgram {
     std::vector<StepInstruction> instructions;
   };
 
+  friend std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step);
   explicit StepProgram(const TracedStep& step) : step_(step) {}
   bool add_function(CoreFunction function);
   [[nodiscard]] bool emit(std::int32_t expression, std::vector<bool>& is_known,

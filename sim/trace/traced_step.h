@@ -95,6 +95,21 @@ inline constexpr std::size_t kCoreFunctions = 5;
 inline constexpr std::array<std::string_view, kCoreFunctions> kCoreFunctionNames = {
     "construct", "update", "set_position", "set_velocity", "reset_velocity"};
 
+/// Arguments in the order in which a function takes them; those of update are dt and the four sizes.
+inline constexpr std::size_t kStepArgumentsMax = 5;
+inline constexpr std::array<std::array<std::string_view, kStepArgumentsMax>, kCoreFunctions> kArgumentNames =
+    {{{"start_x", "start_y", "start_vx", "start_vy"},
+      {"dt", "window_width", "window_height", "sprite_width", "sprite_height"},
+      {"new_x", "new_y"},
+      {"new_vx", "new_vy"},
+      {}}};
+
+/// The name of a member before a call, by its place in TracedStep::members.
+[[nodiscard]] inline std::string member_name(std::size_t member) {
+  constexpr std::array<const char*, 4> kNames = {"x", "y", "vx", "vy"};
+  return member < kNames.size() ? kNames[member] : "member_" + std::to_string(member + 1);
+}
+
 /// More paths than this make a step incomplete, over all functions.
 inline constexpr std::size_t kStepPathsMax = 4096;
 /// More members than this make a step incomplete.

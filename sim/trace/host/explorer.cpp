@@ -9,19 +9,6 @@
 namespace hyrax::trace {
 namespace {
 
-// Of one function by name: numbers, then sizes.
-struct Arguments {
-  std::array<const char*, 4> numbers{};
-  std::array<const char*, 4> sizes{};
-};
-constexpr std::array<Arguments, kCoreFunctions> kArguments = {{
-    {{"start_x", "start_y", "start_vx", "start_vy"}, {}},
-    {{"dt"}, {"window_width", "window_height", "sprite_width", "sprite_height"}},
-    {{"new_x", "new_y"}, {}},
-    {{"new_vx", "new_vy"}, {}},
-    {{}, {}},
-}};
-
 // What all numbers have in common, in the memory of a body.
 struct Slot {
   double value;
@@ -87,20 +74,20 @@ class Explorer {
       "memory outside the body: a member that is not double, float, int or bool";
 
   void call(CoreFunction function) {
-    const Arguments& names = kArguments[static_cast<std::size_t>(function)];
+    const auto& names = kArgumentNames[static_cast<std::size_t>(function)];
+    const bool is_update = function == CoreFunction::update;
     std::array<Real, 4> numbers;
     std::array<Whole, 4> sizes;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (names.numbers[i] != nullptr)
-        numbers[i] = Real::of(record_argument(NumberKind::real, names.numbers[i]));
-      if (names.sizes[i] != nullptr) sizes[i] = Whole::of(record_argument(NumberKind::whole, names.sizes[i]));
+      if (is_update ? i == 0 : !names[i].empty())
+        numbers[i] = Real::of(record_argument(NumberKind::real, std::string(names[i])));
+      if (is_update) sizes[i] = Whole::of(record_argument(NumberKind::whole, std::string(names[i + 1])));
     }
     core_.call(function, slots_.data(), numbers.data(), sizes.data());
   }
 
   // Gives each member a name of its own, and sees which of them x(), y(), vx() and vy() return.
   void find_members() {
-    static constexpr std::array<const char*, 4> kNames = {"x", "y", "vx", "vy"};
     before_ = slots_;
     name_members([](std::size_t slot) { return "slot_" + std::to_string(slot); });
     std::vector<bool> is_found(before_.size());
@@ -116,10 +103,9 @@ class Explorer {
     }
     for (std::size_t slot = 0; slot < before_.size(); ++slot)
       if (!is_found[slot]) order_.push_back(slot);
-    name_members([&](std::size_t slot) -> std::string {
-      const auto place =
-          static_cast<std::size_t>(std::find(order_.begin(), order_.end(), slot) - order_.begin());
-      return place < kNames.size() ? kNames[place] : "member_" + std::to_string(place + 1);
+    name_members([&](std::size_t slot) {
+      return member_name(
+          static_cast<std::size_t>(std::find(order_.begin(), order_.end(), slot) - order_.begin()));
     });
   }
 

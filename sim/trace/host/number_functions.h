@@ -35,14 +35,6 @@ constexpr auto call(const char* name, Function function, const T&... operands) {
     return call<is_fixed>(                                                                             \
         #name, [](auto x, auto y) { return static_cast<decltype(x)>(__builtin_##name(x, y)); }, a, b); \
   }
-#define HYRAX_TRACE_FUNCTIONS(one, two)                                                               \
-  one(fabs, true) one(sqrt, true) one(floor, true) one(ceil, true) one(trunc, true) one(round, true)  \
-      one(rint, true) one(nearbyint, true) one(cbrt, false) one(exp, false) one(exp2, false)          \
-          one(expm1, false) one(log, false) one(log2, false) one(log10, false) one(log1p, false)      \
-              one(sin, false) one(cos, false) one(tan, false) one(asin, false) one(acos, false)       \
-                  one(atan, false) one(sinh, false) one(cosh, false) one(tanh, false) two(pow, false) \
-                      two(atan2, false) two(hypot, false) two(fmod, true) two(remainder, true)        \
-                          two(copysign, true) two(fmin, true) two(fmax, true)
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
 HYRAX_TRACE_FUNCTIONS(HYRAX_TRACE_ONE, HYRAX_TRACE_TWO)

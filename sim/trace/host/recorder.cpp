@@ -1,23 +1,19 @@
 #include "sim/trace/host/recorder.h"
 
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
 namespace hyrax::trace {
 namespace {
 
-using Key = std::tuple<Operator, NumberKind, std::array<std::int32_t, 3>, std::uint64_t, std::string>;
-
 struct Recorder {
   TracedStep step;
-  std::map<Key, Index> expressions;
-  std::map<std::tuple<Relation, Index, Index>, std::int32_t> comparisons;
+  std::map<Expression, Index> expressions;
+  std::map<StepComparison, std::int32_t> comparisons;
   std::vector<StepOutcome> planned;
   bool others_hold = false;
   std::vector<StepOutcome> outcomes;
@@ -28,10 +24,8 @@ Recorder recorder;
 StopHandler stop_handler = nullptr;
 
 Index index_of(Expression expression) {
-  const Key key{expression.op, expression.kind, expression.operands,
-                std::bit_cast<std::uint64_t>(expression.value), expression.name};
   const auto [entry, is_new] =
-      recorder.expressions.try_emplace(key, static_cast<Index>(recorder.step.expressions.size()));
+      recorder.expressions.try_emplace(expression, static_cast<Index>(recorder.step.expressions.size()));
   if (is_new) {
     if (recorder.step.expressions.size() >= kExpressionsMax)
       stop("over its limits: more than 100,000 operations");
@@ -116,9 +110,10 @@ Index record_call(const char* name, NumberKind kind, Index a, Index b, Index c) 
 
 bool decide(Relation relation, Index left, Index right) {
   if (relation == Relation::equal && right < left) std::swap(left, right);
-  const auto [entry, is_new] = recorder.comparisons.try_emplace(
-      {relation, left, right}, static_cast<std::int32_t>(recorder.step.comparisons.size()));
-  if (is_new) recorder.step.comparisons.push_back({relation, left, right});
+  const StepComparison asked{relation, left, right};
+  const auto [entry, is_new] =
+      recorder.comparisons.try_emplace(asked, static_cast<std::int32_t>(recorder.step.comparisons.size()));
+  if (is_new) recorder.step.comparisons.push_back(asked);
   const std::int32_t comparison = entry->second;
   if (const auto outcome = recorder.known.find(comparison); outcome != recorder.known.end())
     return outcome->second;
