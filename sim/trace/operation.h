@@ -36,9 +36,7 @@ enum class Relation : std::uint8_t { less, less_or_equal, equal };
                       two(atan2, false) two(hypot, false) two(fmod, true) two(remainder, true)        \
                           two(copysign, true) two(fmin, true) two(fmax, true)
 
-/// The functions of a core. Arguments by name: construct `start_x start_y start_vx start_vy`; update `dt
-/// window_width window_height sprite_width sprite_height`; set_position `new_x new_y`; set_velocity `new_vx
-/// new_vy`. Members before the call: `x y vx vy`, then `member_5` and so on.
+/// The functions of a core; of the names of their arguments and of members see traced_step.h.
 enum class CoreFunction : std::uint8_t { construct, update, set_position, set_velocity, reset_velocity };
 
 }  // namespace hyrax
