@@ -60,6 +60,9 @@ class CoreRecord(ProgramTest):
         self.assertEqual(self.record(with_vectors), step)
         self.assertIn("vec2.h", (self.folder / "core_record.d").read_text(encoding="utf-8"))
 
+    def test_a_compiler_that_ends_without_a_message_is_named_by_its_end(self):
+        self.assertEqual(self.record(LISTING, compiler="/bin/false"), "does not compile when traced: 1")
+
     def test_definitions_are_those_of_the_compiled_core(self):
         header = self.changed("GRAVITY = 1200.0", "GRAVITY = G")
         self.assertIn("dt * 980{", self.record(header, definitions="G=980.0"))

@@ -6,6 +6,7 @@
 cmake_minimum_required(VERSION 3.25)
 include(${settings})
 set(ENV{LC_ALL} C) # The compiler's messages are read.
+set(compile_limit TIMEOUT 1800) # It ends a compiler that hangs; that of a busy machine takes minutes.
 set(step ${folder}/step.txt)
 set(why ${folder}/why_incomplete.txt)
 set(listing ${folder}/is_listing.txt)
@@ -46,12 +47,12 @@ function(write_prelude own_files)
   file(WRITE ${folder}/prelude.h "${prelude}")
 endfunction()
 
-# The first error among a compiler's messages.
-function(first_error variable messages)
+# The first error among a compiler's messages; how it ended if it says nothing.
+function(first_error variable messages end)
   if(messages MATCHES "([^/\n:]*:[0-9]+):[0-9]+: (fatal )?error: ([^\n]*)")
     set(${variable} "${CMAKE_MATCH_1}: ${CMAKE_MATCH_3}" PARENT_SCOPE)
   else()
-    string(REGEX MATCH "[^\n]+" line "${messages}")
+    string(REGEX MATCH "[^\n]+" line "${messages}\n${end}")
     set(${variable} "${line}" PARENT_SCOPE)
   endif()
 endfunction()
@@ -63,20 +64,21 @@ function(build_host_programs)
   execute_process(
     COMMAND ${record} -DHYRAX_TRACES_BOOL
     COMMAND ${compile} -fno-lto -c ${root}/sim/trace/host/programs/check_core.cpp -o ${folder}/check_core.o
-    RESULTS_VARIABLE results OUTPUT_QUIET ERROR_VARIABLE messages TIMEOUT 120)
+    RESULTS_VARIABLE results OUTPUT_QUIET ERROR_VARIABLE messages ${compile_limit})
   list(POP_FRONT results traced compiled)
   if(NOT traced EQUAL 0) # A header may do with `bool` what only the language's own can.
-    execute_process(COMMAND ${record} RESULT_VARIABLE traced OUTPUT_QUIET ERROR_VARIABLE trace_messages TIMEOUT 120)
+    execute_process(COMMAND ${record} RESULT_VARIABLE traced OUTPUT_QUIET ERROR_VARIABLE trace_messages
+                    ${compile_limit})
   endif()
   if(compiled EQUAL 0)
     execute_process(COMMAND ${compile} ${folder}/check_core.o ${libraries} -o ${folder}/check_core RESULT_VARIABLE compiled
-                    OUTPUT_QUIET ERROR_VARIABLE messages TIMEOUT 120)
+                    OUTPUT_QUIET ERROR_VARIABLE messages ${compile_limit})
   endif()
   if(NOT traced EQUAL 0)
-    first_error(error "${trace_messages}")
+    first_error(error "${trace_messages}" "${traced}")
     set(why_not "does not compile when traced: ${error}" PARENT_SCOPE)
   elseif(NOT compiled EQUAL 0)
-    first_error(error "${messages}")
+    first_error(error "${messages}" "${compiled}")
     set(why_not "the compiled core cannot be tried: ${error}" PARENT_SCOPE)
   endif()
 endfunction()

@@ -75,6 +75,11 @@ class Executable(unittest.TestCase):
     def test_it_is_small(self):
         self.assertLess(HYRAX.stat().st_size, SIZE_MAX_BYTES)
 
+    def test_the_step_of_its_core_is_known(self):
+        record = FOLDER / "mingw/sim/hyrax_core_record"
+        self.assertFalse((record / "why_incomplete.txt").exists())
+        self.assertTrue((record / "is_listing.txt").exists())
+
     def test_it_is_protected(self):
         for program in (HYRAX, HYRAX_REPLAY):
             head = succeed(TOOLS + "objdump", "-p", program).out
