@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/core_of.h"
+#include "sim/physics/physics.h"
 #include "sim/trajectory/physics_model.h"
 
 namespace hyrax {
@@ -18,22 +19,11 @@ void throw_an_exception() { throw std::runtime_error(""); }
 void round_upward() { std::fesetround(FE_UPWARD); }
 void round_inexactly() { std::feraiseexcept(FE_INEXACT | FE_UNDERFLOW); }
 
-// Whose step does something besides.
+// Whose step does something else.
 template <Step kStep>
-class Doing {
- public:
-  Doing(double x, double y, double vx, double vy) : state_{x, y, vx, vy} {}
+struct Doing : physics {
+  using physics::physics;
   void update(double, int, int, int, int) { kStep(); }
-  [[nodiscard]] double x() const { return state_.x_px; }
-  [[nodiscard]] double y() const { return state_.y_px; }
-  [[nodiscard]] double vx() const { return state_.vx_px_per_s; }
-  [[nodiscard]] double vy() const { return state_.vy_px_per_s; }
-  void setPos(double x, double y) { state_ = {x, y, vx(), vy()}; }
-  void setVelocity(double vx, double vy) { state_ = {x(), y(), vx, vy}; }
-  void resetVelocity() { setVelocity(0.0, 0.0); }
-
- private:
-  State state_;
 };
 
 template <Step kStep>

@@ -1,6 +1,7 @@
 // The core's interface is the paper's: names, signatures, constants.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -38,45 +39,24 @@ static_assert(std::is_constructible_v<physics, double, double, double>);
 static_assert(std::is_constructible_v<physics, double, double, double, double>);
 static_assert(std::is_trivially_copyable_v<physics> && sizeof(physics) == 4 * sizeof(double));
 
-// Positive zero; EXPECT_EQ accepts -0.0 as well.
-bool is_plain_zero(double value) { return std::bit_cast<std::uint64_t>(value) == 0; }
-
-TEST(PhysicsInterface, StartsAtRestAtTheOriginByDefault) {
-  const physics body;
-  EXPECT_TRUE(is_plain_zero(body.x()));
-  EXPECT_TRUE(is_plain_zero(body.y()));
-  EXPECT_TRUE(is_plain_zero(body.vx()));
-  EXPECT_TRUE(is_plain_zero(body.vy()));
+// By their bits: EXPECT_EQ takes -0.0 for 0.0.
+void expect_state(const physics& body, const std::array<double, 4>& state) {
+  using Bits = std::array<std::uint64_t, 4>;
+  EXPECT_EQ(std::bit_cast<Bits>(std::array{body.x(), body.y(), body.vx(), body.vy()}),
+            std::bit_cast<Bits>(state));
 }
 
-TEST(PhysicsInterface, StartsAtRestAtAGivenPosition) {
-  const physics body(3.0, 4.0);
-  EXPECT_EQ(body.x(), 3.0);
-  EXPECT_EQ(body.y(), 4.0);
-  EXPECT_TRUE(is_plain_zero(body.vx()));
-  EXPECT_TRUE(is_plain_zero(body.vy()));
-}
-
-TEST(PhysicsInterface, SettersSetWhatTheyName) {
+TEST(PhysicsInterface, ConstructorsAndSettersSetWhatTheyName) {
+  expect_state({}, {0.0, 0.0, 0.0, 0.0});
+  expect_state({3.0, 4.0}, {3.0, 4.0, 0.0, 0.0});
   physics body(1.0, 2.0, 3.0, 4.0);
+  expect_state(body, {1.0, 2.0, 3.0, 4.0});
   body.setPos(5.0, 6.0);
-  EXPECT_EQ(body.x(), 5.0);
-  EXPECT_EQ(body.y(), 6.0);
-  EXPECT_EQ(body.vx(), 3.0);
-  EXPECT_EQ(body.vy(), 4.0);
+  expect_state(body, {5.0, 6.0, 3.0, 4.0});
   body.setVelocity(7.0, 8.0);
-  EXPECT_EQ(body.x(), 5.0);
-  EXPECT_EQ(body.vx(), 7.0);
-  EXPECT_EQ(body.vy(), 8.0);
-}
-
-TEST(PhysicsInterface, ResetStopsTheBodyWhereItIs) {
-  physics body(1.0, 2.0, 3.0, 4.0);
+  expect_state(body, {5.0, 6.0, 7.0, 8.0});
   body.resetVelocity();
-  EXPECT_EQ(body.x(), 1.0);
-  EXPECT_EQ(body.y(), 2.0);
-  EXPECT_EQ(body.vx(), 0.0);
-  EXPECT_EQ(body.vy(), 0.0);
+  expect_state(body, {5.0, 6.0, 0.0, 0.0});
 }
 
 }  // namespace
