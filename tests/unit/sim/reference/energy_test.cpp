@@ -6,7 +6,6 @@
 
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/reference/test_run.h"
-#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 namespace {

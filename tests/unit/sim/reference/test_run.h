@@ -11,6 +11,8 @@
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 
@@ -31,23 +33,16 @@ struct Measured : DriftSink {
   bool wants_rows_;
 };
 
-/// All rows of a replay.
-struct Recorded : RowSink {
-  [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size(); ++index) all.append(batch.row(index));
-  }
-  Columns all;
-};
-
 inline std::vector<Input> inputs_of(const Scenario& scenario) {
   return inputs_of(scenario, step_count(scenario));
 }
 
 inline Columns rows_of(const Scenario& scenario) {
-  Recorded recorded;
-  replay(shipped_core(), scenario, recorded);
-  return recorded.all;
+  TraceSink trace({.rows_every = 1});
+  replay(shipped_core(), scenario, trace);
+  Columns rows;
+  for (const Row& row : trace.rows()) rows.append(row);
+  return rows;
 }
 
 inline void measure(const Scenario& scenario, const Columns& rows, Measured& measured,
@@ -62,25 +57,18 @@ inline void measure(const Scenario& scenario, Measured& measured, FlightSolver* 
 
 /// A fling in a window of 1920 x 1080 px that meets walls, top and ground.
 inline Scenario fling() {
-  Scenario scenario;
-  scenario.window = {1920, 1080};
-  scenario.sprite = {128, 128};
+  Scenario scenario = fling_at(60.0, 600);
   scenario.start = {100.0, 100.0};
   scenario.start_velocity = {900.0, -1200.0};
-  scenario.clock.base = FixedRate{60.0};
-  scenario.length = std::int64_t{600};
   return scenario;
 }
 
 /// A flight of `steps` frames in the middle of the largest window, where it meets nothing.
 inline Scenario open_sky(const Velocity& velocity, double rate_hz, std::int64_t steps) {
-  Scenario scenario;
+  Scenario scenario = fling_at(rate_hz, steps);
   scenario.window = {1'000'000, 1'000'000};
-  scenario.sprite = {128, 128};
   scenario.start = {400'000.0, 400'000.0};
   scenario.start_velocity = velocity;
-  scenario.clock.base = FixedRate{rate_hz};
-  scenario.length = steps;
   return scenario;
 }
 
