@@ -177,17 +177,6 @@ TEST(GslFlight, IsAJudgeOnlyAtFullAccuracy) {
   EXPECT_FALSE(GslFlight({.stepper = GslStepper::msadams}).is_accurate());
 }
 
-TEST(DriftMeterWithGsl, FindsBothSolutionsOfEveryArcTogether) {
-  GslFlight gsl;
-  Measured measured;
-  measure(fling(), measured, &gsl);
-  for (const ArcErrors& arc : measured.arcs) {
-    ASSERT_TRUE(arc.gsl_vs_closed_px);
-    EXPECT_LT(*arc.gsl_vs_closed_px, 1e-9);
-  }
-  EXPECT_EQ(measured.summary.reference_faults, 0);
-}
-
 TEST(DriftMeterWithGsl, HasNoSuchFigureWithoutIt) {
   Measured measured;
   measure(fling(), measured);
@@ -242,15 +231,6 @@ TEST(DriftMeterWithGsl, ComparesEveryAnswer) {
     AlteredSolver solver;
     solver.*each.value = each.altered;
     EXPECT_EQ(fault_with(solver), each.fault);
-  }
-}
-
-TEST(DriftMeterWithGsl, TreatsNanAsADifference) {
-  for (double AlteredSolver::*value :
-       {&AlteredSolver::off_px, &AlteredSolver::speed_factor, &AlteredSolver::impact_factor}) {
-    AlteredSolver solver;
-    solver.*value = kNaN;
-    EXPECT_NE(fault_with(solver), "");
   }
 }
 
