@@ -83,7 +83,7 @@ std::optional<NumberField> number_at(Scenario& scenario, std::string_view pointe
   if (auto* const step = std::get_if<std::int64_t>(&event.when))
     find("/step", timing({step, 0.0, kFramesMax}));
   if (auto* const at_s = std::get_if<double>(&event.when)) find("/at_s", timing({at_s, -kNoLimit, kNoLimit}));
-  const std::string action = "/" + std::string(name_of(event.action)) + "/";
+  const std::string action = std::string("/").append(name_of(event.action)) + "/";
   visit_numbers(event.action,
                 [&](const char* name, const NumberField& field) { find(action + name, field); });
   return found;
