@@ -75,8 +75,10 @@ std::optional<NumberField> number_at(Scenario& scenario, std::string_view pointe
   if (auto* const duration_s = std::get_if<double>(&scenario.length))
     find("/duration_s", timing({duration_s, 0.0, kNoLimit}));
   if (auto* const trace = std::get_if<RecordedSteps>(&scenario.clock.base))
-    if (const auto frame = take_index(pointer, "/clock/dt_s/", trace->dt_s.size()))
+    if (const auto frame = take_index(pointer, "/clock/dt_s/", trace->dt_s.size())) {
       find("", frame_field(trace->dt_s[*frame]));
+      return found;
+    }
   const auto index = take_index(pointer, "/events/", scenario.events.size());
   if (!index) return found;
   Event& event = scenario.events[*index];
