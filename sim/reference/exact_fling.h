@@ -29,7 +29,7 @@ struct ExactImpact {
   Wall wall = Wall::ground;
 };
 
-/// Between impacts the closed form of flight.h; each impact is its root (impact.h). Frames play no part.
+/// Between impacts the closed form of flight.h; each impact is its root (flight.h). Frames play no part.
 class ExactFling {
  public:
   explicit ExactFling(const FixedLaws& laws = FixedLaws()) : laws_(laws) {}

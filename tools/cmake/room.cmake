@@ -6,7 +6,7 @@
 #   hyrax_compute(TARGET)   the same with precompiled headers: what computes, reads and writes
 #   hyrax_text(TARGET)      what formats, draws, reports or explains: with {fmt}, compiled faster
 #
-# hyrax_library is all three calls.
+# hyrax_library makes a static library of one of these kinds, with its sources and what it links.
 #
 # A source file needs a word more where a build, control or measurement depends on its object:
 #

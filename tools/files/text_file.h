@@ -7,7 +7,7 @@
 
 namespace hyrax {
 
-/// Reads any file from its begin to its end. ERRORS: Failure(cannot_access) "PATH: cannot be read: REASON".
+/// Reads any file from beginning to end. ERRORS: Failure(cannot_access) "PATH: cannot be read: REASON".
 void read_pieces(const std::string& path, const std::function<void(std::string_view piece)>& take);
 
 /// ERRORS: as read_pieces'; Failure(bad_input) beyond 256 MiB.
