@@ -164,6 +164,7 @@ class OwnPhysics(InstalledPackage):
         self.assertIn("golden/billiard.h5: attribute physics: is of another core (found elastic_box); this program's "
                       "core is hyrax-physics/1", outcome.out)
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "by mistake")
+        self.assertEqual(self.state_of("golden"), before)
         self.expect(BAD_INPUT, "drift", "golden/billiard.h5",
                     says="golden/billiard.h5: needs the paper's step, with any constants (found the core elastic_box, whose step is another)")
         program.PROGRAM = self.program

@@ -19,10 +19,11 @@ void throw_an_exception() { throw std::runtime_error(""); }
 void round_upward() { std::fesetround(FE_UPWARD); }
 void round_inexactly() { std::feraiseexcept(FE_INEXACT | FE_UNDERFLOW); }
 
-// Whose step does something else.
+// Whose step does something else, and which names no constants.
 template <Step kStep>
-struct Doing : physics {
-  using physics::physics;
+struct Doing : private physics {
+  using physics::physics, physics::x, physics::y, physics::vx, physics::vy, physics::setPos,
+      physics::setVelocity, physics::resetVelocity;
   void update(double, int, int, int, int) { kStep(); }
 };
 
@@ -33,6 +34,7 @@ std::string refusal() {
                             .timed = {},
                             .lacking = "GRAVITY",
                             .defect = nullptr};
+  EXPECT_FALSE(library.counted.constants);
   const ComparedCore compared = compared_core(1, library, {.why_incomplete = "not traced"}, watch);
   EXPECT_EQ(compared.core.constants->gravity_px_per_s2, 1200.0);
   try {
