@@ -56,12 +56,14 @@ class CheckScript(ProgramTest):
 
     def test_watch_repeats_after_a_change_until_it_is_interrupted(self):
         log = self.folder / "log"
+        for part in ("scenarios", "golden"):
+            os.renames(self.folder / part, self.folder / "elsewhere" / part)
         with open(log, "wb") as stream:
-            process = Process("tools/check", "--watch", cwd=self.folder, stdout=stream, stderr=stream,
+            process = Process("tools/check", "--watch", "elsewhere/scenarios", cwd=self.folder, stdout=stream, stderr=stream,
                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
         with process:
             self.wait_for(log, "exit code 0; waiting")
-            self.write(self.scenario, fling(name="one", steps=299))
+            self.write(f"elsewhere/{self.scenario}", fling(name="one", steps=299))
             self.wait_for(log, "exit code 1; waiting")
             self.assertEqual(log.read_text().count("build hyrax-sim"), 1, "up to date: nothing is built")
             self.write("sim/source.txt", "other")

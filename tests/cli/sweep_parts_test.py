@@ -165,7 +165,9 @@ class Parts(FilesTest):
     def test_a_task_of_the_job_files_that_is_repeated_resumes(self):
         self.write("sweep.json", document())
         jobs = SOURCE / "sim/ensemble/jobs"
-        command = re.search(r"command: \[(.*)\]", (jobs / "kubernetes.yaml").read_text())[1].replace('"', "").split(", ")
+        job = (jobs / "kubernetes.yaml").read_text()
+        command = re.search(r"command: \[(.*)\]", job)[1].replace('"', "").split(", ")
+        self.assertEqual(re.findall(r"(?:completions|parallelism): (\d+)\n", job), 2 * [command[command.index("--parts") + 1]])
         for task, variables in ((("bash", jobs / "slurm.sh", "sweep.json"), {"SLURM_ARRAY_TASK_ID": "3", "SLURM_ARRAY_TASK_COUNT": "4"}),
                                 (command, {"JOB_COMPLETION_INDEX": "3"})):
             environment = {**NO_CLUSTER, **variables, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"}

@@ -3,8 +3,8 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
+#include "sim/card/card.h"
 #include "sim/card/compared_core.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/files/temporary_folder.h"
@@ -40,11 +40,11 @@ struct CoreFile {
 [[nodiscard]] ComparedCore load_core(const CoreFile& file, int number, PlayWatch& watch);
 
 /// Returns what `work` does, done in a process of its own. Cores may be loaded there alone.
-/// @param headers by ComparedCore::number: they name a core in messages.
+/// @param headers of the cores 0 and 1 (ComparedCore::number): they name a core in messages.
 /// @param folder for the text on its way back.
 /// ERRORS: what work throws, as a Failure; Failure(bad_input) "HEADER: refused: ...", with the place, if a
 /// core ends the process, is refused or takes longer than the limit. REQUIRES: no other thread runs.
-[[nodiscard]] std::string in_core_process(const std::vector<std::string>& headers, unsigned limit_s,
+[[nodiscard]] std::string in_core_process(const BeforeAfter<std::string>& headers, unsigned limit_s,
                                           const TemporaryFolder& folder,
                                           const std::function<std::string(PlayWatch&)>& work);
 

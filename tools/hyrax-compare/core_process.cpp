@@ -40,8 +40,8 @@ class SharedWatch {
   void* memory_;
 };
 
-std::string refused_text(const std::vector<std::string>& headers, int core, const std::string& reason) {
-  return headers.at(static_cast<std::size_t>(core)) + ": refused: " + reason;
+std::string refused_text(const BeforeAfter<std::string>& headers, int core, const std::string& reason) {
+  return (core == 0 ? headers.before : headers.after) + ": refused: " + reason;
 }
 
 // A text, or a message with the exit code of its failure.
@@ -50,7 +50,7 @@ struct Outcome {
   ExitCode exit_code = ExitCode::agreed;
 };
 
-Outcome outcome_of(const std::function<std::string()>& work, const std::vector<std::string>& headers) {
+Outcome outcome_of(const std::function<std::string()>& work, const BeforeAfter<std::string>& headers) {
   try {
     return {work()};
   } catch (const CoreRefused& refusal) {
@@ -72,7 +72,7 @@ std::string end_text(int status, unsigned limit_s, const std::string& where) {
 
 }  // namespace
 
-std::string in_core_process(const std::vector<std::string>& headers, unsigned limit_s,
+std::string in_core_process(const BeforeAfter<std::string>& headers, unsigned limit_s,
                             const TemporaryFolder& folder,
                             const std::function<std::string(PlayWatch&)>& work) {
   const SharedWatch shared;

@@ -138,8 +138,7 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
     return ExitCode::agreed;
   }
   const auto in_process = [&](const std::function<std::string(PlayWatch&)>& work) {
-    return in_core_process({headers.before, headers.after},
-                           static_cast<unsigned>(arguments.limit_s.value_or(300)), folder, work);
+    return in_core_process(headers, static_cast<unsigned>(arguments.limit_s.value_or(300)), folder, work);
   };
   request.rows_hash.before = in_process([&](PlayWatch& watch) { return probed(base, 0, request, watch); });
   request.rows_hash.after =

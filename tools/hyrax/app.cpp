@@ -242,8 +242,9 @@ void App::open_menu() {
   Choice choice = Choice::none;
   {
     const Window::Modal modal(window_);
-    choice = choose_from_menu(window_.handle(),
-                              {playback_.has_value(), pet_.is_paused(), pet_.session().is_recording()});
+    choice = choose_from_menu(window_.handle(), {.is_replay = playback_.has_value(),
+                                                 .is_paused = pet_.is_paused(),
+                                                 .is_recording = pet_.session().is_recording()});
   }
   try {
     execute(choice);
