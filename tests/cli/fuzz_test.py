@@ -33,7 +33,7 @@ class Fuzz(ProgramTest):
         self.assertEqual(self.expect(AGREED, "fuzz", "--runs", "100", "-q").out, "all invariants hold\n")
 
     def test_the_text_says_how_fast_it_is(self):
-        said = self.expect(AGREED, "fuzz", "--time", "0.5s").out
+        said = self.expect(AGREED, "fuzz", "--time", "0.2s").out
         runs, seconds, per_minute = map(float, re.search(r"(\d+) runs in (\S+) s \((\S+) per minute", said.replace(",", "")).groups())
         self.assertAlmostEqual(per_minute / (60 * runs / seconds), 1, delta=0.1)
 
