@@ -17,10 +17,11 @@ namespace hyrax {
 struct Complexity {
   std::int64_t steps = 0;
   std::int64_t events = 0;
-  std::int64_t extras = 0;                              ///< `expect`, and `record` where it is not 1.
-  std::int64_t clock = 0;                               ///< 0: a rate, 1: one dt, 2: recorded, 3: jittered.
-  std::int64_t digits = 0;                              ///< Of all numbers, in decimal.
-  auto operator<=>(const Complexity&) const = default;  ///< The simpler is less.
+  std::int64_t extras = 0;  ///< `expect`, and `record` where it is not 1.
+  std::int64_t clock = 0;   ///< 0: a rate, 1: one dt, 2: recorded, 3: jittered.
+  std::int64_t digits = 0;  ///< Of all numbers, in decimal.
+  /// The simpler is less.
+  auto operator<=>(const Complexity&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 /// REQUIRES: a plain scenario (scenario_edit.h).
 [[nodiscard]] Complexity complexity_of(const Scenario& scenario);

@@ -91,6 +91,7 @@ class Clusters(ProgramTest):
 
             first, process = self.wait_until(states, lambda: self.suspended_at_work(parts))
             os.kill(process, signal.SIGKILL)
+            self.wait_until(states, lambda: first not in dict(self.computing()))  # A killed one is seen for a moment.
             second, _ = self.wait_until(states, lambda: self.suspended_at_work(parts))
             self.wait_until(states, lambda: states().get(first) == "FAILED")
             self.assertFalse(parts[first].exists())

@@ -94,7 +94,7 @@ TEST_F(ScenarioFile, ThatIsNoneCannotBeRead) {
         {std::string(5000, 'a'), "File name too long"},
         {kScenarios, "Is a directory"}}) {
     const std::string said =
-        refusal_of([&] { static_cast<void>(load_scenario(path)); }, ExitCode::cannot_access);
+        refusal_of([&file = path] { static_cast<void>(load_scenario(file)); }, ExitCode::cannot_access);
     EXPECT_TRUE(said.ends_with(": cannot be read: " + reason)) << said;
   }
 }
