@@ -96,7 +96,7 @@ struct FlingLine {
   std::optional<Figure> farthest;    ///< Both paths of the fling of distance_max_px, if that is not 0.
 };
 
-/// Where the first 200 of the flings land on displays of 24 to 1000 Hz: largest minus smallest x.
+/// Where the first kDisplayFlings of the flings land on displays of 24 to 1000 Hz: largest minus smallest x.
 struct DisplayLine {
   std::int64_t flings = 0;
   double distance_max_px = 0.0;                     ///< Between the places of both cores on the same display.
@@ -214,6 +214,7 @@ struct Card {
 /// ERRORS: CoreRefused where the candidate plays the flings differently a second time.
 void measure_flings(const ComparedCore& base, const ComparedCore& candidate, Card& card);
 
+inline constexpr std::int64_t kDisplayFlings = 200;
 inline constexpr std::array<double, 18> kLandingRates_hz = {24.0,  25.0,  30.0,  48.0,  50.0,  60.0,
                                                             72.0,  75.0,  90.0,  100.0, 120.0, 144.0,
                                                             165.0, 200.0, 240.0, 360.0, 500.0, 1000.0};

@@ -21,7 +21,6 @@ constexpr Size kSprite{128, 128};
 constexpr std::int64_t kRate_hz = 60;
 constexpr std::int64_t kDuration_s = 20;  // Longer than any fling of the shipped core takes to settle.
 constexpr std::int64_t kExactSeconds = 5;
-constexpr std::int64_t kDisplayFlings = 200;
 
 std::string place_of(std::uint64_t seed, std::int64_t number) {
   return "random fling " + std::to_string(number) + " of seed " + std::to_string(seed);

@@ -68,8 +68,7 @@ StepEvidence evidence_of(const Core& core, const StoredRun& run, const StoredRun
 
 constexpr char kOtherBits[] =
     "the accepted core gives other bits, too: the compiler, its flags, the processor, the C library, or a "
-    "fault of "
-    "the program";
+    "fault of the program";
 
 class CauseFinder {
  public:

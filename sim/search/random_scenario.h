@@ -33,7 +33,7 @@ enum class Feature : std::uint8_t {
   long_run,      ///< Once in eight such runs up to 2,000 frames, so that states repeat; else up to 80.
 };
 
-inline constexpr std::size_t kFeatureCount = 16;
+inline constexpr std::size_t kFeatureCount = static_cast<std::size_t>(Feature::long_run) + 1;
 
 struct RandomRun {
   Scenario scenario;

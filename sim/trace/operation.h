@@ -26,7 +26,7 @@ enum class Relation : std::uint8_t { less, less_or_equal, equal };
 
 /// The functions of one and of two numbers that a step may call besides `fma`: one(name, is_fixed), where
 /// IEEE-754 fixes the result or not.
-// NOLINTNEXTLINE(cppcoreguidelines-macro-usage)
+// Each name stands for a function and for a text. NOLINTNEXTLINE(cppcoreguidelines-macro-usage)
 #define HYRAX_TRACE_FUNCTIONS(one, two)                                                               \
   one(fabs, true) one(sqrt, true) one(floor, true) one(ceil, true) one(trunc, true) one(round, true)  \
       one(rint, true) one(nearbyint, true) one(cbrt, false) one(exp, false) one(exp2, false)          \

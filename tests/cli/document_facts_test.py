@@ -123,7 +123,7 @@ STATED = (
     (CARD, "scenarios, {} random flings (seed {})", "tools/hyrax-compare/main.cpp", "flings.value_or, seed.value_or"),
     (CARD, "settle at {} Hz, after {} s:", FLINGS, "kRate_hz, kDuration_s"),
     (CARD, "in a window of {} x {} px", FLINGS, "Size kWindow, kWindow{1920,"),
-    (CARD, "of the first {} flings:", "sim/card/flings.cpp", "kDisplayFlings"),
+    (CARD, "of the first {} flings:", "sim/card/card.h", "kDisplayFlings"),
     (CARD, "where a fling lands on {} displays", "sim/card/card.h", "std::array<double,"),
     (CARD, "is most on the {} displays", "sim/card/card.h", "std::array<double,"),
     (CARD, "dropped from {} px still moves up and down in the {}th second", FLINGS, "kHeight_px, kDuration_s"),

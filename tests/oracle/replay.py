@@ -67,7 +67,7 @@ class Scenario:
         self.events = [Event(value) for value in text.get("events", [])]
 
     def _read_clock(self, value):
-        """Sets base_dt_s (None for an array), trace_s (None but for an array) and dts_s, which starts the dt sequence again."""
+        """Sets base_dt_s or, for an array, trace_s; the other is None. dts_s() gives every dt from the first on."""
         self.base_dt_s = self.trace_s = None
         if isinstance(value.get("dt_s"), list):
             self.trace_s = list(map(float, value["dt_s"]))

@@ -20,8 +20,8 @@ struct MethodErrors {
   double velocity_px_per_s = 0.0;
   double energy_rel = 0.0;  ///< Of the largest kinetic energy of the exact fling: it has no datum.
   double end_px = 0.0;      ///< Distance of the last positions.
-  double contact_time_s =
-      kNotGiven;  ///< Of the first three impacts of every stage, where both meet the same walls.
+  /// Of the first three impacts of every stage, where both meet the same walls.
+  double contact_time_s = kNotGiven;
   /// Another number of impacts on the left wall, right wall or top than the exact fling. Those on the ground
   /// are not compared: how many there are before a sprite lies still depends on every frame.
   bool has_other_contacts = false;

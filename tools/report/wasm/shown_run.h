@@ -62,7 +62,7 @@ class EvidenceCheck final : public RowSink {
     for (std::size_t index = 0; index < batch.size() && next_row_ < evidence_.rows.size(); ++index) {
       const Row kept = evidence_.rows.row(next_row_);
       if (batch.step[index] < kept.step) continue;
-      if (!row_ && (batch.step[index] != kept.step || !is_same_row(kept, batch.row(index)))) row_ = kept.step;
+      if (!row_ && !same_bits(kept, batch.row(index))) row_ = kept.step;
       ++next_row_;
     }
   }
@@ -86,11 +86,6 @@ class EvidenceCheck final : public RowSink {
   }
 
  private:
-  static bool is_same_row(const Row& a, const Row& b) {
-    return same_bits(state_of(a), state_of(b)) && same_bits(a.t_s, b.t_s) && same_bits(a.dt_s, b.dt_s) &&
-           a.contact == b.contact;
-  }
-
   FileEvidence evidence_;
   std::size_t next_row_ = 0;
   std::size_t next_block_ = 0;
