@@ -89,7 +89,7 @@ class Diff(ProgramTest):
         text = self.text()
         self.assertIn("field contact\n  expected   none\n  actual     left+ground+rest\n", text)
         self.assertIn("\n  worst contact none and left+ground+rest at step 100\n", text)
-        self.assertNotIn("ulp", text)
+        self.assertNotRegex(text, "ulp|distance")
         document = self.diff(DISAGREED)
         self.assertEqual((document["first_divergence"]["actual"], document["first_divergence"]["ulps"]), (25, None))
         self.assertEqual(document["worst"]["contact"]["ulps"], None)

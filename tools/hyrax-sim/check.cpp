@@ -94,7 +94,7 @@ void annotate(const CheckReport& report, const CheckRequest& request) {
   if (!request.printing.is_json)
     print_text("{}", annotations);
   else if (!annotations.empty())
-    print_error(annotations);
+    print_error(annotations.substr(0, annotations.size() - 1));  // It ends the line.
 }
 
 // What is checked.

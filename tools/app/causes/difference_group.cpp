@@ -38,7 +38,8 @@ DifferenceGroup make_group(Cause cause, std::vector<const PairVerdict*> scenario
 // One group, however many they are: what was changed in the first stands for all.
 DifferenceGroup changed_golden_files(const std::vector<const PairVerdict*>& scenarios) {
   std::string detail = scenarios.front()->comparison.shape;
-  if (scenarios.size() > 1) detail += fmt::format("; {} more were changed", scenarios.size() - 1);
+  const std::size_t more = scenarios.size() - 1;
+  if (more > 0) detail += fmt::format("; {} more {} changed", more, more == 1 ? "was" : "were");
   return make_group({CauseKind::golden, detail}, scenarios);
 }
 

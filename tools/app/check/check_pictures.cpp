@@ -28,7 +28,8 @@ std::string svg_path(const std::string& path, std::size_t group) {
 
 std::string html_path(const std::string& path) { return stem_of(path) + ".html"; }
 
-// The worst scenario of which both runs keep every row; nullptr: long runs keep none.
+// The worst scenario of which both runs keep every row; nullptr: long runs keep none, nor does a golden file
+// of which the summary alone was changed.
 const PairVerdict* drawable(const DifferenceGroup& group) {
   const auto found = std::ranges::find_if(group.scenarios, [](const PairVerdict* scenario) {
     return scenario->runs && scenario->runs->golden.rows.size() > 0 && scenario->runs->fresh.rows.size() > 0;
@@ -81,7 +82,8 @@ std::vector<GroupPicture> write_pictures(const Core& core, const CheckReport& re
     GroupPicture& picture = pictures.emplace_back();
     const PairVerdict* const scenario = drawable(report.groups()[group]);
     if (scenario == nullptr) {
-      picture.missing = "no picture: long runs keep no rows";
+      picture.missing = report.groups()[group].max_px > 0.0 ? "no picture: long runs keep no rows"
+                                                            : "no picture: no position differs";
       continue;
     }
     try {

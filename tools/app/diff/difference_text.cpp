@@ -35,7 +35,8 @@ std::string divergence_text(const Divergence& first) {
                       value_text(first.field, first.actual));
   if (const std::string ulps = ulps_text(first.ulps); !ulps.empty())
     text += fmt::format("  distance   {}\n", ulps);
-  else if (first.expected && first.actual && std::isfinite(*first.expected - *first.actual))
+  else if (first.field != kRowFields.back().name && first.expected && first.actual &&
+           std::isfinite(*first.expected - *first.actual))
     text += fmt::format("  distance   {}{}\n", rounded(std::abs(*first.actual - *first.expected), 3),
                         unit_of(first.field));
   return text;
