@@ -24,6 +24,7 @@ FORMAT, FILES, CORE, DRIFT = "scenarios/README.md", "golden/README.md", "sim/phy
 HEADER, SCENARIO, STATE = "sim/physics/physics.h", "sim/scenario/scenario.h", "sim/motion/state.h"
 HASH, ROUNDING, REST = "sim/trajectory/state_hash.h", "sim/compare/run_distance.cpp", "sim/trajectory/run_summary.h"
 CARD, STUDIES, PAGE, HYRAX = "sim/card/README.md", "sim/study/README.md", "tools/report/page/README.md", "tools/hyrax/README.md"
+PHYSICS_CONSTANTS = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"
 FLINGS, SCHEMA, MODEL = "sim/card/flings.cpp", "tools/files/scenario.schema.json", "sim/reference/model.h"
 
 # Document and its words, with `{}` for each number; source, and the names that have these numbers there (with commas, or
@@ -72,7 +73,7 @@ STATED = (
         ("tools/own_core/README.md", "ends with exit code {} for any other", "bad_input"),
         ("tools/own_core/README.md", "`check` ends with exit code {}, even", "bad_input"))),
     *((CORE, "| `" + name + "` | {}", HEADER, name)
-      for name in ("GRAVITY", "AIR_DRAG", "RESTITUTION", "GROUND_FRICTION", "REST_THRESHOLD")),
+      for name in PHYSICS_CONSTANTS.split(", ")),
     (CORE, "Gravity: `vy += {} dt`", HEADER, "GRAVITY"),
     (CORE, "Drag: `vx *= {}`, `vy *= {}`", HEADER, "AIR_DRAG, AIR_DRAG"),
     (CORE, "x is set to the bound and `vx = -{} vx`", HEADER, "RESTITUTION"),
@@ -272,8 +273,7 @@ def decided(path, names):
 
 def computed():
     """Document, its words, and their numbers, which follow from the constants of sources."""
-    names = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"
-    gravity, drag, restitution, friction, threshold = decided(HEADER, names)
+    gravity, drag, restitution, friction, threshold = decided(HEADER, PHYSICS_CONSTANTS)
     kept, rate, dt = drag * restitution, -math.log(drag), 1 / 60
     kappa = drag * rate / (1 - drag)
     phi2 = ((1 - drag) / rate - 1) / -rate
@@ -318,7 +318,7 @@ def computed():
         (DRIFT, "not at the wall: {} / 2 of", [restitution**2]), (DRIFT, "It differs from {}, because", [restitution]),
         ("README.md", "changed from {} to {}, by one ulp", [gravity, math.nextafter(gravity, math.inf)]),
         (FILES, "the {} scenarios here", [SCENARIOS]), (FILES, "rounded to {} decimals", [len(re.search(r"x ([\d.]+) px, y", text_of("golden/flings/first-fling.txt"))[1].split(".")[1])]),
-        (FILES, "`constants` float64 [{}]", [len(names.split(", "))]),
+        (FILES, "`constants` float64 [{}]", [len(PHYSICS_CONSTANTS.split(", "))]),
         (CARD, "of the middle {} %", [100 * (float(band[3]) - float(band[2]))]), (STUDIES, "range from {} to {} %", [100 * float(band[2]), 100 * float(band[3])]),
         (CARD, "lands on 18 displays of {} to {} Hz", [min(displays_hz), max(displays_hz)]),
         *((document, words, [95]) for document, words in (
@@ -441,10 +441,40 @@ class Facts(unittest.TestCase):
             if row.runner:
                 self.assertIn(row.name.split()[0].strip(","), named)
 
+    def test_datasets_of_a_file_are_those_of_the_table(self):
+        rows = re.findall(r"^\| (`/(?:trajectory|contacts|events)/.*?) \| (?:enum )?(\w+) \[([NME])\] \|", text_of(FILES), re.MULTILINE)
+        tabled = {name if name.startswith("/") else f"{names[0].rpartition('/')[0]}/{name}": (kind, length)
+                  for cell, kind, length in rows for names in [re.findall("`(.*?)`", cell)] for name in names}
+        found = {}
+        with h5py.File(SOURCE / "golden/flings/corner-fling.h5") as file:
+            lengths = {"trajectory": "N", "contacts": "M", "events": "E"}
+            for group, length in lengths.items():
+                found.update({dataset.name: (dataset.dtype.name, length) for dataset in file[group].values()})
+                self.assertEqual({dataset.shape for dataset in file[group].values()}, {(len(next(iter(file[group].values()))),)})
+            self.assertEqual(set(re.findall(r"`(\w+)`", re.search(r"\| `/`, attributes \|.*?\n", text_of(FILES))[0])) -
+                             set(PHYSICS_CONSTANTS.split(", ")), set(file.attrs) - {"default", "NX_class"})
+        self.assertEqual(tabled, found)
+
+    def test_the_menu_of_hyrax_has_what_is_listed(self):
+        entries = re.findall(r'add\(menu, Choice::\w+, (?:state.is_paused \? L"&Go on" : )?L"(.*?)"', text_of("tools/hyrax/tray.cpp"))
+        listed = " ".join(re.search(r"for the menu: (.*?)\.", text_of(HYRAX), re.DOTALL)[1].split())
+        self.assertEqual(listed.replace("start and save a recording", "start recording, save recording").split(", "),
+                         [entry.replace("&", "").lower().removesuffix(" hyrax") for entry in entries])
+
+    def test_labels_are_those_of_the_tests(self):
+        lists = "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "tests").rglob("CMakeLists.txt"))
+        nightly = set(" ".join(re.findall(r"hyrax_label\(nightly ([^)]*)\)", lists)).split())
+        long, of_night = (set(re.findall(r"`([\w-]+\.[\w-]+)`", re.search(rf"^\| `{label}` \| .*", text_of("tests/README.md"), re.MULTILINE)[0]))
+                          for label in ("long", "nightly"))
+        self.assertLessEqual(nightly, of_night)
+        self.assertTrue(long.isdisjoint(nightly))
+
     def test_columns_of_rows_have_their_units(self):
         columns = re.findall(r'\{"(\w+)", "([\w/]+)", "[^"]*", &Row::', text_of("sim/trajectory/columns.h"))
         names, units = re.search(r"`/trajectory/(t`.*?) \| float64 \[N\] \| `units` (.*?)\.", text_of(FILES)).groups()
         self.assertEqual(list(zip(re.findall(r"\w+", names), units.split(", "), strict=True)), columns)
+        csv = [f"{name}_{unit.replace('/', '_per_')}" for name, unit in columns]
+        self.assertIn(f"`{','.join(['step', *csv, 'contact'])}`", text_of(FILES))
 
     def test_displays_are_those_of_the_scenarios(self):
         scenarios = [json.loads(path.read_text(encoding="utf-8")) for path in (SOURCE / "scenarios/displays").glob("*.json")]

@@ -75,7 +75,7 @@ class Options(unittest.TestCase):
     def test_no_two_options_and_no_two_keys_are_exchanged(self):
         """What is said after each of two has not more words of the other's help, or description in the schema, than of its own."""
         helps = collections.defaultdict(set)
-        for option, text in re.findall(r"^  (?:-\w,)?(--[a-z-]+)((?:.*\n)(?: {10,}.*\n)*)", "".join(help_screens()), re.MULTILINE):
+        for option, text in re.findall(r"^  (?:-\w,)?(--[a-z-]+)((?:.*\n)(?: {10,}.*\n)*)", "".join((*help_screens(), text_of("tools/hyrax/help.txt"))), re.MULTILINE):
             helps[option] |= stems(text)
         for key, meaning in keys_of(json.loads(text_of("tools/files/scenario.schema.json"))):
             helps[key] |= stems(meaning)
