@@ -9,14 +9,8 @@ import shutil
 import h5py
 
 from process import run
-from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, GOLDEN_MISSING, PROGRAM,
-                     Maybe, ProgramTest, fling, main)
-
-BLESS = {"new": int, "changed": int, "unchanged": int, "refused": int, "failed": int, "written": bool, "pruned": [str],
-         "results": [object], "cores": [object], "groups": [object]}
-BLESSED = {"scenario": str, "status": str, "class": Maybe(str), "max_px": Maybe((int, float)),
-           "contacts_moved": Maybe(int), "first_divergence": Maybe(DIVERGENCE), "golden_file": Maybe(str),
-           "summary": Maybe(str), "updates_hash": bool}
+from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, ProgramTest,
+                     fling, main)
 
 
 class Bless(ProgramTest):
@@ -100,6 +94,8 @@ class Bless(ProgramTest):
         outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "scenarios/a", "--reason", "once more")
         self.assertEqual(outcome.out.count("agrees with golden/"), 2)
         self.assert_golden_untouched()
+        self.bless("scenarios/new.json")
+        self.assertEqual(self.expect(AGREED, "bless", "scenarios", "--reason", "once more").out.count("agrees with golden/"), 3)
 
     def test_on_a_full_disk_it_says_how_many_were_written(self):
         self.write("scenarios/c/long.json", fling(name="long", steps=1990))
@@ -176,9 +172,6 @@ class Bless(ProgramTest):
     def bless_json(self, exit_code, *arguments):
         """The document of `bless --json`; its statuses and classes."""
         document = self.expect(exit_code, "bless", *arguments, "--json", "--reason", "x").json
-        self.assert_shape(document, BLESS)
-        for entry in document["results"]:
-            self.assert_shape({key: entry[key] for key in entry if key != "error"}, BLESSED)
         return document, {entry["scenario"]: (entry["status"], entry["class"]) for entry in document["results"]}
 
     def test_json_is_one_document_of_what_was_blessed(self):

@@ -4,7 +4,6 @@
 import json
 import os
 import shutil
-import xml.etree.ElementTree
 
 import h5py
 
@@ -28,15 +27,6 @@ class Verdict(CheckTest):
         self.assertEqual(self.check(AGREED, "scenarios/a", "scenarios/third.json")["checked"], 3)
         self.assertEqual(self.check(AGREED, "third.json", cwd=self.folder / "scenarios")["checked"], 1)
         self.assertEqual(self.check(AGREED, str(self.folder / "scenarios"))["checked"], 3)
-
-    def test_a_difference_is_reported_with_values_rows_and_commands(self):
-        nudge(self.folder / "golden/third.h5", "trajectory/vx", 299)
-        text = self.expect(DISAGREED, "check", "--verbose").out
-        for part in ("scenarios/third.json: disagreed", "class      rounding", "first      step 299, field vx",
-                     "expected   ", "actual     ", "(-0x1.", "p-19)", "distance   1 ulp\n", "rows", "297", "298",
-                     "hyrax-sim diff golden/third.h5", "hyrax-sim bless scenarios/third.json --reason",
-                     "3 checked: 2 agreed, 1 disagreed"):
-            self.assertIn(part, text)
 
     def test_the_largest_distance_and_the_class_are_reported(self):
         entries = self.check(AGREED)["results"]
@@ -113,14 +103,6 @@ class Verdict(CheckTest):
         self.assertIn("hyrax-sim bless scenarios/a/first.json scenarios/a/second.json --reason TEXT\n",
                       self.expect(BAD_INPUT, "check", "scenarios/a/first.json", "scenarios/a/second.json", "scenarios/bad.json").out)
 
-    def test_quiet_names_what_does_not_agree(self):
-        self.write("scenarios/new.json", fling(name="new", steps=7))
-        (self.folder / "scenarios/third.json").unlink()
-        nudge(self.folder / "golden/a/first.h5", "trajectory/y", 5)
-        self.assertEqual(self.expect(GOLDEN_MISSING, "check", "-q").out,
-                         "disagreed: scenarios/a/first.json\nmissing: scenarios/new.json\nunreferenced: golden/third\n"
-                         "3 checked: 1 agreed, 1 disagreed, 1 without golden file, 0 failed; 1 unreferenced\n")
-
     def test_converted_line_ends_are_one_paragraph(self):
         for path in self.summaries():
             path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
@@ -129,13 +111,6 @@ class Verdict(CheckTest):
         self.assertIn("3 of 3 scenarios differ: the golden file was changed since it was blessed: golden/a/first.txt: its line "
                       "ends were converted to CR LF; a line `golden/** -text` in .gitattributes keeps Git from it",
                       self.expect(DISAGREED, "check").out)
-
-    def test_a_gross_difference_is_not_in_ulps(self):
-        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
-            file["trajectory/x"][150] += 0.5
-        out = self.expect(DISAGREED, "check", "--verbose").out
-        self.assertIn("  distance   0.5 px\n", out)
-        self.assertNotIn("ulp", out)
 
     def test_without_memory_it_says_so_and_threads_take_none_that_it_needs(self):
         if self.is_sanitized():
@@ -253,11 +228,9 @@ class Unreferenced(CheckTest):
     def test_that_of_a_deleted_scenario_is_a_disagreement(self):
         (self.folder / "scenarios/third.json").unlink()
         self.assertEqual(self.unreferenced(DISAGREED), ["golden/third"])
-        outcome = self.expect(DISAGREED, "check", "--junit", "report.xml")
-        self.assertIn("golden/third: unreferenced: no scenario for this golden file", outcome.out)
-        self.assertIn("2 checked: 2 agreed, 0 disagreed, 0 without golden file, 0 failed; 1 unreferenced\n", outcome.out)
-        suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
-        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("3", "1", "0"))
+        self.assertEqual(self.expect(DISAGREED, "check").out,
+                         "golden/third: unreferenced: no scenario for this golden file: the scenario was deleted, moved or renamed\n"
+                         "2 checked: 2 agreed, 0 disagreed, 0 without golden file, 0 failed; 1 unreferenced\n")
 
     def test_that_of_a_link_to_nowhere_is_not_reported(self):
         (self.folder / "scenarios/third.json").unlink()
@@ -327,6 +300,7 @@ class Selection(CheckTest):
         self.assertEqual(self.listed(), paths)
         self.assertEqual(self.expect(AGREED, "check", "--list", "--json").json, {"scenarios": paths})
         self.assertEqual(self.listed("scenarios/a", "none.json"), [*paths[:2], "none.json"])
+        self.assertEqual(self.listed("scenarios/a", "golden", exit_code=BAD_INPUT, says="golden: no scenario found"), paths[:2])
 
     def test_filter_takes_the_paths_that_contain_a_text(self):
         self.write("golden/a/old.txt", "")
@@ -360,7 +334,13 @@ class Selection(CheckTest):
         self.bless(all_paths[2])
         self.check(AGREED, "--last-failed", env=env)
         self.assertEqual(self.listed("--last-failed", env=env, says=says), all_paths)
+        self.write("golden/old.txt", "")
+        env = {**env, "XDG_CACHE_HOME": "", "HOME": str(cache)}
+        self.check(DISAGREED, env=env)
+        document = self.check(DISAGREED, "--last-failed", env=env)
+        self.assertEqual((document["checked"], document["unreferenced"]), (0, 1))
         self.assertEqual(self.names(), ["cache", "golden", "scenarios"])
+        self.assertEqual(self.names("cache"), [".cache", "hyrax-sim"])
 
     def test_without_a_folder_for_it_nothing_is_recorded(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)

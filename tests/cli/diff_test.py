@@ -7,11 +7,7 @@ import shutil
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, Maybe, ProgramTest, fling, main
-
-DIFF = {"agree": bool, "class": Maybe(str), "first_divergence": Maybe(DIVERGENCE), "worst": object,
-        "contacts": {"moved": int, "only_a": int, "only_b": int}}
-WORST = {"step": int, "abs": (int, float, str), "ulps": Maybe(int)}
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
 
 
 class Diff(ProgramTest):
@@ -45,9 +41,6 @@ class Diff(ProgramTest):
     def diff(self, exit_code, *options, b="b.h5"):
         """The document of `diff --json`."""
         document = self.expect(exit_code, "diff", "a.h5", b, "--json", *options).json
-        self.assert_shape(document, DIFF)
-        for worst in document["worst"].values():
-            self.assert_shape(worst, WORST)
         self.assertEqual(document["agree"], exit_code == AGREED)
         return document
 

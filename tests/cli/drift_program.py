@@ -1,23 +1,6 @@
-"""Shared by the tests of `drift`: the shape of its document, a flight, and how it is run."""
+"""Shared by the tests of `drift`: a flight, and how it is run."""
 
-from program import AGREED, NUMBER, Maybe, ProgramTest, fling
-
-ARC = {
-    "first_step": int, "last_step": int, "duration_s": NUMBER, "ended_by": str, "implementation_px": NUMBER,
-    "truncation_px": NUMBER, "model_px": NUMBER, "energy_drift_rel_max": NUMBER,
-    "energy_drift_rel_end": NUMBER, "energy_drift_slope_px_per_s": Maybe(NUMBER), "energy_drift_slope_per_s": Maybe(NUMBER), "energy_drift_max": NUMBER,
-    "energy_drift_end": NUMBER, "exact_law_px": NUMBER,
-    "energy_parts": {"gravity": NUMBER, "drag": NUMBER}, "gsl_vs_closed_px": Maybe(NUMBER),
-}
-WHOLE = {
-    "end_px": NUMBER, "max_px": NUMBER, "max_px_step": int, "energy_end_px": NUMBER, "energy_max_px": NUMBER,
-    "secular_px_per_s": Maybe(NUMBER), "contacts_differ_from": Maybe(int), "reference": str,
-}
-CONTACT = {
-    "step": int, "wall": str, "time_error_s": Maybe(NUMBER), "overshoot_px": NUMBER, "energy_jump_rel": NUMBER,
-    "effective_restitution": Maybe(NUMBER),
-    "energy_parts": {"flight": NUMBER, "lift": NUMBER, "bounce": NUMBER, "friction": NUMBER, "rest": NUMBER},
-}
+from program import AGREED, ProgramTest, fling
 
 
 def flight(rate_hz, steps=None, **changes):

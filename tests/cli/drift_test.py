@@ -5,7 +5,7 @@ import math
 
 import h5py
 
-from drift_program import ARC, CONTACT, WHOLE, DriftTest, flight
+from drift_program import DriftTest, flight
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, fling, main
 
 WIDTH_MAX = 100
@@ -14,14 +14,10 @@ WIDTH_MAX = 100
 class Errors(DriftTest):
     """The numbers."""
 
-    def test_the_document_has_the_published_keys_and_types(self):
+    def test_the_worst_are_the_largest_of_the_arcs(self):
         run = self.drift_of(fling())
         self.assertEqual(run["scenario"], "scenario.json")
         self.assertGreater(len(run["arcs"]), 3)
-        self.assert_shape(run["arcs"], [ARC])
-        self.assert_shape(run["contacts"], [CONTACT])
-        self.assert_shape(run["whole"], WHOLE)
-        self.assertIsInstance(run["skipped_arcs"], int)
         for key in ("implementation_px", "truncation_px", "model_px", "energy_drift_rel_max", "energy_drift_max",
                     "gsl_vs_closed_px"):
             self.assertEqual(run["worst"][key], max(arc[key] for arc in run["arcs"]))
@@ -80,7 +76,8 @@ class Files(DriftTest):
 
     def test_a_file_with_every_row_is_measured_as_its_scenario_is(self):
         self.expect(AGREED, "run", self.write("fling.json", fling()))
-        live, stored = self.drift("fling.json", "fling.h5")
+        (self.folder / "fling.h5").rename(self.folder / "of any name")
+        live, stored = self.drift("fling.json", "of any name")
         self.assertEqual(self.errors(live), self.errors(stored))
 
     def test_a_decimated_file_is_replayed_from_its_scenario(self):

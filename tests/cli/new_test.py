@@ -109,6 +109,9 @@ class ClockFrom(NewTest):
                     says="swap chain 0xB, 1 frame; pick one with --swap-chain\n")
         self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--application", "gam",
                     says="frames.csv: no such frame; found: application dwm.exe, ")
+        self.write("frames.csv", "Application,FrameTime\n" + "".join(f"game{number:02},5\n" for number in range(22)))
+        self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", says=(
+            "sources: application game00, 1 frame; ", "; application game19, 1 frame; and 2 more; pick one with --application\n"))
         self.assertEqual(self.names(), ["frames.csv"])
         for picked, dt_s, dropped in ((("--application", "DWM.exe"), [0.004], 0), (("--process", "43"), [0.016], 0), (
                 ("--application", "game.exe", "--process", "42", "--swap-chain", "0xa"), [0.001, 0.008], 1)):

@@ -22,8 +22,6 @@ PROGRAM = pathlib.Path(os.environ.get("HYRAX_SIM", SOURCE / "build/bin/hyrax-sim
 
 AGREED, DISAGREED, BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, NOT_STRICT = 0, 1, 2, 3, 4, 5
 
-NUMBER = (int, float)
-
 # A throw across a desktop: the right wall at row 36, the ground at row 76 and seven times more, at rest from 4 s on.
 FLING = {
     "format": "hyrax-scenario/1",
@@ -154,33 +152,5 @@ class ProgramTest(unittest.TestCase):
         return {str(path): (path.read_bytes(), path.stat().st_mtime_ns)
                 for path in sorted((self.folder / folder).rglob("*")) if path.is_file()}
 
-    def assert_shape(self, value, shape, place="document"):
-        """The value has exactly the keys of the shape, of its types. A list's shape is that of each element."""
-        if isinstance(shape, dict):
-            self.assertIsInstance(value, dict, place)
-            self.assertEqual(sorted(value), sorted(shape), place)
-            for key, inner in shape.items():
-                self.assert_shape(value[key], inner, f"{place}/{key}")
-        elif isinstance(shape, list):
-            self.assertIsInstance(value, list, place)
-            for number, element in enumerate(value):
-                self.assert_shape(element, shape[0], f"{place}/{number}")
-        elif isinstance(shape, Maybe):
-            if value is not None:
-                self.assert_shape(value, shape.shape, place)
-        elif shape is not object:
-            self.assertIsInstance(value, shape, place)
-            self.assertFalse(isinstance(value, bool) and shape is not bool, place)
-
-
-class Maybe:
-    """A shape, or null."""
-
-    def __init__(self, shape):
-        self.shape = shape
-
-
-DIVERGENCE = {"step": int, "field": str, "expected": Maybe((int, float, str)), "actual": Maybe((int, float, str)),
-              "ulps": Maybe(int)}
 
 main = unittest.main

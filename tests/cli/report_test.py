@@ -17,7 +17,7 @@ import h5py
 
 import program
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest
 
 program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
 
@@ -106,21 +106,22 @@ class ReportTest(ProgramTest):
 class Numbers(ProgramTest):
     """Columns in the page, by the program with it."""
 
-    def page_by(self, *arguments):
+    def page_by(self, *arguments, exit_code=AGREED):
         """The document in page.html, which the command writes; skips where the program was built without the page."""
         outcome = run(os.environ["HYRAX_SIM"], *arguments, cwd=self.folder)
         if outcome.exit_code == CANNOT_ACCESS and "HYRAX_PAGE" in outcome.err:
             self.skipTest("this program has no page; tools/test --all builds it")
-        self.assertEqual(outcome.exit_code, AGREED, outcome)
+        self.assertEqual(outcome.exit_code, exit_code, outcome)
         return json.loads(re.search('id="data">(.*?)</script>', (self.folder / "page.html").read_text(), re.DOTALL)[1])
 
     def test_are_those_of_the_file_bit_for_bit(self):
         for steps in (10, 11, 12):  # Of any length modulo three bytes.
             self.write("fling.json", program.fling(steps=steps))
             self.expect(AGREED, "run", "fling.json")
-            rows = self.page_by("report", "fling.h5", "-o", "page.html")["runs"][0]["rows"]
+            page = self.page_by("report", "fling.h5", "--against", "fling.h5", "-o", "page.html")
+            self.assertEqual(page["command"], "hyrax-sim report fling.h5 --against fling.h5 -o page.html")
             with h5py.File(self.folder / "fling.h5") as file:
-                for name, text in rows.items():
+                for name, text in page["runs"][0]["rows"].items():
                     wanted = file[f"trajectory/{name}"][:].astype("<f8").tobytes()
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
 
@@ -143,6 +144,15 @@ class Numbers(ProgramTest):
             self.assertEqual(called, "hyrax-sim")
             self.assertEqual(self.page_by(*arguments), page)
         self.assertTrue(page["runs"][0]["golden"]["agrees"])
+
+    def test_check_plays_the_worst_scenario(self):
+        path, = self.project("fling")
+        self.write(path, program.fling(steps=20))
+        page = self.page_by("check", "--summary", "page.md", exit_code=DISAGREED)
+        run, = page["runs"]
+        self.assertEqual((page["command"], run["steps"], run["golden"]["file"]), ("hyrax-sim check scenarios/fling.json", 20, "golden/fling.h5"))
+        self.assertRegex(run["cause"], r"^1 of 1 scenario differs: .*: /steps 300 -> 20\. Another shape \(class shape\): ")
+        self.assertIn("\n[The same run, played step by step](<page.html>)\n", (self.folder / "page.md").read_text())
 
 
 if __name__ == "__main__":

@@ -6,29 +6,8 @@ import re
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, DIVERGENCE, NUMBER, Maybe, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
 
-COUNTS = {"left": int, "right": int, "top": int, "ground": int}
-RUN = {
-    "scenario": str,
-    "steps": int,
-    "simulated_s": NUMBER,
-    "contacts": COUNTS,
-    "clamped_steps": {**COUNTS, "rest": int},
-    "final": {"x_px": NUMBER, "y_px": NUMBER, "vx_px_per_s": NUMBER, "vy_px_per_s": NUMBER},
-    "at_rest_since_s": Maybe(NUMBER),
-    "periodic_from_step": Maybe(int),
-    "state_hash": str,
-    "output": str,
-    "expect": [{"rule": str, "holds": bool, "measured": object}],
-    # Beyond what the specification lists:
-    "status": str,
-    "golden": Maybe(object),
-    "exercised": [str],
-    "never_touched": [str],
-    "not_computed": [str],
-    "contacts_from": str,
-}
 EXPECT = {"in_bounds": True, "finite": True, "final_x_px": [0, 1792], "final_y_px": [952, 952], "at_rest_since_s": [1, 9],
           "contacts": {"right": 1, "ground": [1, 20]}}
 
@@ -36,14 +15,11 @@ EXPECT = {"in_bounds": True, "finite": True, "final_x_px": [0, 1792], "final_y_p
 class Summary(ProgramTest):
     """The printed result of a run."""
 
-    def test_the_document_has_the_published_keys_and_types(self):
+    def test_the_document_has_each_rule_and_nothing_of_what_is_missing(self):
         self.write("fling.json", fling(expect=EXPECT))
         self.write("still.json", fling(name="still", steps=0))
         document = self.expect(AGREED, "run", "fling.json", "still.json", "--json").json
-        self.assert_shape(document, {"runs": [RUN]})
         run, still = document["runs"]
-        self.assertEqual(run["scenario"], "fling.json")
-        self.assertEqual(run["output"], "fling.h5")
         self.assertEqual(run["contacts"], {"left": 0, "right": 1, "top": 0, "ground": 8})
         self.assertEqual([entry["rule"] for entry in run["expect"]],
                          ["in_bounds", "finite", "final_x_px", "final_y_px", "at_rest_since_s", "contacts/right",
@@ -84,7 +60,7 @@ class Summary(ProgramTest):
         self.assertIsNotNone(skipped["periodic_from_step"])
         self.assertIn("of 120000 steps", skipped["not_computed"][0])
         self.assertNotIn("of 120000 steps", computed["not_computed"][0])
-        for key in RUN.keys() - {"output", "periodic_from_step", "not_computed"}:
+        for key in computed.keys() - {"output", "periodic_from_step", "not_computed"}:
             self.assertEqual(skipped[key], computed[key], key)
         self.assertEqual((self.folder / "skipped.h5").read_bytes(), (self.folder / "all.h5").read_bytes())
 
@@ -232,8 +208,6 @@ class Override(ProgramTest):
 class Golden(ProgramTest):
     """`run` compares with the golden file if there is one."""
 
-    GOLDEN = {"file": str, "status": str}
-
     def setUp(self):
         super().setUp()
         self.path, = self.project("fling")
@@ -254,7 +228,8 @@ class Golden(ProgramTest):
         self.assertIn("hyrax-sim diff golden/fling.h5 fling.h5", outcome.out)
         self.assertIn("fling.h5", self.names())
         run = self.expect(DISAGREED, "run", self.path, "--json").json["runs"][0]
-        self.assert_shape(run["golden"], {**self.GOLDEN, "class": str, "first_divergence": DIVERGENCE})
+        self.assertEqual((list(run["golden"]), run["golden"]["first_divergence"]["field"]),
+                         (["file", "status", "class", "first_divergence"], "x"))
         self.assertEqual((run["status"], run["golden"]["class"]), ("disagreed", "shape"))
 
     def test_with_set_it_does_not_compare(self):
