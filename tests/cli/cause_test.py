@@ -13,7 +13,7 @@ import h5py
 import numpy
 
 import program
-from check_program import THIRD, CheckTest
+from check_program import CheckTest
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling, main
 
