@@ -92,8 +92,11 @@ TEST(Judge, JudgesErrorsOnlyWhereTheyWereMeasured) {
   EXPECT_TRUE(verdicts[0].holds);
   EXPECT_FALSE(verdicts[1].holds);
   EXPECT_TRUE(verdicts[2].holds);
-  EXPECT_EQ(verdicts[1].rule, "truncation_px_max");
+  const std::string rules[] = {"implementation_px_max", "truncation_px_max", "energy_drift_rel_max"};
+  for (std::size_t index = 0; index < 3; ++index) EXPECT_EQ(verdicts[index].rule, rules[index]);
   EXPECT_EQ(verdicts[1].wanted, "at most 10");
+  EXPECT_EQ(std::get<double>(verdicts[1].measured), 10.5);
+  EXPECT_FALSE(judge(expect, some_summary(), RunErrors{})[0].holds);  // Without an arc.
 }
 
 TEST(Judge, FindsAnErrorThatIsNoNumberBeyondAnyBound) {

@@ -36,15 +36,17 @@ TEST(Overlay, HasNoAxisOfDistancesThatAreAllZero) {
   const std::vector<Plot> plots = plots_of(overlay);
   EXPECT_TRUE(plots[1].series[0].x.empty());
   EXPECT_EQ(plots[1].when_empty, "the same place at every time");
+  EXPECT_EQ(plots[0].series.size(), 5u);  // Walls, paths, start and end.
 }
 
 TEST(Overlay, DrawsSmallDistancesOnALogarithmicAxisWithALineForZero) {
   Overlay overlay;
-  overlay.add(row_at(0, 1.0, 2.0), row_at(0, 1.0, 2.0));
-  overlay.add(row_at(1, 0.0, 2.0), row_at(1, 1e-9, 2.0));
+  for (const double px : {0.0, 1e-6, 1e-9, 0.0099}) overlay.add(row_at(0, 0.0, 2.0), row_at(0, px, 2.0));
   const Axis axis = plots_of(overlay)[1].y;
   EXPECT_TRUE(axis.is_logarithmic);
   EXPECT_DOUBLE_EQ(axis.zero_at, 1e-10);
+  overlay.add(row_at(1, 0.0, 2.0), row_at(1, 0.01, 2.0));
+  EXPECT_FALSE(plots_of(overlay)[1].y.is_logarithmic);
 }
 
 TEST(Overlay, LeavesOutWhatIsNotFinite) {

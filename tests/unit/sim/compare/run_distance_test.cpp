@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/compare/comparison.h"
+
 namespace hyrax {
 namespace {
 
@@ -115,20 +117,17 @@ TEST(RunDistance, AnInfinityIsWithinRoundingOfItselfOnly) {
 }
 
 TEST(RunDistance, AContactsQuantitiesHaveTheSameLimits) {
-  for (const auto& [field, rounding] : {std::pair{&Contact::t_s, 0.99e-9},
-                                        {&Contact::x_px, 0.99e-6},
-                                        {&Contact::overshoot_px, 0.99e-6},
-                                        {&Contact::vx_before_px_per_s, 0.99e-6},
-                                        {&Contact::vy_after_px_per_s, 0.99e-6}}) {
+  for (const ContactField& field : kContactFields) {
+    const double limit = field.name == "contacts/t" ? 1e-9 : 1e-6;
     const Contact contact{.step = 3};
     Contact other = contact;
     RunDistance distance;
-    other.*field += rounding;
+    other.*field.value = 0.99 * limit;
     distance.add(contact, other);
-    EXPECT_TRUE(distance.is_rounding());
-    other.*field += 0.1 * rounding;
+    EXPECT_TRUE(distance.is_rounding()) << field.name;
+    other.*field.value = 1.01 * limit;
     distance.add(contact, other);
-    EXPECT_FALSE(distance.is_rounding());
+    EXPECT_FALSE(distance.is_rounding()) << field.name;
   }
 }
 
