@@ -38,19 +38,6 @@ bool settles_with_friction(double ground_friction, const Scenario& scenario) {
   return settles(core, scenario, play_by(core, scenario));
 }
 
-TEST(CoreRun, ThatRepeatsFromAKeptRowIsComplete) {
-  const CoreRun run = run_with_friction(0.8, flung_at(kCoreRunRowsMax - 50'000));
-  EXPECT_TRUE(run.repetition);
-  EXPECT_FALSE(run.is_cut);
-}
-
-TEST(CoreRun, ThatRepeatsPastTheLastRowKeptIsCut) {
-  const CoreRun run = run_with_friction(0.8, flung_at(kCoreRunRowsMax + 50'000));
-  EXPECT_EQ(std::ssize(run.rows), kCoreRunRowsMax);
-  EXPECT_FALSE(run.repetition);
-  EXPECT_TRUE(run.is_cut);
-}
-
 // With friction the fling settles after some seconds, without friction never.
 TEST(CoreRun, ThatEndsBeforeItSettlesIsPlayedOn) {
   Scenario scenario = fling_at(60.0, 120);
@@ -65,17 +52,20 @@ TEST(CoreRun, ThatEndsBeforeItSettlesIsPlayedOn) {
 }
 
 TEST(CompareRuns, FindsADifferenceBeforeAndPastTheLastRowKept) {
-  for (const std::int64_t offset : {-50'000, 50'000}) {
-    const Scenario scenario = flung_at(kCoreRunRowsMax + offset);
-    const auto changed_by = [&](double ground_friction) {
-      CoreRun base = run_with_friction(0.8, scenario);
-      CoreRun candidate = run_with_friction(ground_friction, scenario);
+  for (const bool is_cut : {false, true}) {
+    const Scenario scenario = flung_at(kCoreRunRowsMax + (is_cut ? 50'000 : -50'000));
+    const CoreRun run = run_with_friction(0.8, scenario);
+    EXPECT_EQ(run.is_cut, is_cut);
+    EXPECT_EQ(run.repetition.has_value(), !is_cut);
+    EXPECT_EQ(std::ssize(run.rows) == kCoreRunRowsMax, is_cut);
+    const auto changed_to = [&](CoreRun candidate) {
+      CoreRun base = run;
       return compare_runs(scenario, base, candidate);
     };
-    EXPECT_TRUE(changed_by(0.8).has_same_bits);
-    const RunChange change = changed_by(0.7);
-    EXPECT_FALSE(change.has_same_bits) << offset;
-    EXPECT_EQ(change.is_cut, offset > 0);
+    EXPECT_TRUE(changed_to(run).has_same_bits);
+    const RunChange change = changed_to(run_with_friction(0.7, scenario));
+    EXPECT_FALSE(change.has_same_bits) << is_cut;
+    EXPECT_EQ(change.is_cut, is_cut);
   }
 }
 

@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+"""hyrax-compare without a header: the project's core against the accepted one. Nothing is compiled."""
+
+import json
+import os
+import pathlib
+import shutil
+
+from process import run
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, SOURCE, ProgramTest, main
+
+COMPARE = pathlib.Path(os.environ["HYRAX_COMPARE"])
+
+
+class SameTest(ProgramTest):
+    def compare(self, *arguments):
+        """Exit code, what is printed, and what is said of errors; it leaves no temporary files."""
+        temporary = self.folder / "temporary"
+        temporary.mkdir(exist_ok=True)
+        outcome = run(COMPARE, *arguments, cwd=self.folder, env={**os.environ, "TMPDIR": str(temporary)})
+        self.assertEqual(list(temporary.iterdir()), [], outcome)
+        return outcome.exit_code, outcome.out, outcome.err
+
+    def test_the_accepted_core_needs_no_card(self):
+        self.assertEqual(self.compare(), (AGREED, "sim/physics/physics.h is the accepted core, golden/core/physics.h: "
+                                                  "nothing to compare\n", ""))
+
+    def test_everything_is_the_same(self):
+        for path, name in (("recorded/caught-in-flight", "recorded/caught"), ("hard/window-of-no-size", "hard/no-size"),
+                           ("flings/first-fling", "recorded-later/first-fling")):
+            target = self.folder / f"library/{name}.json"
+            target.parent.mkdir(parents=True)
+            shutil.copy(SOURCE / f"scenarios/{path}.json", target)
+        exit_code, out, err = self.compare("--json", "--scenarios", "library", "--flings", 3, "--seed", 5)
+        self.assertEqual((exit_code, err), (AGREED, ""))
+        card = json.loads(out)
+        self.assertEqual((card["candidate"], card["base"], card["seed"]),
+                         ("sim/physics/physics.h", "golden/core/physics.h", 5))
+        self.assertEqual((card["step"], card["lacking"]), ({"status": "proved_equal", "why": None, "changes": []}, None))
+        self.assertEqual(card["scenarios"], {"count": 3, "same_bits": 3, "rounding": 0, "values": 0, "contacts": 0, "shape": 0,
+                                             "cut": 0, "changed": []})
+        self.assertEqual(card["flings"]["classes"]["same_bits"], 3)
+        for key in ("shift_px", "distance_px"):
+            self.assertEqual(card["flings"][key], {"samples": 3, "median": 0, "p10": 0, "p90": 0})
+        contacts = card["contacts"]
+        self.assertEqual([contacts[key] for key in ("scenarios", "moved", "only_before", "only_after")], [0, 0, 0, 0])
+        self.assertGreater(contacts["contacts"]["before"], 10)
+        for line in (card["displays"]["spread_px"], *card["energy"].values(), *(each["distance_px"] for each in card["exact"]),
+                     contacts["contacts"], card["flings"]["settled"]):
+            self.assertEqual(line["before"], line["after"])
+        hard = card["hard_cases"]
+        self.assertEqual((hard["cases"], hard["cases_changed"], hard["random_runs_changed"]["count"]), (1, 0, 0))
+        for line in (hard["general"], hard["listing"]):
+            self.assertEqual(line["cases_broken"], {"before": 0, "after": 0})
+            self.assertEqual([share["count"] for share in line["random_runs_broken"].values()], [0, 0])
+        self.assertEqual((card["claims"]["changed"], card["claims"]["not_measured"], card["claims"]["other_numbers"]), ([], [], 0))
+        self.assertEqual(card["recordings"], {"recordings": 1, "moved": []})
+        self.assertEqual(card["consequence"], "None: every row has the same bits.")
+        self.assertGreater(card["cost"]["step_ns"]["after"]["median"], 0.0)
+
+    def test_an_accepted_core_that_is_damaged_or_missing_is_named(self):
+        self.assertEqual(self.compare("--golden", "golden"),
+                         (GOLDEN_MISSING, "", "golden/core: no accepted core; name a base, or accept this program's core: "
+                                              "hyrax-sim bless --golden golden --core --reason TEXT\n"))
+        shutil.copytree(SOURCE / "golden/core", self.folder / "golden/core")
+        with open(self.folder / "golden/core/physics.h", "a", encoding="utf-8") as header:
+            header.write("\n")
+        self.assertEqual(self.compare("--golden", "golden"),
+                         (DISAGREED, "", "golden/core/physics.h: does not have the checksum in accepted.txt; take the folder from "
+                                         "version control\n"))
+
+    def test_bad_usage_and_missing_files(self):
+        for arguments, exit_code, says in (
+                (["a.h", "b.h", "c.h"], BAD_INPUT, "hyrax-compare: CANDIDATE.h [BASE.h]: at most 2 allowed (found 3)"),
+                (["a.h", "--jsn"], BAD_INPUT, "unknown option (found --jsn)"),
+                (["a.h", "--seed", "x"], BAD_INPUT, "--seed: must be a whole number 0 .. 9223372036854775807 (found x)"),
+                (["a.h", "--flings", "0"], BAD_INPUT, "--flings: must be a whole number 1 .. 100000 (found 0)"),
+                (["a.h", "--limit", "86401"], BAD_INPUT, "--limit: must be a whole number 1 .. 86400 (found 86401)"),
+                (["missing.h"], CANNOT_ACCESS, "missing.h: cannot be read"),
+                (["missing.h", "--scenarios", "nowhere"], CANNOT_ACCESS, "nowhere: cannot be read")):
+            with self.subTest(arguments):
+                outcome = self.compare(*arguments)
+                self.assertEqual(outcome[:2], (exit_code, ""))
+                self.assertIn(says, outcome[2])
+
+
+if __name__ == "__main__":
+    main()
