@@ -28,15 +28,19 @@ struct Program {
   [[nodiscard]] CauseBase base() const {
     return {.program = core,
             .accepted = has_accepted_core ? &shipped_core() : nullptr,
+            .has_further_members = has_further_members,
             .why_not_played = "no accepted core",
             .is_same_core = is_same_core,
-            .core_change = "GRAVITY 1200 -> 1250"};
+            .core_change = "GRAVITY 1200 -> 1250",
+            .calls_libm = calls_libm};
   }
 
   Core core = shipped_core();
   bool is_same_core = false;
   bool has_accepted_core = true;
   bool names_accepted_core = true;
+  bool has_further_members = false;
+  bool calls_libm = false;
 };
 
 std::vector<Scenario> library() {
@@ -66,9 +70,10 @@ TEST(Cause, IsUnknownWhereTheCoreIsTheAcceptedOneAndTheProgramIsNot) {
   program.is_same_core = true;
   program.core = core_with_gravity(1250.0);
   const Scenario scenario = fling_at(60.0, 300);
-  const Cause cause = program.cause_of(kept_run(scenario), kept_run(scenario, program.core));
-  EXPECT_EQ(cause.kind, CauseKind::unknown);
-  EXPECT_TRUE(cause.detail.starts_with("the core is the accepted one")) << cause.detail;
+  EXPECT_EQ(program.cause_of(kept_run(scenario), kept_run(scenario, program.core)),
+            (Cause{CauseKind::unknown,
+                   "the core is the accepted one, and its step gives the golden file, but this program does "
+                   "not: its compiler, flags or processor, or a fault of the program"}));
 }
 
 TEST(Cause, IsUnknownWithoutAnAcceptedCore) {
@@ -93,8 +98,15 @@ TEST(Cause, IsTheClockWhereFrameTimesDiffer) {
     StoredRun golden = kept_run(slow);
     golden.scenario = scenario;
     golden.inputs.clear();
-    const Cause cause = program.cause_of(golden, kept_run(scenario));
-    EXPECT_EQ(cause.kind, CauseKind::clock) << cause.detail;
+    const std::string detail =
+        steps == 300
+            ? "the clock gives other frame times: dt of row 1 0.01694915254237288 -> 0.016666666666666666 s"
+            : "the clock counts time differently: t of row 4096 68.26694915254237 -> 68.26666666666667 s";
+    EXPECT_EQ(program.cause_of(golden, kept_run(scenario)), (Cause{CauseKind::clock, detail}));
+    if (steps != 300) continue;
+    golden = kept_run(fling_at(59.0, 300, {{std::int64_t{7}, Stop{}}}));
+    EXPECT_EQ(program.cause_of(golden, kept_run(scenario)),
+              (Cause{CauseKind::clock, detail + "; inputs differ: stop in frame 7 -> none"}));
   }
 }
 
@@ -135,6 +147,31 @@ TEST(Cause, IsTheScenariosOwnText) {
   program.core = core_with_gravity(1250.0);  // It changes the run by itself, whatever the core does.
   EXPECT_EQ(program.cause_of(golden, kept_run(faster, program.core), "/start/vx_px_per_s 2400 -> 2401").kind,
             CauseKind::scenario);
+  const StoredRun by_another = kept_run(scenario, core_with_gravity(1300.0));
+  for (const bool is_judged : {true, false}) {
+    program.names_accepted_core = is_judged;
+    EXPECT_EQ(
+        program.cause_of(by_another, kept_run(faster), "/a 1 -> 2"),
+        (Cause{CauseKind::unknown, "the scenario changed since it was blessed: /a 1 -> 2; " +
+                                       std::string(is_judged ? "the accepted core" : "this program's core") +
+                                       " does not give the golden file either"}));
+  }
+}
+
+TEST(Cause, IsUnknownWhereTheAcceptedStepGivesOtherBits) {
+  const Scenario scenario = fling_at(60.0, 300);
+  const StoredRun fresh = kept_run(scenario), golden = kept_run(scenario, core_with_gravity(1300.0));
+  Program of_members, of_libm;
+  of_members.has_further_members = of_libm.calls_libm = true;
+  for (const Program& program : {of_members, of_libm})
+    EXPECT_EQ(program.cause_of(golden, fresh),
+              (Cause{CauseKind::unknown,
+                     "the accepted core gives other bits, too: the compiler, its flags, the processor, the C "
+                     "library, or a fault of the program"}));
+  StoredRun of_contacts = fresh;
+  of_contacts.contacts[0].overshoot_px += 1.0;
+  EXPECT_EQ(Program().cause_of(of_contacts, fresh),
+            (Cause{CauseKind::unknown, "all rows agree, but what is measured of the contacts differs"}));
 }
 
 TEST(Causes, AreGroupedTheMostRunsFirstAndTheUnknownLast) {
@@ -152,6 +189,7 @@ TEST(Causes, AreGroupedTheMostRunsFirstAndTheUnknownLast) {
   EXPECT_EQ(groups[0].runs, (std::vector<std::size_t>{4, 5}));
   EXPECT_EQ(groups[1].runs, std::vector<std::size_t>{3});
   EXPECT_EQ(groups[2].runs, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(groups[2].cause.detail, kNotRepeated);
 }
 
 TEST(Cause, IsAGoldenFileThatWasChanged) {
@@ -161,12 +199,13 @@ TEST(Cause, IsAGoldenFileThatWasChanged) {
   golden.rows.x_px[200] += 1.0;
   golden.state_hash.front() = golden.state_hash.front() == 'a' ? 'b' : 'a';
   const StoredRun fresh = kept_run(scenario);
-  EXPECT_EQ(program.cause_of(golden, fresh, "", false).kind, CauseKind::golden);
-  EXPECT_EQ(program.cause_of(golden, fresh).kind, CauseKind::golden) << "its checksums were made to agree";
+  const Cause changed{CauseKind::golden, "the golden file was changed since it was blessed"};
+  EXPECT_EQ(program.cause_of(golden, fresh, "", false), changed);
+  EXPECT_EQ(program.cause_of(golden, fresh),  // Its checksums were made to agree.
+            (Cause{CauseKind::golden, "the golden file's scenario and inputs do not give its rows"}));
   StoredRun renamed = kept_run(scenario);
   renamed.scenario.start_velocity.vx_px_per_s += 1.0;
-  EXPECT_EQ(program.cause_of(renamed, fresh, "/start/vx_px_per_s 2401 -> 2400", false).kind,
-            CauseKind::golden);
+  EXPECT_EQ(program.cause_of(renamed, fresh, "/start/vx_px_per_s 2401 -> 2400", false), changed);
 }
 
 }  // namespace

@@ -83,6 +83,8 @@ TEST(HeaderChanges, OfAStatementHasItsTextsAndLine) {
   const HeaderChange added = only_change(with("m_vx *= DRAG;", "m_vx *= DRAG;\n    m_vx *= DRAG;"));
   EXPECT_EQ(added.kind, HeaderChangeKind::added);
   EXPECT_EQ(added.line, 9);
+  EXPECT_EQ(change_text(altered), "line 8    altered: m_vx *= DRAG; -> m_vx *= 2 * DRAG;");
+  EXPECT_EQ(change_text(removed), "line 8    removed: m_vx *= DRAG;");
 }
 
 TEST(HeaderChanges, AStatementIsQuotedAsTheHeaderHasIt) {
@@ -169,6 +171,9 @@ TEST(ChangesSentence, NamesConstantsThenLines) {
   both.replace(both.find("1200.0"), 6, "980.0");
   EXPECT_EQ(changes_sentence(header_changes(kHeader, both)),
             "GRAVITY 1200 -> 980; the core changed at lines 8 and 10");
+  both.replace(both.find("m_vy +="), 7, "m_vy -=");
+  EXPECT_EQ(changes_sentence(header_changes(kHeader, both)),
+            "GRAVITY 1200 -> 980; the core changed at lines 7, 8 and 10");
   EXPECT_EQ(changes_sentence(header_changes(kHeader, with("m_vx *= DRAG;", ""))),
             "the core changed at line 8 of the accepted header");
 }
@@ -189,6 +194,9 @@ TEST(StepProof, NeedsTwoCompleteStepsOfTheSameText) {
   EXPECT_FALSE(prove_equal("base.h", one, other).is_equal);
   EXPECT_TRUE(prove_equal("base.h", one, other).is_complete);
   EXPECT_FALSE(prove_equal("base.h", incomplete, incomplete).is_equal);
+  EXPECT_EQ(prove_equal("base.h", one, same).why, "");
+  EXPECT_EQ(prove_equal("base.h", one, other).why,
+            "its step is another one; no step is known whose bits differ");
   EXPECT_EQ(prove_equal("base.h", one, incomplete).why, "many paths");
   EXPECT_EQ(prove_equal("base.h", incomplete, one).why, "the step of base.h is not complete: many paths");
 }
