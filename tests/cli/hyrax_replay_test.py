@@ -38,15 +38,17 @@ class HyraxReplay(ProgramTest):
         self.assertIn("./a\\u001b[31m.json\n", outcome.out)
         self.assertNotIn("\x1b", outcome.out + outcome.err)
 
-    def test_another_hash_than_expected_is_reported(self):
-        path = self.write("fling.json", fling(expect={"state_hash": "0" * 32}))
-        outcome = self.replay(DISAGREED, path, says="fling.json: /expect/state_hash: differs from the run (found " + "0" * 32 +
-                              "); the run has ")
-        self.assertIn(outcome.out.split()[0], outcome.err)
-
-    def test_the_expected_hash_agrees(self):
-        found = self.replay(AGREED, self.write("fling.json", fling())).out.split()[0]
+    def test_the_hash_is_compared_with_the_expected_one(self):
+        other = "0" * 32
+        found = self.replay(DISAGREED, self.write("fling.json", fling(expect={"state_hash": other}))).out.split()[0]
+        self.replay(DISAGREED, "fling.json", says=f"fling.json: /expect/state_hash: differs from the run (found {other}); the run has {found}\n")
         self.replay(AGREED, self.write("fling.json", fling(expect={"state_hash": found})))
+
+    def test_help_and_version(self):
+        self.assertEqual(self.replay(AGREED, "fling.json", "--help").out, (SOURCE / "tools/hyrax-replay/help.txt").read_text())
+        info = self.expect(AGREED, "info").out.splitlines()
+        self.assertEqual([line.split(maxsplit=1) for line in self.replay(AGREED, "--version").out.splitlines()],
+                         [line.split(maxsplit=1) for line in info[:5]])
 
     def test_with_one_bad_scenario_the_others_still_run(self):
         good, bad = self.write("good.json", fling()), self.write("bad.json", "{")
@@ -57,6 +59,8 @@ class HyraxReplay(ProgramTest):
         self.replay(BAD_INPUT, says="SCENARIO is missing")
         self.replay(BAD_INPUT, "--fast", says="unknown option (found --fast); allowed: --help, --version")
         self.replay(BAD_INPUT, "", says="hyrax-replay: SCENARIO: must not be empty")
+        self.replay(BAD_INPUT, "check", "", says="hyrax-replay check: SCENARIO or DIR: must not be empty; see `hyrax-replay --help`")
+        self.replay(BAD_INPUT, "check", "--golden", "", says="hyrax-replay check: --golden: must not be empty; see")
         self.replay(BAD_INPUT, "--", says="SCENARIO is missing")
         self.replay(CANNOT_ACCESS, "--", "--help", says="--help: cannot be read")
         self.replay(CANNOT_ACCESS, "none.json", says="none.json: cannot be read")

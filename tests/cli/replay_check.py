@@ -21,7 +21,7 @@ class ReplayCheckCases:
         """Both programs end with this exit code and the same counts; hyrax-replay prints `says`."""
         found = self.run_replay("check", *arguments)
         self.assertEqual(found.exit_code, exit_code, str(found))
-        self.assertIn(says, found.out)
+        self.assertIn(says, found.out + found.err)
         expected = self.expect(exit_code, "check", *arguments)
         self.assertEqual(COUNTS.search(found.out).group(), COUNTS.search(expected.out).group())
         return found.out
@@ -57,14 +57,16 @@ class ReplayCheckCases:
 
     def test_a_run_that_differs_in_one_bit_disagrees(self):
         start = {**FLING["start"], "vx_px_per_s": math.nextafter(1180.0, math.inf)}
-        self.write("scenarios/third.json", fling(name="third", start=start))
-        self.check(DISAGREED, says="scenarios/third.json: disagreed: golden/third.txt: state hash differs")
+        self.write("scenarios/third.json", fling(name="third", start=start, expect={"contacts": {"right": 2}}))
+        self.assertRegex(self.check(DISAGREED), r"scenarios/third.json: disagreed: golden/third.txt: state hash differs .* finds the cause; "
+                         r"expect contacts/right: wanted 2, measured 1\n")
 
     def test_a_damaged_summary_is_a_disagreement(self):
         changed = "scenarios/third.json: disagreed: the golden file was changed since it was blessed: golden/third.txt: "
         whole = (self.folder / "golden/third.txt").read_text()
         for damaged, fault in ((re.sub("state hash: .*\n", "", whole), "has no line `state hash: ` with 32 hex digits"),
                                ("", "has no line `state hash: ` with 32 hex digits"),
+                               (whole.replace("\n", "\r\n"), "its line ends were converted to CR LF; a line `golden/** -text` in .gitattributes keeps Git from it"),
                                (whole[:-1], "does not end with its line `checksums: `")):
             self.change_summary("third", lambda _, damaged=damaged: damaged)
             self.check(DISAGREED, says=changed + fault + AGAIN)
@@ -91,10 +93,8 @@ class ReplayCheckCases:
 
     def test_an_expectation_that_fails_is_a_disagreement(self):
         start = {**FLING["start"], "vx_px_per_s": 1180}
-        for expect, words in (({"contacts": {"right": 2}}, "expect contacts/right: wanted 2, measured 1\n"),
-                              ({"truncation_px_max": 1e-9}, "expect truncation_px_max: wanted at most 1e-09, measured ")):
-            self.write("scenarios/third.json", fling(name="third", start=start, expect=expect))
-            self.check(DISAGREED, says=f"scenarios/third.json: disagreed: {words}")
+        self.write("scenarios/third.json", fling(name="third", start=start, expect={"truncation_px_max": 1e-9}))
+        self.check(DISAGREED, says="scenarios/third.json: disagreed: expect truncation_px_max: wanted at most 1e-09, measured ")
 
     def test_a_golden_file_without_scenario_is_unreferenced(self):
         (self.folder / "scenarios/a/second.json").unlink()
@@ -122,6 +122,6 @@ class ReplayCheckCases:
         self.refuse(BAD_INPUT, "--golden", "a", "--golden", "b", says="--golden: given twice")
         (self.folder / "empty").mkdir()
         self.refuse(BAD_INPUT, "empty", says="empty: no scenario found (*.json)")
-        self.check(BAD_INPUT, "scenarios", "empty")
+        self.check(BAD_INPUT, "scenarios", "empty", says="empty: no scenario found (*.json)\n")
         shutil.rmtree(self.folder / "scenarios")
         self.refuse(BAD_INPUT, says="scenarios: no such folder in the current one; name the scenarios or folders to check")
