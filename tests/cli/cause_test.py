@@ -305,6 +305,7 @@ class Documents(CauseTest):
 
     def test_outputs_are_guarded(self):
         self.expect(BAD_INPUT, "check", "--summary", "golden/report.md", says="--summary: ")
+        self.expect(BAD_INPUT, "check", "--unnoticed", "golden/new", says="--unnoticed: ")
         self.expect(BAD_INPUT, "check", "--summary", "report.txt", says="--summary: ")
         self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report.md", says="--summary: ")
         self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report-1.svg", says="report-1.svg")

@@ -1,0 +1,106 @@
+// What is said of a core of one's own, and of a core beside the accepted one.
+#include <gtest/gtest.h>
+
+#include "sim/core/shipped_core.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/result/described.h"
+#include "tests/unit/tools/files/refusal.h"
+#include "tests/unit/tools/store/temp_folder.h"
+#include "tools/app/causes/core_check.h"
+#include "tools/app/core/accepted_core.h"
+#include "tools/app/core/paper_model.h"
+#include "tools/app/runs/scenario_run.h"
+
+namespace hyrax {
+namespace {
+
+Core own_core(bool has_constants) {
+  Core core = shipped_core();
+  core.name = "my-physics/3";
+  core.record.header = "constexpr double GRAVITY = 1250.0, AIR_DRAG = 0.4;\n";
+  core.record.why_incomplete = "more than 4,096 paths";
+  core.shape.difference = "vx * 2";
+  if (has_constants)
+    core.constants->air_drag = 0.4;
+  else
+    core.constants.reset();
+  return core;
+}
+
+std::string said(const std::string& what, const std::string& text) {
+  return "# " + what + "\n" + text + "\n";
+}
+
+std::string runs_said() {
+  const TempFolder folder;
+  const Core core = own_core(false);
+  ScenarioRun run =
+      run_scenario(core, "x.json", fling_at(60.0, 200), folder.at("run.csv"), {.measures_start = false});
+  run.output = "run.csv";
+  testing::internal::CaptureStdout();
+  print_run(core, run, {});
+  return said("a run", testing::internal::GetCapturedStdout()) +
+         said("its entry", to_text(run_json(core, run), 1));
+}
+
+std::string refusals() {
+  Scenario scenario = fling_at(60.0, 9);
+  std::string text;
+  for (const bool has_constants : {false, true}) {
+    const Core core = own_core(has_constants);
+    text += refusal_of([&] { require_paper_core(core, "hyrax-sim drift"); }) + "\n";
+    for (const auto member :
+         {&Expect::implementation_px_max, &Expect::truncation_px_max, &Expect::energy_drift_rel_max}) {
+      scenario.expect.emplace().*member = 1.0;
+      text += refusal_of([&] { require_measurable(core, "x.json", scenario); }) + "\n";
+    }
+  }
+  text += refusal_of([] { require_own_core(own_core(true), "run.h5", "hyrax-physics/1"); }) + "\n";
+  require_own_core(shipped_core(), "run.h5", "hyrax-physics/7");
+  return said("refused", text);
+}
+
+std::string of_another_class() {
+  const TempFolder folder;
+  AcceptedCore accepted = program_core(own_core(true));
+  accepted.step.clear();
+  accepted.reason = "two\nlines";
+  write_accepted_core(folder.at(""), accepted);
+  const Core core = shipped_core();
+  const CoreCheck check(core, folder.at(""), {"accept it", "write them"});
+  EXPECT_EQ(check.verdict().exit_code, ExitCode::bad_input);
+  return said("accepted before", bytes_of(folder.at("core/accepted.txt"))) +
+         said("another class", core_text(check.verdict()));
+}
+
+std::string verdicts() {
+  CoreVerdict verdict{.golden_folder = "golden", .why = "a reason", .commands = {"accept it", "write them"}};
+  verdict.paths_taken = {3, 5};
+  std::string text;
+  for (const CoreStatus status : {CoreStatus::none, CoreStatus::accepted, CoreStatus::proved_equal,
+                                  CoreStatus::changed, CoreStatus::not_proved}) {
+    verdict.status = status;
+    text += said("status", core_text(verdict) + core_text(verdict, false, true));
+  }
+  verdict.status = CoreStatus::changed;
+  verdict.changes = {
+      {{HeaderChangeKind::constant, "GRAVITY 1200 -> 1250", 16, {"GRAVITY", 1200.0}, {"GRAVITY", 1250.0}}, 4},
+      {{HeaderChangeKind::added, "a line", 20, {}, {}}, std::nullopt}};
+  Scenario scenario = fling_at(60.0, 1);
+  scenario.name = "unnoticed-1";
+  verdict.unnoticed = {{"vx > 1", scenario, "after 5 s 3 px apart", 7},
+                       {"vx > 2", scenario, "the same", 7},
+                       {"vx > 3", std::nullopt, "", 300'000}};
+  text += said("unnoticed", core_text(verdict));
+  scenario.name = "unnoticed-2";
+  verdict.unnoticed.push_back({"vx > 4", scenario, "after 5 s 4 px/s apart", 9});
+  return text + said("more unnoticed", core_text(verdict)) + said("as JSON", to_text(core_json(verdict), 2));
+}
+
+TEST(OwnCore, IsToldAsWasApproved) {
+  expect_approved("tests/unit/tools/app/own_core.txt",
+                  runs_said() + refusals() + of_another_class() + verdicts());
+}
+
+}  // namespace
+}  // namespace hyrax
