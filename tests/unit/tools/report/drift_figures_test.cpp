@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/unit/sim/replay/some_flings.h"
 #include "tools/report/drift_figures.h"
 
 namespace hyrax {
@@ -56,8 +57,31 @@ TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
   EXPECT_EQ(series.y, (std::vector{5.0, 7.0, 3.0}));
 }
 
-TEST(EnergyFigure, MarksNoMoreArcsThanReadersCanDistinguish) {
-  EXPECT_TRUE(plot_of(energy_of(MeasuredRun(500))).top_dots.empty());
+TEST(DriftFigures, MarkNoMoreThanReadersCanDistinguishAndSaySo) {
+  EXPECT_EQ(plot_of(energy_of(MeasuredRun(80))).top_dots.size(), 80u);
+  EXPECT_TRUE(plot_of(energy_of(MeasuredRun(81))).top_dots.empty());
+  MeasuredRun run(2);
+  EXPECT_EQ(energy_of(run).note, "2 arcs, 2 contacts");
+  run.summary.arcs = 7;
+  EXPECT_EQ(energy_of(run).note, "the first 2 of 7 arcs");
+  run.scenario = fling_at(60.0, 100, {13, {std::int64_t{5}, Stop{}}});
+  EXPECT_EQ(plot_of(energy_of(run)).marks.size(), 12u);
+  EXPECT_EQ(plot_of(restitution_of(MeasuredRun(20))).x.ticks.back().text, "20");
+  EXPECT_TRUE(plot_of(restitution_of(MeasuredRun(21))).x.ticks.empty());
+}
+
+TEST(EnergyFigure, HasOneToThreeDigitsBeforeThePoint) {
+  MeasuredRun run(1);
+  for (const auto& [most, unit, shown] : {std::tuple(999.0, "px²/s²", 999.0),
+                                          {1000.0, "10³ px²/s²", 1.0},
+                                          {999'999.0, "10³ px²/s²", 999.999},
+                                          {1e6, "10⁶ px²/s²", 1.0}}) {
+    for (DrawnRow& row : run.rows)
+      row.errors.energy_px2_per_s2 = most, row.errors.energy_drift_px2_per_s2 = 0.0;
+    const Plot plot = plot_of(energy_of(run));
+    EXPECT_EQ(plot.y.label, std::string("specific energy, ") + unit);
+    for (const Series& series : plot.series) EXPECT_DOUBLE_EQ(series.y.front(), shown);
+  }
 }
 
 TEST(ErrorsFigure, HasAStripForRoundingAndNoLogarithmOfZero) {

@@ -13,6 +13,7 @@
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tools/report/wasm/scenario_record.h"
+#include "tools/report/wasm/shown_run.h"
 
 namespace hyrax {
 
@@ -97,6 +98,7 @@ TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
   EXPECT_EQ(played.hash, hex(summary.state_hash));
   ASSERT_EQ(played.came_to.size(), 15u);
   for (const std::size_t none : {2u, 5u, 6u}) EXPECT_TRUE(std::isnan(played.came_to[none])) << none;
+  EXPECT_EQ(Numbers(played.came_to.begin(), played.came_to.begin() + 2), (Numbers{700.0, 1.0}));
   EXPECT_EQ(Numbers(played.came_to.begin() + 7, played.came_to.end()),
             (Numbers{errors.implementation_px->value, errors.truncation_px->value, errors.model_px->value,
                      errors.energy_drift_rel_max->value, 1.0, 2.0, 0.0, 9.0}));
@@ -107,7 +109,9 @@ TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
         << column.name;
   EXPECT_EQ(rows.at("step"), each(trace.rows(), &Row::step));
   EXPECT_EQ(rows.at("contact"), each(trace.rows(), &Row::contact));
-  EXPECT_EQ(columns(contact_column).at("step"), each(trace.contacts(), &Contact::step));
+  const NumbersByName contacts = columns(contact_column);
+  EXPECT_EQ(contacts.at("step"), each(trace.contacts(), &Contact::step));
+  EXPECT_EQ(contacts.at("last_step"), each(trace.contacts(), &Contact::last_step));
   const NumbersByName shown = columns(error_column);
   EXPECT_EQ(shown.at("implementation"), each(measured.rows, &RowErrors::implementation_px));
   EXPECT_EQ(shown.at("truncation"), each(measured.rows, &RowErrors::truncation_px));
@@ -119,6 +123,34 @@ TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
   EXPECT_NEAR(causes.at("drag").back(), errors.arc_energy.drag / 1200.0, 1e-9);
   EXPECT_NEAR(causes.at("lift").back(), errors.contact_energy.lift / 1200.0, 1e-9);
   EXPECT_NEAR(causes.at("bounce").back(), errors.late_bounces_px2_per_s2 / 1200.0, 1e-9);
+  EXPECT_NEAR(causes.at("sum").back(),
+              causes.at("gravity").back() + causes.at("drag").back() + causes.at("lift").back() +
+                  causes.at("bounce").back(),
+              1e-9);
+  EXPECT_EQ(causes.at("step").back(), double(trace.contacts().back().step));
+  EXPECT_TRUE(std::ranges::is_sorted(causes.at("step")));
+}
+
+TEST(PageCore, PlaysAsFarAsAskedAndSaysWhenItRests) {
+  const Scenario scenario = fling_at(60.0, 600);
+  EXPECT_EQ(load(give(record_of(scenario))), 600.0);
+  EXPECT_EQ(play_to(5.0), 5.0);
+  EXPECT_EQ(play_to(1e9), 600.0);
+  finish();
+  TraceSink trace;
+  EXPECT_EQ(given()[6], replay(shipped_core(), scenario, trace).at_rest_since_s.value());
+}
+
+TEST(PageCore, DrawsEachRowOfUpToAMillionAndTenThousandContacts) {
+  EXPECT_EQ(ShownRows(999'999).every(), 1);
+  EXPECT_EQ(ShownRows(1'000'000).every(), 2);
+  ShownRows shown(1);
+  for (std::int64_t contact = 0; contact < 10'001; ++contact) {
+    shown.contact_began({.step = contact});
+    shown.contact_ended(contact, contact + 1);
+  }
+  EXPECT_EQ(shown.contacts().size(), 10'000u);
+  EXPECT_EQ(shown.contacts().back().last_step, 10'000);
 }
 
 TEST(PageCore, FindsTheFirstRowOrBlockThatDiffersFromTheFiles) {
@@ -149,6 +181,8 @@ TEST(PageCore, FindsTheFirstRowOrBlockThatDiffersFromTheFiles) {
   for (const std::size_t byte : {0u, 15u}) EXPECT_EQ(difference(1, 1, byte), 4096.0) << byte;
   EXPECT_EQ(difference(4199, 1), 4199.0) << "a row says more than its block";
   EXPECT_EQ(difference(4199, 0), 0.0);
+  expect_rows(give({4201.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(PlayedInPage(scenario).came_to[4], 0.0) << "a row beyond the run";
 }
 
 TEST(PageCore, AFlingByHandIsTheScenarioThatItHandsOut) {
@@ -161,6 +195,7 @@ TEST(PageCore, AFlingByHandIsTheScenarioThatItHandsOut) {
   EXPECT_EQ(given(),
             (Numbers{0.016, flown.x_px, flown.y_px, flown.vx_px_per_s, flown.vy_px_per_s, 0.0, 1.0}));
   live_grab(310, 220, 1'000'000.0);
+  live_drag(320, 210, 1'020'000.0);  // A frame has one place of the hand, its last.
   live_drag(350, 200, 1'050'000.0);
   live_velocity(1'050'000.0);
   EXPECT_EQ(given(), (Numbers{800.0, -400.0}));
@@ -173,6 +208,11 @@ TEST(PageCore, AFlingByHandIsTheScenarioThatItHandsOut) {
   const Numbers record = given();
   const std::string hash = given_text();
   EXPECT_EQ(frames, 3.0);
+  EXPECT_EQ(scenario_of(record)->events,
+            (std::vector<Event>{{std::int64_t{1}, Grab{}},
+                                {std::int64_t{1}, Place{{flown.x_px + 40.0, flown.y_px - 20.0}}},
+                                {std::int64_t{2}, Place{{flown.x_px + 80.0, flown.y_px - 40.0}}},
+                                {std::int64_t{2}, Release{{800.0, -400.0}}}}));
   EXPECT_EQ(load(give(record)), 3.0);
   play_to(3.0);
   finish();
@@ -196,6 +236,12 @@ TEST(PageCore, FliesAtADisplaysRateOrExactly) {
   EXPECT_EQ(output()[360], 0.5);
   EXPECT_NEAR(output()[361], end.x_px, 1e-9);
   EXPECT_NEAR(output()[362], end.y_px, 1e-9);
+  for (const Size& window : {Size{127, 1080}, Size{1920, 127}}) {
+    static_cast<void>(
+        give({0.0, 0.0, 0.0, 0.0, double(window.width_px), double(window.height_px), 128.0, 128.0}));
+    flight(0.0, 0.5);
+    EXPECT_EQ(output_count(), 0) << "no exact fling";
+  }
 }
 
 TEST(PageCore, RefusesARecordThatIsNoneAndHasTheCoresFingerprint) {

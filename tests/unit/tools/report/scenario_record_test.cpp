@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 
 namespace hyrax {
 namespace {
@@ -38,6 +41,33 @@ TEST(ScenarioRecord, KeepsEveryBitOfASeedAndTheSignOfZero) {
   EXPECT_EQ(again->clock.jitter->seed, 0xFFFFFFFFFFFFFFFFu);
   EXPECT_TRUE(std::signbit(again->start_velocity.vx_px_per_s));
   EXPECT_EQ(again->events, jittered().events);
+}
+
+// The page writes a scenario file of this layout: record.js, and its test has the same numbers.
+TEST(ScenarioRecord, HasTheLayoutThatThePageReads) {
+  Scenario scenario;
+  scenario.window = {800, 600};
+  scenario.sprite = {64, 32};
+  scenario.start = {1.0, 2.0};
+  scenario.start_velocity = {3.0, 4.0};
+  scenario.clock.base = RecordedSteps{{0.016, 0.017, -0.0}};
+  scenario.events = {{std::int64_t{0}, Grab{}},
+                     {std::int64_t{1}, Release{{10.0, 20.0}}},
+                     {std::int64_t{1}, Place{{30.0, 40.0}}},
+                     {std::int64_t{2}, Fling{{50.0, 60.0}}}};
+  std::ostringstream record;
+  for (const double number : record_of(scenario)) record << ", " << number;
+  const std::string test = read_text_file(HYRAX_SOURCE_DIR "/tests/unit/tools/report/page_test.mjs");
+  EXPECT_NE(test.find("const record = [" + record.str().substr(2) + "];"), std::string::npos) << record.str();
+}
+
+TEST(ScenarioRecord, KnowsThePlaceOfEachVariedNumber) {
+  for (const auto& [pointer, place] : {std::pair("/window/height_px", 1u),
+                                       {"/sprite/width_px", 2u},
+                                       {"/start/x_px", 4u},
+                                       {"/start/vy_px_per_s", 7u},
+                                       {"/clock/jitter/seed", 16u}})
+    EXPECT_EQ(place_in_record(jittered(), pointer), place) << pointer;
 }
 
 TEST(ScenarioRecord, RefusesARecordThatIsCutShortOrTooLong) {
