@@ -22,9 +22,6 @@ bool is_number_of(ScenarioNumberKind kind, const Json& json) {
   return json.is_number() && std::isfinite(json.number()) &&
          (kind == ScenarioNumberKind::real || json.is_whole());
 }
-std::string number_rule(ScenarioNumberKind kind) {
-  return kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds";
-}
 
 SweepNumber number_of(ScenarioNumberKind kind, const Json& json) {
   if (kind == ScenarioNumberKind::real) return json.number();
@@ -52,7 +49,8 @@ std::optional<std::pair<double, double>> read_range(const JsonPlace& here, Scena
   };
   if (array->size() != size || !is_good((*array)[0]) || !is_good((*array)[1]) ||
       (*array)[0].number() > (*array)[1].number()) {
-    here.breaks_rule("must be " + form + " with low <= high, " + number_rule(kind));
+    here.breaks_rule("must be " + form + " with low <= high, " +
+                     (kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds"));
     return std::nullopt;
   }
   return std::pair{(*array)[0].number(), (*array)[1].number()};
@@ -74,7 +72,8 @@ ChoiceDraw read_choice(const JsonPlace& here, ScenarioNumberKind kind) {
         (kind != ScenarioNumberKind::seed || json.get<std::uint64_t>() != nullptr || json.number() < 0x1p64))
       choice.values.push_back(number_of(kind, json));
     else
-      here.element(entry).breaks_rule("must be one of " + number_rule(kind));
+      here.element(entry).breaks_rule(
+          kind == ScenarioNumberKind::real ? "must be a number" : "must be a whole number, as the key holds");
   }
   return choice;
 }

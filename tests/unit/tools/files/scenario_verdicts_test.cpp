@@ -1,4 +1,4 @@
-// The reader against the table of good and bad documents, which also tests the JSON Schema.
+// The readers against the table of good and bad documents, which also tests the JSON Schema.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include "tools/files/json_pointer.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/files/sweep_reader.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -56,9 +57,9 @@ void take_out(Json& document, std::string pointer) {
                 [&](const auto& member) { return member.first == pointer.substr(1); });
 }
 
-Json document_of(const Json& entry) {
+Json document_of(const Json& entry, std::string_view base = "base") {
   if (entry.find("text") != nullptr) return parse_json(text_of(entry, "text"), kSource);
-  Json document = *table().find("base");
+  Json document = *table().find(base);
   if (entry.find("at") != nullptr) set_at(document, "/events", *table().find("events"));
   if (const Json* values = entry.find("set"))
     for (const auto& [pointer, value] : *values->get<Json::Object>()) set_at(document, pointer, value);
@@ -89,8 +90,8 @@ bool reports(const std::string& line, const std::string& place, const std::strin
 }
 
 // Every fault of the entry is reported in a line of its own, and nothing else is reported.
-void expect_reported(const Json& entry) {
-  std::vector<std::string> lines = lines_of(message_for(entry));
+void expect_reported(const Json& entry, const std::string& message) {
+  std::vector<std::string> lines = lines_of(message);
   if (const Json* faults = entry.find("faults"))
     for (const Json& fault : *faults->get<Json::Array>()) {
       const Json::Array& pair = *fault.get<Json::Array>();
@@ -100,15 +101,21 @@ void expect_reported(const Json& entry) {
       if (line != lines.end())
         lines.erase(line);
       else
-        ADD_FAILURE() << text_of(entry, "name") << ": not reported: " << *pair[0].get<std::string>() << ": "
-                      << *pair[1].get<std::string>() << "\n but: " << message_for(entry);
+        ADD_FAILURE() << to_text(entry) << ": not reported: " << *pair[0].get<std::string>() << ": "
+                      << *pair[1].get<std::string>() << "\n but: " << message;
     }
-  for (const std::string& line : lines)
-    ADD_FAILURE() << text_of(entry, "name") << ": also reported: " << line;
+  for (const std::string& line : lines) ADD_FAILURE() << to_text(entry) << ": also reported: " << line;
 }
 
 TEST(ScenarioVerdicts, AreWhatTheReaderSays) {
-  for (const Json& entry : entries()) expect_reported(entry);
+  for (const Json& entry : entries()) expect_reported(entry, message_for(entry));
+}
+
+TEST(SweepVerdicts, AreWhatTheReaderSays) {
+  for (const Json& entry : *table().find("sweeps")->get<Json::Array>())
+    expect_reported(entry, refusal_of([&] {
+                      static_cast<void>(parse_sweep(to_text(document_of(entry, "sweep")), kSource));
+                    }));
 }
 
 TEST(ScenarioVerdicts, OfGoodDocumentsReadTheSameOnceWritten) {
