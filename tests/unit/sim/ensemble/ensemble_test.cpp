@@ -137,6 +137,10 @@ TEST(Ensemble, EqualsTheReplayWithEvents) {
   expect_same_in_all_details(sweep_over(base, 70), "events");
   for (const KeepSet& less : {kFinalOnly, kWithoutExtremes})  // The replay, too, keeps less.
     expect_same(sweep_over(base, 70, less), "events", {less});
+  // Held to the end; the place is where it rests.
+  expect_same(
+      sweep_over(fling_at(60.0, 200, {{std::int64_t{10}, Grab{}}, {std::int64_t{30}, Place{{9.0, 9.0}}}}), 3),
+      "placed while held");
   Sweep sweep = sweep_over(base, 70);
   sweep.vary.push_back({"/events/1/step", ScenarioNumberKind::integer, UniformDraw{0.0, 60.0}});
   sweep.vary.push_back({"/events/2/hitch/dt_s", ScenarioNumberKind::real, UniformDraw{0.0, 1.0}});
@@ -205,13 +209,17 @@ TEST(Ensemble, EqualsTheReplayOfAnyFling) {
 }
 
 TEST(Ensemble, PlaysPartsAndRowsAlike) {
-  Sweep sweep = sweep_over(fling_at(60.0, 300), 100);
-  std::vector<MemberResult> all(100);
-  static_cast<void>(EnsemblePlayer(shipped_core(), sweep).play({}, 0, all));
-  std::vector<MemberResult> some(10);
-  static_cast<void>(EnsemblePlayer(shipped_core(), sweep).play({2, 7}, 3, some));
-  for (std::size_t row = 0; row < some.size(); ++row)
-    EXPECT_EQ(difference(some[row], all[2 + 7 * (row + 3)], sweep.keep), "");
+  for (const KeepSet& keep : {kAllButTheHash, kept({Keep::final, Keep::state_hash})}) {
+    const Sweep sweep = sweep_over(fling_at(60.0, 300), 100, keep);
+    std::vector<MemberResult> all(100);
+    static_cast<void>(EnsemblePlayer(shipped_core(), sweep).play({}, 0, all));
+    std::vector<MemberResult> some(10);
+    static_cast<void>(EnsemblePlayer(shipped_core(), sweep).play({2, 7}, 3, some));
+    for (std::size_t row = 0; row < some.size(); ++row) {
+      EXPECT_EQ(difference(some[row], all[2 + 7 * (row + 3)], keep), "");
+      EXPECT_EQ(some[row].state_hash, all[2 + 7 * (row + 3)].state_hash);
+    }
+  }
 }
 
 TEST(Ensemble, LeavesOutWhatRepeats) {

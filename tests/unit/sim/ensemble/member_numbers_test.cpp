@@ -50,6 +50,23 @@ TEST(MemberFigures, CountAllMembersWhateverTheSampleIs) {
   EXPECT_EQ(member_figures({numbers_of(values)}, 200'000).front().note, "100,000 of 200,000 members");
 }
 
+TEST(MemberFigures, GiveWholeNumbersOfASmallRangeABarEach) {
+  const struct {
+    double smallest, largest, left;
+    std::size_t bars, ticks;
+  } cases[] = {{0.5, 11.0, 0.5, 40, 0},
+               {0.0, 11.0, -0.5, 12, 12},
+               {0.0, 12.0, -0.5, 13, 0},
+               {0.0, 39.0, -0.5, 40, 0},
+               {0.0, 40.0, 0.0, 40, 0}};
+  for (const auto& [smallest, largest, left, bars, ticks] : cases) {
+    const Plot plot = numbers_of({smallest, largest}).histogram();
+    EXPECT_EQ(plot.series[0].x.size(), 2 * bars) << largest;
+    EXPECT_EQ(plot.series[0].x[0], left) << largest;
+    EXPECT_EQ(plot.x.ticks.size(), ticks) << largest;
+  }
+}
+
 TEST(MemberFigures, LeaveOutWhatIsConstantButForRoundingOrHasNoWidth) {
   const std::vector<MemberNumbers> numbers = {numbers_of({1e-24, 0.0, -1e-24}), numbers_of({0.0, HUGE_VAL}),
                                               numbers_of({-1e308, 1e308}), numbers_of({0.0, 1e-6})};
