@@ -27,10 +27,13 @@ TEST(MeasuredCard, IsTheOneApproved) {
   };
   const ComparedCore base = compared(0, shipped_core(), shipped_core().record);
   const ComparedCore candidate = compared(1, lively_core(), {.why_incomplete = "not traced"});
+  Scenario high = fling_at(60.0, 60);  // Bounces for half a minute by the candidate.
+  high.window.height_px = 5000;
   std::int64_t now_ns = 0, calls = 0;
   CardRequest request{.library = {{"flings/calm.json", fling_at(60.0, 400)},
                                   {"recorded/eventful.json", eventful_fling()},
-                                  {"hard/slow.json", fling_at(24.0, 100)}},
+                                  {"hard/slow.json", fling_at(24.0, 100)},
+                                  {"high.json", high}},
                       .seed = 3,
                       .flings = 6,
                       .now_ns = [&] { return now_ns += 100'000 + 400 * (++calls % 7); }};
@@ -40,6 +43,12 @@ TEST(MeasuredCard, IsTheOneApproved) {
   const Card card = measure_card(base, candidate, request);
   const Result result = card_result(card);
   std::string text = "at most " + six_digits(card.displays.distance_max_px) + " px apart on a display\n";
+  Constants springy = shipped_core().constants.value();
+  springy.restitution = 1.0;
+  const RestLine rest =
+      measure_rest(base, compared(1, listing_core(springy), {.why_incomplete = "not traced"}));
+  text += "a drop moves " + described(rest.moved_px.before) + "; springy " + described(rest.moved_px.after) +
+          "\n";
   text += described(result.verdict);
   for (const Table& table : result.summary) text += described(table);
   for (const Figure& figure : result.figures) text += described(figure);
