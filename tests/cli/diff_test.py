@@ -215,6 +215,9 @@ class Diff(ProgramTest):
         self.runs(fling(steps=299), fling(record={"every": 2}), fling(window={"width_px": 1919, "height_px": 1080}))
         for b in ("0.h5", "1.h5", "2.h5"):
             self.assertEqual(self.diff(DISAGREED, "--abs", "1e9", b=b)["class"], "shape", b)
+        with h5py.File(self.folder / "a.h5") as whole, h5py.File(self.folder / "1.h5", "r+") as decimated:
+            decimated.attrs["scenario"] = whole.attrs["scenario"]
+        self.assertIn("  shape      only one of the files holds row 1\n", self.expect(DISAGREED, "diff", "a.h5", "1.h5").out)
 
     def test_the_name_of_the_physics_model_sets_no_class(self):
         shutil.copyfile(self.folder / "a.h5", self.folder / "b.h5")

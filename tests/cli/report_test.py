@@ -112,6 +112,7 @@ class Numbers(ProgramTest):
         if outcome.exit_code == CANNOT_ACCESS and "HYRAX_PAGE" in outcome.err:
             self.skipTest("this program has no page; tools/test --all builds it")
         self.assertEqual(outcome.exit_code, exit_code, outcome)
+        self.assertIn({"report": "written: page.html", "run": "\n  written        page.html", "check": ""}[arguments[0]], outcome.out)
         return json.loads(re.search('id="data">(.*?)</script>', (self.folder / "page.html").read_text(), re.DOTALL)[1])
 
     def test_are_those_of_the_file_bit_for_bit(self):

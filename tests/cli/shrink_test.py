@@ -127,7 +127,8 @@ class Refused(ProgramTest):
         self.refuse("fling.json", "--fails", "test {}", "--time-limit", "0", "-o", "small.json", says="--time-limit")
 
     def test_a_command_that_does_not_exist(self):
-        self.refuse("fling.json", "--fails", "./no-such-command {}", "-o", "small.json", says="the shell cannot run")
+        for command in ("./no-such-command {}", "./fling.json {}"):
+            self.refuse("fling.json", "--fails", command, "-o", "small.json", says=f"the shell cannot run `{command}`: ")
 
     def test_a_command_that_does_not_fail(self):
         self.refuse("fling.json", "--fails", "test -f {}", "-o", "small.json",

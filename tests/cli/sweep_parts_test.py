@@ -77,7 +77,9 @@ class Parts(FilesTest):
         outcome = self.sweep("--merge", "out.part-0-of-4.h5", "out.part-2-of-4.h5", "-o", "merged.h5",
                              exit_code=GOLDEN_MISSING)
         for part in (1, 3):
-            self.assertIn(f"out.part-{part}-of-4.h5: is missing", outcome.err)
+            self.assertIn(f"out.part-{part}-of-4.h5: is missing; nothing was written\n", outcome.err)
+        os.rename(self.folder / "out.part-0-of-4.h5", self.folder / "first.h5")
+        self.sweep("--merge", "first.h5", "-o", "merged.h5", exit_code=GOLDEN_MISSING, says="part-1-of-4: is missing")
         self.assertNotIn("merged.h5", self.names())
 
     def test_parts_of_another_sweep_are_refused(self):

@@ -65,6 +65,7 @@ TEST(DriftResult, OfRunsAreThoseApproved) {
   report.run.summary.first_reference_fault_step = 3;
   report.run.summary.first_reference_fault = "a fault";
   text += text_of(report, false);
+  EXPECT_EQ(drift_exit_code(report.run.summary), ExitCode::program_fault);
   expect_approved("tests/unit/tools/app/drift.txt", text);
 }
 

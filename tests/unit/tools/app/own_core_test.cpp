@@ -1,6 +1,8 @@
 // What is said of a core of one's own, and of a core beside the accepted one.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
@@ -17,7 +19,7 @@ namespace {
 Core own_core(bool has_constants) {
   Core core = shipped_core();
   core.name = "my-physics/3";
-  core.record.header = "constexpr double GRAVITY = 1250.0, AIR_DRAG = 0.4;\n";
+  core.record.header = "constexpr double GRAVITY = 1250.0;\nconstexpr double AIR_DRAG = 0.4;\n";
   core.record.why_incomplete = "more than 4,096 paths";
   core.shape.difference = "vx * 2";
   if (has_constants)
@@ -73,6 +75,38 @@ std::string of_another_class() {
          said("another class", core_text(check.verdict()));
 }
 
+// What each change of the accepted core's files is called.
+std::string damages() {
+  const Core core = shipped_core();
+  std::string text;
+  const auto damage = [&](const char* file, const auto& change) {
+    const TempFolder folder;
+    write_accepted_core(folder.at("golden"), program_core(core));
+    change(folder.at(std::string("golden/core/") + file));
+    const CoreCheck check(core, folder.at("golden"), {});
+    EXPECT_EQ(check.verdict().exit_code, ExitCode::disagreed) << file;
+    text += std::regex_replace(check.verdict().why, std::regex(folder.at("")), "") + "\n";
+  };
+  const auto more = [](const std::string& path) { write_bytes(path, bytes_of(path) + "\n"); };
+  const auto first = [](const std::string& path) { write_bytes(path, "x" + bytes_of(path)); };
+  const auto none = [](const std::string& path) { std::filesystem::remove(path); };
+  for (const char* const file : {"physics.h", "step.txt", "accepted.txt"}) {
+    damage(file, more);
+    damage(file, none);
+  }
+  damage("accepted.txt", first);
+  damage("accepted.txt", [](const std::string& path) {
+    const std::string kept = bytes_of(path);
+    const std::size_t step = kept.find("\nstep: ") + 7;
+    write_bytes(path, kept.substr(0, step) + "not complete: a reason" + kept.substr(kept.find('\n', step)));
+  });
+  damage("step.txt", [](const std::string& path) {
+    std::filesystem::remove(path);
+    std::filesystem::create_symlink("/dev/null", path);
+  });
+  return said("damaged", text);
+}
+
 std::string verdicts() {
   CoreVerdict verdict{.golden_folder = "golden", .why = "a reason", .commands = {"accept it", "write them"}};
   verdict.paths_taken = {3, 5};
@@ -99,7 +133,7 @@ std::string verdicts() {
 
 TEST(OwnCore, IsToldAsWasApproved) {
   expect_approved("tests/unit/tools/app/own_core.txt",
-                  runs_said() + refusals() + of_another_class() + verdicts());
+                  runs_said() + refusals() + of_another_class() + damages() + verdicts());
 }
 
 }  // namespace

@@ -111,5 +111,11 @@ TEST(ReportData, IsWhatWasApproved) {
                       "A study with a broken rule\n" + study_shown(folder, "\"a rule\""));
 }
 
+TEST(ReportData, HasTheFirstInputsAndEveryResize) {
+  std::vector<Input> inputs(5'001, {1, Fling{}});
+  inputs.push_back({2, Resize{Size{9, 9}, {}}});
+  EXPECT_EQ(inputs_json(inputs).get<Json::Array>()->size(), 5'001U);
+}
+
 }  // namespace
 }  // namespace hyrax
