@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "recording.h"
+#include "sim/trace/expression_text.h"
 #include "sim/trace/step_text.h"
 
 namespace hyrax {
@@ -178,6 +179,46 @@ TEST(StepDifferences, AreTheInnermostOnes) {
   EXPECT_EQ(texts_of([](Listing& l) { l.threshold = 6.0; }),
             (Texts{"- fabs(-((vy + dt * 1200) * 0.999 * 0.6)) < 5",
                    "+ fabs(-((vy + dt * 1200) * 0.999 * 0.6)) < 6"}));
+}
+
+TEST(ExpressionText, IsAsAHeaderWouldHaveIt) {
+  using Value = std::function<Real(B, F)>;
+  const auto written = [](const Value& value, const NumberNames& names = {}) {
+    const TracedStep step =
+        canonical(record([&](Body& body, const Frame& frame) { body.x = value(body, frame); }));
+    return expression_text(step, step.paths_of(CoreFunction::update)[0].members[0], names);
+  };
+  EXPECT_EQ(written([](B b, F) { return b.x - b.y; }), "x - y");
+  EXPECT_EQ(written([](B b, F) { return b.x - (b.y - b.vx); }), "x - (y - vx)");
+  EXPECT_EQ(written([](B b, F) { return Real(2.0) * (b.x + Real(3.0)); }), "(x + 3) * 2");
+  EXPECT_EQ(written([](B b, F) { return Real(1.0) / (b.x * b.y); }), "1 / (x * y)");
+  EXPECT_EQ(written([](B b, F) { return -(b.x / b.y); }), "-(x / y)");
+  EXPECT_EQ(written([](B b, F f) { return pow(b.x, f.dt); }), "pow(x, dt)");
+  EXPECT_EQ(written([](B b, F) { return to_real(to_whole(b.x) % Whole(7)); }), "int(x) % 7");
+  EXPECT_EQ(written([](B, F f) { return f.dt * Real(1200.0); }, {{1200.0, "GRAVITY"}}), "dt * GRAVITY");
+  EXPECT_EQ(written([](B b, F f) {
+              Real sum = b.x;
+              for (const double number : {1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5})
+                sum = f.dt * sum + Real(number);
+              return sum;
+            }),
+            "dt * (dt * (dt * (dt * (dt * (dt  ... + 4.5) + 5.5) + 6.5) + 7.5) + 8.5");
+}
+
+TEST(ComparisonText, HasItsNumberAtTheRight) {
+  const auto written = [](const Condition& condition) {
+    const TracedStep step = canonical(record([&](Body& body, const Frame& frame) {
+      if (condition(body, frame)) body.x = 0.0;
+    }));
+    return comparison_text(step, 0, {{-5.0, "LOW"}});
+  };
+  EXPECT_EQ(written([](B b, F) { return b.x > 50.0; }), "x > 50");
+  EXPECT_EQ(written([](B b, F) { return b.x >= 50.0; }), "x >= 50");
+  EXPECT_EQ(written([](B b, F) { return b.x < 50.0; }), "x < 50");
+  EXPECT_EQ(written([](B b, F) { return b.x <= -5.0; }), "x <= -5");
+  EXPECT_EQ(written([](B b, F) { return b.x > -5.0; }), "x > -5");
+  EXPECT_EQ(written([](B b, F) { return b.x == 50.0; }), "x == 50");
+  EXPECT_EQ(written([](B b, F) { return b.x <= b.y; }), "x <= y");
 }
 
 TEST(StepDifferences, AreFoundWhereBothStepsCalculateAndCompareTheSame) {
