@@ -1,12 +1,12 @@
 // The playground: what the hand and the display give the core, and what it shows beside.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Element, element, frame, load, page, saved, windowEvents } from './stand_in.mjs';
+import { Element, element, frame, load, saved, textOf, windowEvents } from './stand_in.mjs';
 
 const { Playground } = await load('fling');
 
-for (const [id, key] of [['again', 'a'], ['slow', 's'], ['restart', 'r'], ['download-scenario', 'd']]) element(id).dataset.key = key;
+const keyed = [...textOf('runs.html').matchAll(/id="([\w-]+)" data-key="(\w)"( class="primary")?( disabled)?>(.*?) <kbd>(\w)</g)].map(([, id, key, , disabled, ...parts]) => [id, key, Boolean(disabled), ...parts]);
+for (const [id, key] of keyed) element(id).dataset.key = key;
 const record = [100, 80, 10, 20, 1, 2, 3, 4, 1, 0, 0, 2, 1, 0.016, 0, 0];
 const flown = rate => (rate === 144 ? { t: [], x: [], y: [] } : { t: [0, 1, 2], x: [rate, rate + 3, rate + 9], y: [0, 4, 8] });
 
@@ -99,12 +99,13 @@ test('a hand grabs what it reaches, leads it and throws it', () => {
 test('a throw flies beside itself at other rates since it was let go', () => {
   const { hand, playground, told, view } = opened();
   const distances = () => element('flights').querySelectorAll('output').map(({ textContent }) => textContent);
-  assert.deepEqual([keys(), element('again').disabled, element('slow').disabled], [[], true, true]);
+  assert.deepEqual([keys(), element('again').disabled, element('slow').disabled, element('fling-hint').textContent], [[], true, true, 'Drag the hyrax and let go.']);
   hand('pointerdown', 50, 10, 1);
   frame(3000);
   for (let i = 1; i <= 10; ++i) frame(3000 + 16 * i); // Held for a second of the core's time.
   hand('pointerup', 50, 10, 3200);
-  assert.deepEqual([keys().map(text => text.trim()), element('again').disabled], [['24 Hz', '60 Hz', '240 Hz', 'exact', 'yours'], false]);
+  assert.deepEqual([keys().map(text => text.trim()), element('again').disabled, element('fling-hint').textContent], [['24 Hz', '60 Hz', '240 Hz', 'exact', 'yours'], false, 'The same throw at other frame rates: distance from the exact fling.']);
+  assert.deepEqual(element('flights').querySelectorAll('i').map(({ attributes }) => attributes.class.trim()), ['swatch tint-vermilion', 'swatch tint-orange', 'swatch tint-blue', 'swatch tint-ink dashed', 'swatch tint-path']);
   assert.deepEqual(playground.look({ t: 0.9 }), { trail: playground.trail });
   const look = playground.look({ t: 2.5, x: 6, y: 12 }); // 1.5 s after that: the rows of 1 s.
   assert.deepEqual(look.ghosts.map(({ rate, tint, at }) => [rate, tint, at.x, at.y]), [[24, 'vermilion', 27, 4], [60, 'orange', 63, 4], [240, 'blue', 243, 4], [0, 'ink', 3, 4]]);
@@ -136,9 +137,11 @@ test('what was flung is saved as a scenario of its own', () => {
   element('download-scenario').fire('click');
   const [[name, text]] = saved, { clock, expect, description } = JSON.parse(text);
   assert.deepEqual([name, clock.dt_s, expect.state_hash, description.split(', ')[0]], ['fling.json', [0.016], 'ab', 'Flung by hand in a report of first']);
+  assert.equal(element('fling-note').textContent, 'Replay it: hyrax-sim run fling.json');
   playground.end();
 });
 
-test('README.md names the rates', () => {
-  assert.match(readFileSync(new URL('README.md', page), 'utf8').replaceAll('\n', ' '), /the same throw at 24, 60, 144 and 240 Hz and the exact fling/);
+test('keys and rates are those that the page and its README.md say', () => {
+  assert.deepEqual(keyed, [['again', 'a', true, 'Again', 'A'], ['slow', 's', true, 'A bounce in slow motion', 'S'], ['restart', 'r', false, 'Start over', 'R'], ['download-scenario', 'd', true, 'Download scenario', 'D']]);
+  assert.match(textOf('README.md').replaceAll(/\s+/g, ' '), /the same throw at 24, 60, 144 and 240 Hz and the exact fling.*`A` throws it again, `S` shows a bounce a tenth as fast, `R` starts over\. The download \(`D`\)/);
 });

@@ -6,16 +6,16 @@ import Plot, { base64, Element, element, load, saved } from './stand_in.mjs';
 const [{ viridis }, { Core }, { showMembers }] = await Promise.all(['cells', 'core', 'members'].map(load));
 
 // The core's flight of a record goes a step of 10 px to the right, and down.
-const loaded = [];
+const loaded = [], required = [];
 let start = [];
-Core.start = async () => ({ requireSame() {}, load: record => loaded.push((start = [...record]).slice(4).join(' ')), playTo() {}, contacts: () => ({ step: [1], wall: [8], x: [start[4]], y: [60] }),
+Core.start = async () => ({ requireSame: fingerprint => required.push(fingerprint), load: record => loaded.push((start = [...record]).slice(4).join(' ')), playTo() {}, contacts: () => ({ step: [1], wall: [8], x: [start[4]], y: [60] }),
   finish: () => ({ steps: 1, stateHash: 'ab', contacts: { left: 0, right: 2, top: 0, ground: 1 } }), errors: () => ({}), contactErrors: () => ({}), causes: () => ({}),
   rows: () => ({ step: [0, 1], t: [0, 2], x: [start[4], start[4] + 10], y: [start[5], 60], vx: [10, 10], vy: [90, 90], contact: [0, 8] }) });
 element('replay').parentElement = { clientWidth: 200 };
 
 const input = (name, place, is_grid, values) => ({ name, place, is_grid, is_seed: false, values: base64(values) });
 // Every third member of 18.
-const grid = { members: base64([1, 4, 7, 10, 13, 16]), count: 18, events: [], record: base64([100, 80, 10, 20, 0, 5, 0, 0]), scenario: '{"name":"a","start":{"x_px":0,"vx_px_per_s":0},"clock":{"rate_hz":60}}',
+const grid = { core_fingerprint: 'ab', members: base64([1, 4, 7, 10, 13, 16]), count: 18, events: [], record: base64([100, 80, 10, 20, 0, 5, 0, 0]), scenario: '{"name":"a","start":{"x_px":0,"vx_px_per_s":0},"clock":{"rate_hz":60}}',
   inputs: [input('/start/vx_px_per_s', 6, true, [-1, -1, 0, 0, 1, 1]), input('/start/x_px', 4, true, [10, 20, 10, 20, 10, 20])],
   results: [{ name: 'final_x', unit: 'px', values: base64([1, 2, 3, 4, 5, NaN]) }, { name: 'steps', unit: '1', values: base64([9, 8, 7, 6, 5, 4]) }] };
 
@@ -88,4 +88,23 @@ test('a click replays the member beside its neighbours, and saves it', async () 
   const number = choices.querySelector('input');
   assert.equal(number.attributes.max, '16');
   assert.deepEqual(['10', '11', '99'].map(value => (loaded.splice(0), number.fire('change', { target: { value } }), loaded[0])), ['20 5 0 0', '10 5 1 0', '20 5 1 0']);
+});
+
+test('numbers that are no grids, many points and a page with figures have their places', async () => {
+  const drawn = (...names) => ({ ...grid, inputs: names.map((name, i) => input(name, i, false, [0, 1, 2, 3, 4, 5])) });
+  const axes = ({ plot }) => [...plot().options.axes.map(({ label }) => label), plot().root.attributes['aria-label'].split(' over')[0]];
+  assert.deepEqual(axes(await shown(drawn('a'))), ['a', 'final_x, px', 'steps']);
+  assert.deepEqual(axes(await shown({ ...drawn('a'), results: grid.results.slice(0, 1) })), ['a', 'final_x, px', 'final_x, px']);
+  assert.deepEqual(axes(await shown(drawn('a', 'b'))), ['a', 'final_x, px', 'b']);
+  for (const [points, radius] of [[800, 7], [801, 4.4]]) {
+    const values = base64(Array.from({ length: points }, (_, i) => i));
+    const { plot } = await shown({ ...grid, members: values, inputs: [{ ...input('a', 0, false, []), values }], results: [{ name: 'r', unit: '1', values }] });
+    assert.match(plot().ctx.log[0], new RegExp(` r ${radius}$`));
+  }
+  const article = new Element('article'), figure = new Element('figure');
+  figure.setAttribute('class', 'figure');
+  article.append(figure);
+  for (const results of [[], grid.results]) await showMembers({ sweep: { ...grid, results } }, article);
+  await showMembers({}, article);
+  assert.deepEqual([article.children.length, figure.previous.attributes['aria-label'], required], [1, 'The members', ['ab']]);
 });

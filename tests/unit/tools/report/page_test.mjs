@@ -1,8 +1,8 @@
 // What the pages compute from a report: verdicts, lists, series of charts, cells of a sweep, sizes, files, numbers.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { base64, count, load } from './stand_in.mjs';
+import { base64, count, frame, later, load, page, textOf } from './stand_in.mjs';
 
 const [cells, csv, data, lists, { Moment }, numbers, { scenarioText }, replay, series, { judgementOf, verdictOf }] =
   await Promise.all(['cells', 'csv', 'data', 'lists', 'moment', 'numbers', 'record', 'replay', 'series', 'verdict'].map(load));
@@ -18,7 +18,7 @@ const errors = { step: [0, 4, 8], model: [0, 1e-3, 2], truncation: [0, 2e-3, 3],
 const causes = { step: [0, 4, 8], gravity: [0, 1, 2], drag: [0, -1, -20], lift: [0, 3, 4], bounce: [0, 5, 7], sum: [0, 8, 11] };
 const contactErrors = { step: [4, 6], time_error: [0.001, NaN], effective_restitution: [0.5, 0.625] };
 const result = { rows, errors, causes, contactErrors, run: { constants: [500] }, contacts: { step: [4, 6], wall: [3, 1] } };
-const said = charts => charts.map(({ id, title, unit, isLog, series: all }) => [`${id}: ${title}, ${unit}${isLog ? ', logarithmic' : ''}`, ...all.map(({ name, color, dash, points, steps, values }) =>
+const said = charts => charts.map(({ id, title, unit, isLog, decimals, series: all }) => [`${id}: ${title}, ${unit}${isLog ? ', logarithmic' : ''}${decimals === undefined ? '' : ` .${decimals}`}`, ...all.map(({ name, color, dash, points, steps, values }) =>
   [`${name} ${color}${dash ? ' dashed' : ''}${points ? ' points' : ''}${steps ? ' steps' : ''}`, values])]);
 
 test('each size is in force from the row after its frame', () => {
@@ -30,16 +30,16 @@ test('each size is in force from the row after its frame', () => {
 test('charts have these series, units and values', () => {
   const drift = (name, tint, key) => [`${name} ${tint}`, [causes[key][0], undefined, causes[key][1], undefined, causes[key][2]]];
   assert.deepEqual(said(series.chartsOf(result, sizes)), [
-    ['position: Position, px', ['x blue', rows.x], ['y orange', rows.y]],
-    ['velocity: Velocity, px/s', ['vx blue', rows.vx], ['vy orange', rows.vy]],
+    ['position: Position, px .1', ['x blue', rows.x], ['y orange', rows.y]],
+    ['velocity: Velocity, px/s .1', ['vx blue', rows.vx], ['vy orange', rows.vy]],
     // (vx² + vy²) / 2 + 500 (window height - sprite height - y)
-    ['energy: Energy, px²/s²', ['run green', [50 + 500 * 60, 68 + 500 * 50, 218 + 500 * 40, 468 + 500 * 70, 32 + 500 * 69]]],
+    ['energy: Energy, px²/s² .0', ['run green', [50 + 500 * 60, 68 + 500 * 50, 218 + 500 * 40, 468 + 500 * 70, 32 + 500 * 69]]],
     ['errors: Errors, px, logarithmic', ['model orange', [null, null, 1e-3, null, 2]], ['truncation blue', [null, null, 2e-3, null, 3]], ['implementation green', [null, null, 1e-9, null, 2e-9]]],
-    ['drift: Energy drift by cause, px of height', drift('gravity', 'blue', 'gravity'), drift('drag', 'green', 'drag'), drift('lift', 'vermilion', 'lift'),
+    ['drift: Energy drift by cause, px of height .2', drift('gravity', 'blue', 'gravity'), drift('drag', 'green', 'drag'), drift('lift', 'vermilion', 'lift'),
       drift('late bounce', 'purple', 'bounce'), drift('all', 'ink dashed', 'sum')],
-    ['contact-time: Contact time error, ms', ['late by vermilion points', [null, null, 1, null, null]]],
-    ['contact-restitution: Effective restitution, ', ['speed after / before purple points', [null, null, 0.5, 0.625, null]]],
-    ['dt: Frame time, ms', ['dt blue steps', [null, 250, 250, 500, 500]]],
+    ['contact-time: Contact time error, ms .3', ['late by vermilion points', [null, null, 1, null, null]]],
+    ['contact-restitution: Effective restitution,  .4', ['speed after / before purple points', [null, null, 0.5, 0.625, null]]],
+    ['dt: Frame time, ms .3', ['dt blue steps', [null, 250, 250, 500, 500]]],
   ]);
 });
 
@@ -73,6 +73,8 @@ test('a chart as CSV has each row, empty where it has no value', () => {
 });
 
 test('axes are of whole decades, and of what is drawn', () => {
+  const ends = series.chartsOf(result, sizes).filter(({ range }) => range).map(({ id, range }) => [id, ...[[-5, 10], [2, 4], [0, 0], [null, null]].map(([low, high]) => range(null, low, high))]);
+  assert.deepEqual(ends, [['contact-time', [-6, 12], [0, 4.8], [0, 1], [0, 1]], ['contact-restitution', [-7.25, 12.25], [1.7, 4.3], [-0.015, 0.015], [0, 1]], ['dt', [-5, 11.5], [0, 4.6], [0, 1], [0, 1]]]);
   const axis = series.logAxis();
   assert.deepEqual(axis.range(null, 2e-3, 5), [1e-3, 10]);
   assert.deepEqual(axis.range(null, 1, 1), [1, 10]);
@@ -131,6 +133,18 @@ test('a run agrees only if every check of it does', async () => {
   assert.deepEqual([await outcome({}), await outcome({}, -1)], ['agrees', 'none']);
   for (const found of [{ firstDifference: 0 }, { isComplete: false }, { steps: 2 }, { stateHash: 'b' }]) assert.equal(await outcome(found), 'differs', JSON.stringify(found));
   assert.deepEqual(['a', 'b'].map(stateHash => replay.playedHere(core({}), [], { stateHash }).outcome), ['agrees', 'differs']);
+});
+
+test('a long run is played in pieces, which say how far it is', async () => {
+  const run = { record: '', blocks: '', rows: Object.fromEntries(data.rowFields.map(field => [field, base64([0])])) };
+  for (const [steps, reaches, took, ends, shares] of [[100_000, 100_000, 1, [20_000, 60_000, 100_000], [0.2, 0.6, 1]], [100_000, 30_000, 1, [20_000, 60_000], [0.2]],
+    [40_000, 40_000, 61, [20_000, 30_000, 35_000, 37_500, 38_750, 39_750, 40_000], [0.5, 0.75, 0.875, 0.9375, 0.96875, 0.99375, 1]]]) {
+    const played = [], told = [];
+    const playTo = end => (played.push(end), frame(performance.now() + took), Math.min(end, reaches));
+    const core = { load: () => steps, playTo, finish: () => ({}), rows: () => rows, contacts() {}, errors() {}, contactErrors() {}, causes() {} };
+    const { milliseconds } = await replay.replay(core, run, share => (told.push(share), Promise.resolve().then(later)));
+    assert.deepEqual([played, told, milliseconds], [ends, shares, took * ends.length]);
+  }
 });
 
 const number = (values, isGrid) => ({ values, isGrid });
@@ -313,4 +327,30 @@ test('a judgement, an expectation and a list that was cut are told in words', ()
   assert.deepEqual([true, false].map(holds => Object.values(lists.expectationOf({ holds, text: 'x' })).join(' ')), ['good holds x', 'bad does not hold x']);
   assert.deepEqual([[0, 0], [500, 500], [500, 501], [1500, 12000]].map(([shown, all]) => numbers.firstOf(shown, all, ' rows')),
     ['', '', 'The first 500 of 501 rows.', 'The first 1,500 of 12,000 rows.']);
+});
+
+test('the pages have each element that their scripts use, under its heading', () => {
+  const runs = textOf('runs.html').replace('{{STAGE}}', textOf('stage.html')), html = runs + textOf('sweeps.html');
+  const scripts = readdirSync(page).filter(name => name.endsWith('.js')).map(textOf).join('');
+  const missing = [...scripts.matchAll(/(?:element|on)\('([\w-]+)'/g)].map(([, id]) => id).filter(id => !html.includes(`id="${id}"`) && !scripts.includes(`id: '${id}'`));
+  assert.deepEqual(missing, []);
+  assert.deepEqual([...runs.matchAll(/ id="([\w-]+)"[^>]*>([A-Z][^<]*)</g)].map(([, id, text]) => `${id}: ${text.trim()}`), ['run-picker: Run', 'verdict-heading: Verdict', 'stage-heading: Replay', 'mode-replay: Replay', 'mode-fling: Fling it yourself',
+    'again: Again', 'slow: A bounce in slow motion', 'restart: Start over', 'download-scenario: Download scenario', 'charts-heading: Charts', 'contacts-heading: Contacts', 'inputs-heading: Inputs', 'model-heading: Modelled and left out', 'made-heading: How it was made']);
+});
+
+test('what is good is green and what is bad is red, and each tint is its colour', () => {
+  const css = ['page.css', 'results.css'].map(textOf).join('').replaceAll(/\/\*.*?\*\//gs, ''), rules = [...css.matchAll(/([^{};]+)\{([^{}]*)\}/g)].map(([, selector, body]) => [selector.trim(), body]);
+  const colors = (is, isNot) => rules.filter(([selector]) => is.test(selector) && !isNot.test(selector)).flatMap(([, body]) => [...body.matchAll(/var\(--([\w-]+)\)/g)].map(([, name]) => name));
+  assert.deepEqual([colors(/good/, /bad/), colors(/bad/, /good/)].map(all => [...new Set(all)].join(' ')), ['good-tint card green', 'bad-tint card vermilion bad']);
+  for (const [selector, body] of rules) if (selector.startsWith('.tint-')) assert.equal(body.trim(), `color: var(--${selector.slice(6)});`);
+  const tints = ['series.js', 'fling.js'].flatMap(name => [...textOf(name).matchAll(/'(blue|orange|green|purple|vermilion|ink|path|sky-blue|faint)'/g)].map(([, tint]) => tint));
+  assert.deepEqual(tints.filter(tint => !css.includes(`.tint-${tint} `)), []);
+});
+
+test('the picture that is shown has letters of 11 px at least', () => {
+  const drawn = textOf('../figure_svg.cpp'), widths = name => Number(new RegExp(`add\\("${name}", (\\d+)`).exec(drawn)[1]);
+  for (const name of ['medium', 'wide']) {
+    const [, least] = new RegExp(`min-width: (\\d+)px\\) \\{ \\.picture > \\.${name} `).exec(textOf('results.css'));
+    assert.ok((12 * least) / widths(name) >= 11 && least <= widths(name), name);
+  }
 });

@@ -1,7 +1,7 @@
 // The replay's controls: what each key and button shows, at which speed it plays, where its ticks are.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { count, element, frame, load, windowEvents } from './stand_in.mjs';
+import { count, element, frame, load, textOf, windowEvents } from './stand_in.mjs';
 
 const [{ Moment }, { Player, showReadouts }] = await Promise.all(['moment', 'player'].map(load));
 
@@ -93,4 +93,17 @@ test('the readouts are those of the row, with their units', () => {
   showReadouts({ t: 1.23456, row: 1235, x: 1.236, y: -2, vx: 1234.56, vy: NaN });
   assert.deepEqual(element('readouts').children.map(each => each.children.map(({ textContent }) => textContent).join(': ')),
     ['time: 1.235 s', 'row: 1,235', 'x: 1.24 px', 'y: −2.00 px', 'vx: 1,234.6 px/s', 'vy: – px/s']);
+});
+
+test('each control has the name and the key that it says', () => {
+  const html = textOf('stage.html'), names = { space: ' ', 'left arrow': 'ArrowLeft', 'right arrow': 'ArrowRight' };
+  const buttons = [...html.matchAll(/id="(\w+)"[^>]* aria-label="(.*?)" title="(.*?) \((.*?)\)"/g)].map(([, ...parts]) => parts);
+  assert.deepEqual(buttons.map(([id, label, title]) => [id, label, title]), [['first', 'To the start', 'To the start'], ['back', 'One step back', 'One step back'], ['play', 'Play', 'Play or pause'], ['forward', 'One step forward', 'One step forward']]);
+  const plays = act => shown(5, player => (act(player), player.isPlaying && player.seek(17)));
+  for (const [id, , , key] of buttons) assert.equal(plays(press(names[key] ?? key)), plays(() => element(id).fire('click')), id);
+  const speeds = [...html.matchAll(/<option value="([\d.]+)"( selected)?>(.*?)×/g)].map(([, ...parts]) => parts);
+  assert.deepEqual(speeds.map(([value]) => value), ['0.1', '0.25', '0.5', '1', '2', '4']);
+  for (const [value, selected, text] of speeds) assert.deepEqual([text, Boolean(selected)], [value, value === '1']);
+  assert.equal(/<p class="keys">(.*)<\/p>/.exec(html)[1].replace(/<[^>]*>/g, ''), 'space play ← → step, with shift ten [ ] contact 0 whole run');
+  assert.match(textOf('README.md').replaceAll('\n', ' '), /Space plays, the arrows step \(with shift ten steps\), `\[` and `\]` go to a contact, `0` shows the whole run/);
 });

@@ -1,7 +1,7 @@
 // The page of runs: which one it opens and at which moment, the address, lists that lead to steps, two runs, the playground.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import Plot, { base64, count, element, frame, later, load, reopen, resize, saved, windowEvents } from './stand_in.mjs';
+import Plot, { base64, count, element, frame, later, load, page, reopen, resize, saved, windowEvents } from './stand_in.mjs';
 
 const { report } = await load('document');
 Object.assign(report, { program: 'hyrax-sim 1', command: 'report a.h5', core: 'paper', core_fingerprint: 'ab' });
@@ -21,7 +21,7 @@ let frames = 0;
 const body = () => ({ t: 0, x: 45, y: 0, vx: 0, vy: 0, contact: 0, frames: ++frames });
 
 /** Opens a page; `found` is what the core comes to, or null where it has no scenario. */
-async function opened(runs, { against, hash = '', found = () => ({}), start } = {}) {
+async function opened(runs, { against, hash = '', found = () => ({}), core = {}, start, show = showRuns } = {}) {
   reopen();
   frame(0);
   element('replay').parentElement = { clientWidth: 200 };
@@ -30,8 +30,8 @@ async function opened(runs, { against, hash = '', found = () => ({}), start } = 
   Object.assign(report, { runs, against });
   let played = -1;
   Core.start = start ?? (async () => ({ requireSame() {}, load: () => (found(++played) ? 400 : -1), playTo: step => step, finish: () => ({ ...checked, ...found(played) }), rows: () => rows, contacts: () => contacts, errors: () => ({ step: [] }),
-    contactErrors: () => ({ step: [95], wall: [2], time_error: [0.001], effective_restitution: [0.75] }), causes: () => ({ step: [] }), liveStart() {}, liveFrame: body, liveScenario: () => ({ record: [], stateHash: 'ab' }) }));
-  await showRuns();
+    contactErrors: () => ({ step: [95], wall: [2], time_error: [0.001], effective_restitution: [0.75] }), causes: () => ({ step: [] }), liveStart() {}, liveFrame: body, liveScenario: () => ({ record: [], stateHash: 'ab' }), ...core }));
+  await show();
 }
 const text = id => element(id).textContent;
 const row = () => Number(element('time').value);
@@ -98,6 +98,11 @@ test('beside another run it opens on the second around their largest distance', 
     await opened([run('a', more)], options);
     assert.deepEqual([text('stage-note'), row(), element('play').attributes['aria-label']], [note, 5, 'Play']);
   }
+  const { matchMedia } = globalThis;
+  globalThis.matchMedia = query => ({ ...matchMedia(), matches: query === '(prefers-reduced-motion: reduce)' });
+  await opened([run('a', { golden })], { against: { rows: far } });
+  globalThis.matchMedia = matchMedia;
+  assert.deepEqual([row(), element('play').attributes['aria-label']], [20, 'Play']);
 });
 
 test('the charts mark where the replay differs first, or else the run from the golden file', async () => {
@@ -107,6 +112,24 @@ test('the charts mark where the replay differs first, or else the run from the g
     const [, mark] = Plot.all.at(-1).over.children;
     assert.equal(mark?.style.transform ?? null, px === null ? null : `translateX(${px}px)`);
   }
+});
+
+test('what is not all shown, or is not replayed, is said', async () => {
+  const many = count(201), long = Object.fromEntries(Object.entries(rows).map(([name, values]) => [name, count(5001).map(i => values[i % 41])])), told = [];
+  const core = { requireSame: (...which) => told.push(which.join()), load: () => (told.push(text('verdict')), 400), rows: () => ({ ...long, step: count(5001) }),
+    finish: () => ({ ...checked, every: 1, contacts: { left: 0, right: 1500, top: 0, ground: 0 } }), contacts: () => Object.fromEntries(Object.keys(contacts).map(name => [name, many])) };
+  await opened([run('a', { inputs: many.map(frame => ({ kind: 'stop', frame })) })], { core });
+  assert.deepEqual([told, text('charts-note')], [['ab,hyrax-sim 1', 'Replaying …'], 'Of many rows to a pixel, the smallest and the largest value are drawn.']);
+  assert.deepEqual(['contacts', 'inputs-list'].map(id => element(id).querySelectorAll('.quiet').at(-1).textContent), ['The first 200 of 1,500.', 'The first 200 of 201.']);
+  await opened([run('a'), run('b')], { core: { load: core.load } });
+  assert.equal(told.at(-1), 'Replaying a: 100 %');
+  report.core_fingerprint = null;
+  report.core = 'moon.h';
+  const own = await import(new URL('runs.js?own', page));
+  await opened([run('a')], { show: own.showRuns });
+  assert.deepEqual([data().replay, element('mode-fling').disabled], ['none', true]);
+  assert.match(text('verdict'), /not replayedthis page holds no copy of the core moon\.h/);
+  Object.assign(report, { core: 'paper', core_fingerprint: 'ab' });
 });
 
 test('a page of another width is drawn anew', async () => {

@@ -1,5 +1,6 @@
 // What the pages' modules use of a browser: elements, canvases that record what is drawn, a clock that tests move, and of
 // uPlot the options it is given and a linear scale.
+import { readFileSync } from 'node:fs';
 import { register } from 'node:module';
 import { beforeEach } from 'node:test';
 
@@ -8,6 +9,7 @@ register(`data:text/javascript,${encodeURIComponent(resolve)}`);
 
 export const page = new URL('../../../../tools/report/page/', import.meta.url);
 export const load = name => import(new URL(`${name}.js`, page));
+export const textOf = file => readFileSync(new URL(file, page), 'utf8');
 export const count = length => Array.from({ length }, (_, i) => i);
 export const base64 = values => Buffer.from(Float64Array.from(values).buffer).toString('base64');
 
@@ -144,6 +146,9 @@ export class Element {
   after(other) {
     this.next = other;
   }
+  before(other) {
+    this.previous = other;
+  }
   setAttribute(name, value) {
     this.attributes[name] = String(value);
     if (name === 'id') known.set(value, this);
@@ -161,11 +166,12 @@ export class Element {
     return (this.attributes.class ?? '').split(' ').filter(Boolean);
   }
   get classList() {
-    return { toggle: (name, is) => (this.attributes.class = [...this.classes.filter(each => each !== name), ...(is ? [name] : [])].join(' ')) };
+    const toggle = (name, is) => (this.attributes.class = [...this.classes.filter(each => each !== name), ...(is ? [name] : [])].join(' '));
+    return { toggle, remove: (...names) => names.forEach(name => toggle(name, false)) };
   }
   matches(selector) {
-    const [, tag, name, key, value] = /^(\w*)(?:\.([\w-]+))?(?:\[([\w-]+)=([\w-]+)\])?$/.exec(selector);
-    return (!tag || this.tagName === tag.toUpperCase()) && (!name || this.classes.includes(name)) && (!key || this.attributes[key] === value);
+    const [, tag, name, key, value] = /^(\w*)(?:\.([\w-]+))?(?:\[([\w-]+)(?:=([\w-]+))?\])?$/.exec(selector);
+    return (!tag || this.tagName === tag.toUpperCase()) && (!name || this.classes.includes(name)) && (!key || (value ? this.attributes[key] === value : key in this.attributes));
   }
   querySelectorAll(selector) {
     return this.children.flatMap(each => [...(each.matches(selector) ? [each] : []), ...each.querySelectorAll(selector)]);
