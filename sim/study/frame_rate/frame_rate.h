@@ -11,6 +11,7 @@
 #include "sim/motion/state.h"
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
+#include "sim/result/result.h"
 #include "sim/study/methods/many_flings.h"
 
 namespace hyrax {
@@ -101,5 +102,9 @@ inline constexpr Bounds kDrawnBounds = kDesktop;
 /// Where the drawn fling settles against the display rate, how far off many flings settle, the path of the
 /// drawn one by either method.
 [[nodiscard]] std::vector<Figure> frame_rate_figures(const FrameRateStudy& study);
+
+/// What the study says of them. Broken: the paper's method is not the core's, or drag and friction by time
+/// spread less in no more than half of the flings, beyond the interval.
+[[nodiscard]] Result frame_rate_result(const FrameRateStudy& study);
 
 }  // namespace hyrax

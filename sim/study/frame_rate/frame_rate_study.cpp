@@ -191,20 +191,24 @@ Verdict verdict_of(const FrameRateStudy& study) {
 }
 
 Result run_frame_rate(const StudyRequest& request) {
-  const FrameRateStudy study =
-      request.is_quick ? study_frame_rate(request.core, {24.0, 60.0, 144.0, 240.0}, 100)
+  constexpr std::int64_t kFlings = 120, kQuickFlings = 100;
+  return frame_rate_result(
+      request.is_quick ? study_frame_rate(request.core, {24.0, 60.0, 144.0, 240.0}, kQuickFlings)
                        : study_frame_rate(request.core,
                                           {24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 72.0, 75.0, 90.0, 100.0, 120.0,
                                            144.0, 165.0, 200.0, 240.0, 360.0, 500.0, 1000.0},
-                                          120);
+                                          kFlings));
+}
+
+}  // namespace
+
+Result frame_rate_result(const FrameRateStudy& study) {
   return {.tables = {landing_table(study.landings), score_table("independence", study.scores),
                      path_table(study.paths), shift_table(study.shifts)},
           .figures = frame_rate_figures(study),
           .verdict = verdict_of(study),
           .summary = summary_of(study)};
 }
-
-}  // namespace
 
 Study frame_rate_study() {
   return {

@@ -67,17 +67,20 @@ double decay_per_s(const Core& core, double speed_px_per_s, double rate_hz) {
 Claim stokes(const Core& core) {
   const bool is_linear = is_close(decay_per_s(core, 1.0, 60.0), decay_per_s(core, 5000.0, 60.0), 1e-9);
   const double slow = decay_per_s(core, 900.0, 30.0), fast = decay_per_s(core, 900.0, 240.0);
-  const ClaimVerdict verdict = !is_linear                   ? ClaimVerdict::does_not_hold
+  const bool is_damped = slow != 0.0 || fast != 0.0;
+  const ClaimVerdict verdict = !is_damped                   ? ClaimVerdict::not_measured
+                               : !is_linear                 ? ClaimVerdict::does_not_hold
                                : is_close(slow, fast, 0.01) ? ClaimVerdict::holds
                                                             : ClaimVerdict::holds_when;
   return {"2.2-stokes",
           "drag models a weak linear damping (Stokes law)",
           "rate of decay in flight at 240 Hz over that at 30 Hz",
           "0.99 .. 1.01",
-          fast / slow,
+          is_damped ? fast / slow : kNotGiven,
           "1",
           verdict,
-          !is_linear                            ? "at 60 Hz it depends on the speed"
+          !is_damped                            ? "this core has no drag"
+          : !is_linear                          ? "at 60 Hz it depends on the speed"
           : verdict == ClaimVerdict::holds_when ? "when the frame rate never changes: " + digits(slow) +
                                                       " 1/s at 30 Hz, " + digits(fast) + " at 240"
                                                 : ""};

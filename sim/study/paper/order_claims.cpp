@@ -32,7 +32,7 @@ Claim order_alters(const Core& core) {
           "changing the order would alter the effective dynamics",
           "least of the largest shifts, in a second of a throw, by three other orders",
           "> 0",
-          least,
+          is_listing ? least : kNotGiven,
           "px",
           is_listing ? holds_if(least > 0.0) : ClaimVerdict::not_measured,
           !is_listing ? "this core's step is not the listing's, whose order could be changed"
@@ -73,8 +73,10 @@ std::vector<Claim> order_claims(const Core& core) {
   const double undamped = core.constants->gravity_px_per_s2 * kSixtieth_s;
   const std::int64_t differing = steps_that_differ_from_listing(core, 20'000);
   return {{"4.3-damps-gain", "applying gravity before drag allows the drag to damp the newly gained speed",
-           "speed gained in a step from rest, as a part of G dt", "< 1", gained / undamped, "1",
-           holds_if(gained < undamped)},
+           "speed gained in a step from rest, as a part of G dt", "< 1",
+           undamped > 0.0 ? gained / undamped : kNotGiven, "1",
+           undamped > 0.0 ? holds_if(gained < undamped) : ClaimVerdict::not_measured,
+           undamped > 0.0 ? "" : "this core has no gravity"},
           after_position(core),
           order_alters(core),
           {"6-exactly",

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "sim/core/core.h"
+#include "sim/result/result.h"
+#include "sim/study/study.h"
 
 namespace hyrax {
 
@@ -23,11 +25,11 @@ inline constexpr std::array<std::string_view, 4> kClaimVerdictNames = {"holds", 
 }
 
 struct Claim {
-  std::string id;        ///< Section and a word, as "2.3-energy"; the key in files of expected verdicts.
-  std::string sentence;  ///< Of the paper, shortened.
-  std::string measured;  ///< What was measured, and how.
-  std::string expected;  ///< The number if the sentence holds: "1.2e+03", "< 1e-9".
-  double number = 0.0;   ///< Of many measurements the median.
+  std::string id;             ///< Section and a word, as "2.3-energy"; the key in files of expected verdicts.
+  std::string sentence;       ///< Of the paper, shortened.
+  std::string measured;       ///< What was measured, and how.
+  std::string expected;       ///< The number if the sentence holds: "1.2e+03", "< 1e-9".
+  double number = kNotGiven;  ///< Of many measurements the median; NaN: nothing was measured.
   std::string unit = "1";
   ClaimVerdict verdict = ClaimVerdict::not_measured;
   std::string remark =
@@ -64,5 +66,10 @@ struct ClaimStarts {
 [[nodiscard]] std::vector<Claim> speed_claims(double step_s);
 /// All of these, by section.
 [[nodiscard]] std::vector<Claim> paper_claims(const Core& core, double step_s);
+
+/// What the study says of them. Broken: a verdict that is not the expected one. ERRORS: RequestRefused that
+/// names every unknown claim and verdict.
+[[nodiscard]] Result paper_result(const std::vector<Claim>& claims,
+                                  const std::optional<ExpectedVerdicts>& expected);
 
 }  // namespace hyrax

@@ -1,6 +1,7 @@
 // `hyrax-sim study paper`: its table, figure, verdict, and the comparison with expected verdicts.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -82,6 +83,12 @@ VerdictsByClaim checked_verdicts(const ExpectedVerdicts& expected, const std::ve
   return {expected.verdicts.begin(), expected.verdicts.end()};
 }
 
+std::string number_text(const Claim& claim, bool has_all_digits) {
+  if (std::isnan(claim.number)) return rounded(claim.number);
+  const std::string number = has_all_digits ? fmt::format("{}", claim.number) : rounded(claim.number);
+  return claim.unit == "1" ? number : number + " " + unit_text(claim.unit);
+}
+
 std::vector<std::string> differences(const std::vector<Claim>& claims, const VerdictsByClaim& expected,
                                      const std::string& path) {
   std::vector<std::string> sentences;
@@ -91,16 +98,10 @@ std::vector<std::string> differences(const std::vector<Claim>& claims, const Ver
       sentences.push_back(
           fmt::format("{}: {}, but {} has no verdict for it", claim.id, name_of(claim.verdict), path));
     else if (verdict->second != name_of(claim.verdict))
-      sentences.push_back(fmt::format("{}: {}, but {} expects: {} ({}: {}{})", claim.id,
-                                      name_of(claim.verdict), path, verdict->second, claim.measured,
-                                      claim.number, claim.unit == "1" ? "" : " " + unit_text(claim.unit)));
+      sentences.push_back(fmt::format("{}: {}, but {} expects: {} ({}: {})", claim.id, name_of(claim.verdict),
+                                      path, verdict->second, claim.measured, number_text(claim, true)));
   }
   return sentences;
-}
-
-std::string number_text(const Claim& claim, bool has_all_digits) {
-  const std::string number = has_all_digits ? fmt::format("{}", claim.number) : rounded(claim.number);
-  return claim.unit == "1" ? number : number + " " + unit_text(claim.unit);
 }
 
 std::string counts_text(const std::vector<Claim>& claims) {
@@ -169,18 +170,22 @@ Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* exp
 }
 
 Result run_paper(const StudyRequest& request) {
-  const std::vector<Claim> claims = paper_claims(request.core, step_time_s(request.core, request.now_ns));
+  return paper_result(paper_claims(request.core, step_time_s(request.core, request.now_ns)),
+                      request.expected);
+}
+
+}  // namespace
+
+Result paper_result(const std::vector<Claim>& claims, const std::optional<ExpectedVerdicts>& given) {
   std::optional<VerdictsByClaim> expected;
-  if (request.expected) expected = checked_verdicts(*request.expected, claims);
+  if (given) expected = checked_verdicts(*given, claims);
   Result result{.tables = {claim_table(claims)},
                 .figures = {claim_figure(claims, expected ? &*expected : nullptr)},
                 .verdict = verdict_of(claims),
                 .summary = {summary_of(claim_table(claims))}};
-  if (expected) result.verdict.broken = differences(claims, *expected, request.expected->path);
+  if (expected) result.verdict.broken = differences(claims, *expected, given->path);
   return result;
 }
-
-}  // namespace
 
 std::vector<Claim> paper_claims(const Core& core, double step_s) {
   std::vector<Claim> claims;

@@ -132,8 +132,14 @@ CornerThrows corner_throws(const Core& core, double least_px_per_s, double most_
   return throws;
 }
 
-ClaimVerdict verdict_of(const CornerThrows& throws, bool holds) {
-  return throws.crossed == 0 ? ClaimVerdict::not_measured : holds_if(holds);
+// Of throws none of which crossed both walls nothing is measured.
+Claim if_crossed(const CornerThrows& throws, Claim claim, const std::string& none_outside) {
+  claim.remark = "of " + std::to_string(throws.crossed);
+  if (throws.crossed > 0 && throws.outside == 0) claim.remark += none_outside;
+  if (throws.crossed > 0) return claim;
+  claim.number = kNotGiven;
+  claim.verdict = ClaimVerdict::not_measured;
+  return claim;
 }
 
 }  // namespace
@@ -144,15 +150,19 @@ std::vector<Claim> time_step_claims(const Core& core) {
   const double slow_part =
       slow.crossed > 0 ? static_cast<double>(slow.outside) / static_cast<double>(slow.crossed) : 0.0;
   return {
-      infinite_bounce(core),
-      stable_step(core),
-      {"4.2-tunnel", "a fast sprite could tunnel through a corner if it crosses both boundaries in one frame",
-       "throws that came out of the window, of those that crossed both in a frame, above 2000 px/s", "> 0",
-       static_cast<double>(fast.outside), "1", verdict_of(fast, fast.outside > 0),
-       "of " + std::to_string(fast.crossed) + (fast.outside == 0 ? ": a clamp cannot be passed" : "")},
-      {"4.2-rare", "below 2000 px/s tunnelling is rare", "part of such throws below 2000 px/s that came out",
-       "< 0.01", slow_part, "1", verdict_of(slow, slow_part < 0.01),
-       "of " + std::to_string(slow.crossed) + (slow_part == 0.0 ? "; so rare that it never happens" : "")}};
+      infinite_bounce(core), stable_step(core),
+      if_crossed(fast,
+                 {"4.2-tunnel",
+                  "a fast sprite could tunnel through a corner if it crosses both boundaries in one frame",
+                  "throws that came out of the window, of those that crossed both in a frame, above 2000 "
+                  "px/s",
+                  "> 0", static_cast<double>(fast.outside), "1", holds_if(fast.outside > 0)},
+                 ": a clamp cannot be passed"),
+      if_crossed(slow,
+                 {"4.2-rare", "below 2000 px/s tunnelling is rare",
+                  "part of such throws below 2000 px/s that came out", "< 0.01", slow_part, "1",
+                  holds_if(slow_part < 0.01)},
+                 "; so rare that it never happens")};
 }
 
 }  // namespace hyrax

@@ -69,9 +69,13 @@ Reach reach_of_throws(const Core& core) {
   return reach;
 }
 
-// A claim on walls that no throw met is not measured.
-ClaimVerdict if_met(std::int64_t contacts, bool holds) {
-  return contacts == 0 ? ClaimVerdict::not_measured : holds_if(holds);
+// A claim on walls that no throw met is not measured, and has neither number nor remark.
+Claim if_met(std::int64_t contacts, Claim claim) {
+  if (contacts > 0) return claim;
+  claim.number = kNotGiven;
+  claim.verdict = ClaimVerdict::not_measured;
+  claim.remark.clear();
+  return claim;
 }
 
 Claim ceiling(const Core& core) {
@@ -89,7 +93,7 @@ Claim ceiling(const Core& core) {
 
 // Which comparison agrees with the bounces.
 std::string slowest_bounce_text(const Core& core, const Reach& reach) {
-  if (reach.ground_contacts == 0) return "";
+  if (reach.slowest_bounce_px_per_s == Reach().slowest_bounce_px_per_s) return "";  // None bounced.
   const bool keeps_threshold = reach.slowest_bounce_px_per_s >= core.constants->rest_threshold_px_per_s;
   return std::string(keeps_threshold ? "it is |vy| that is compared" : "|vy| is not compared, either") +
          ": the slowest bounce seen left " + digits(reach.slowest_bounce_px_per_s) + " px/s";
@@ -141,7 +145,7 @@ Claim x_before_y(const Core& core) {
           "collisions are resolved in x first, then y, to prevent double-penetration issues",
           "largest relative difference that the order makes, 1000 corners",
           "> 1e-9",
-          orders.difference,
+          is_listing ? orders.difference : kNotGiven,
           "1",
           !is_listing ? ClaimVerdict::not_measured : holds_if(orders.difference > 1e-9),
           is_listing ? (orders.outside_px > 0.0
@@ -157,40 +161,46 @@ std::vector<Claim> wall_claims(const Core& core) {
   const double restitution = core.constants->restitution;
   const double out_px = std::max(kSpriteSide_px / 2 - reach.x_px.least,
                                  reach.x_px.most - (kDesktop.right_px + kSpriteSide_px / 2));
-  return {{"3-centre", "the centre of the sprite cannot cross the inner bounds 0 .. W - w, 0 .. H - h",
-           "how far the sprite would stick out of the window if x were its centre", "<= 0", out_px, "px",
-           holds_if(out_px <= 0.0),
-           "the top left corner was at " + digits(reach.x_px.least) + " .. " + digits(reach.x_px.most) +
-               " px in x, " + digits(reach.y_px.least) + " .. " + digits(reach.y_px.most) + " px in y"},
-          x_before_y(core),
-          {"3-exact-position", "each collision corrects the position exactly to the boundary",
-           "largest distance from the bound after a clamp, 200 throws", "0", reach.clamp_error_px, "px",
-           if_met(std::min(reach.side_contacts, reach.ground_contacts), reach.clamp_error_px == 0.0)},
-          {"3-restitution", "each collision applies a coefficient of restitution",
-           "ratio of the step's normal speeds after and before, at the side walls", "0 .. 1, one value",
-           reach.ratio.least, "1",
-           if_met(reach.side_contacts, is_close(reach.ratio.least, reach.ratio.most) &&
-                                           reach.ratio.least > 0.0 && reach.ratio.most < 1.0),
-           is_close(reach.ratio.least, reach.ratio.most) ? "" : "up to " + digits(reach.ratio.most)},
-          {"3.1-no-friction", "vertical velocity is unchanged at the side walls, no friction is applied",
-           "largest change of vy at a side wall", "0", reach.vy_change_at_walls_px_per_s, "px/s",
-           if_met(reach.side_contacts, reach.vy_change_at_walls_px_per_s == 0.0)},
-          ceiling(core),
+  return {
+      {"3-centre", "the centre of the sprite cannot cross the inner bounds 0 .. W - w, 0 .. H - h",
+       "how far the sprite would stick out of the window if x were its centre", "<= 0", out_px, "px",
+       holds_if(out_px <= 0.0),
+       "the top left corner was at " + digits(reach.x_px.least) + " .. " + digits(reach.x_px.most) +
+           " px in x, " + digits(reach.y_px.least) + " .. " + digits(reach.y_px.most) + " px in y"},
+      x_before_y(core),
+      if_met(std::min(reach.side_contacts, reach.ground_contacts),
+             {"3-exact-position", "each collision corrects the position exactly to the boundary",
+              "largest distance from the bound after a clamp, 200 throws", "0", reach.clamp_error_px, "px",
+              holds_if(reach.clamp_error_px == 0.0)}),
+      if_met(reach.side_contacts,
+             {"3-restitution", "each collision applies a coefficient of restitution",
+              "ratio of the step's normal speeds after and before, at the side walls", "0 .. 1, one value",
+              reach.ratio.least, "1",
+              holds_if(is_close(reach.ratio.least, reach.ratio.most) && reach.ratio.least > 0.0 &&
+                       reach.ratio.most < 1.0),
+              is_close(reach.ratio.least, reach.ratio.most) ? "" : "up to " + digits(reach.ratio.most)}),
+      if_met(reach.side_contacts,
+             {"3.1-no-friction", "vertical velocity is unchanged at the side walls, no friction is applied",
+              "largest change of vy at a side wall", "0", reach.vy_change_at_walls_px_per_s, "px/s",
+              holds_if(reach.vy_change_at_walls_px_per_s == 0.0)}),
+      ceiling(core),
+      if_met(
+          reach.ground_contacts,
           {"3.2.2-friction", "ground contact applies ground friction to vx",
            "factor of vx at a ground contact, 200 throws", "< 1, one value", reach.friction.least, "1",
-           if_met(reach.ground_contacts,
-                  is_close(reach.friction.least, reach.friction.most, 1e-9) && reach.friction.most < 1.0)},
-          threshold_in_words(core, reach),
-          {"3.2.2-only-on-ground", "friction reduces horizontal speed only while the sprite is on the ground",
-           "largest relative change of vx in a step off the ground and the walls, beside drag", "0",
-           reach.vx_change_in_flight, "1", holds_if(reach.vx_change_in_flight == 0.0)},
-          {"5-energy-retention", "RESTITUTION: energy retention after bounce",
-           "ratio of kinetic energies after and before a bounce", digits(restitution), reach.energy_ratio,
-           "1", if_met(reach.side_contacts, is_close(reach.energy_ratio, restitution, 1e-9)),
-           is_close(reach.energy_ratio, restitution, 1e-9) ? ""
-           : is_close(reach.energy_ratio, restitution * restitution, 1e-9)
-               ? "it is the ratio of speeds, " + digits(restitution) + ", squared"
-               : "neither RESTITUTION, " + digits(restitution) + ", nor its square"}};
+           holds_if(is_close(reach.friction.least, reach.friction.most, 1e-9) && reach.friction.most < 1.0)}),
+      threshold_in_words(core, reach),
+      {"3.2.2-only-on-ground", "friction reduces horizontal speed only while the sprite is on the ground",
+       "largest relative change of vx in a step off the ground and the walls, beside drag", "0",
+       reach.vx_change_in_flight, "1", holds_if(reach.vx_change_in_flight == 0.0)},
+      if_met(reach.side_contacts,
+             {"5-energy-retention", "RESTITUTION: energy retention after bounce",
+              "ratio of kinetic energies after and before a bounce", digits(restitution), reach.energy_ratio,
+              "1", holds_if(is_close(reach.energy_ratio, restitution, 1e-9)),
+              is_close(reach.energy_ratio, restitution, 1e-9) ? ""
+              : is_close(reach.energy_ratio, restitution * restitution, 1e-9)
+                  ? "it is the ratio of speeds, " + digits(restitution) + ", squared"
+                  : "neither RESTITUTION, " + digits(restitution) + ", nor its square"})};
 }
 
 }  // namespace hyrax

@@ -59,10 +59,14 @@ TEST(BouncesResult, ARuleIsBrokenByExactImpactsThatLoseEnergy) {
       exact{BounceMethod::exact, 0.0, 0, 500.0, 1.0, 1.0 + 1e-10};
   EXPECT_TRUE(bounces_result({paper, euler, exact}).verdict.broken.empty());
   for (double KeptEnergy::*const part : {&KeptEnergy::minute, &KeptEnergy::ten_minutes})
-    for (const double kept : {1.0 - 1e-8, 1.0 + 1e-8, std::nan("")}) {
+    for (const auto& [kept, change] :
+         {std::pair(1.0 - 1e-8, "-1e-08"), {1.0 + 1e-8, "1e-08"}, {std::nan(""), "nan"}}) {
       KeptEnergy changed = exact;
+      changed.number = 7;
       changed.*part = kept;
-      EXPECT_EQ(bounces_result({paper, euler, changed}).verdict.broken.size(), 1u) << kept;
+      EXPECT_EQ(bounces_result({paper, euler, exact, changed}).verdict.broken,
+                std::vector<std::string>{std::string("exact impacts: throw 7 changes its energy by ") +
+                                         change + " of it, more than 1e-09"});
     }
 }
 

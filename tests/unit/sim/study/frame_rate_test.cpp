@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "sim/core/core.h"
 #include "sim/core/shipped_core.h"
@@ -17,6 +19,20 @@ TEST(FrameRate, ThePapersMethodIsTheCoreOnEveryClock) {
   const FrameRateStudy study = study_frame_rate(shipped_core(), {24.0, 144.0}, 3);
   EXPECT_EQ(study.landings.size(), 2u * 3u * 2u * (1u + 3u)) << "the drawn fling, and three more";
   for (const Landing& landing : study.landings) EXPECT_TRUE(landing.is_core);
+}
+
+TEST(FrameRate, TheGateBreaksByAnotherCoreAndByAMethodThatIsNoSteadier) {
+  FrameRateStudy study = study_frame_rate(shipped_core(), {24.0, 144.0}, 30);
+  EXPECT_EQ(frame_rate_result(study).verdict.broken, std::vector<std::string>{});
+  study.landings[90].is_core = study.landings[120].is_core = false;
+  study.steadier_by_time = {Share{40, 60}, Share{37, 60}, Share{0, 4}};
+  EXPECT_EQ(frame_rate_result(study).verdict.broken,
+            (std::vector<std::string>{
+                "24 Hz, jittered: the method called the paper's step differs from the core",
+                "frames jittered by 2 ms (normal): drag and friction by time spread less in 37 of 60 flings "
+                "(49 .. 73 %): they are no more independent of the frame rate than the paper's step",
+                "one frame in twenty missed: drag and friction by time spread less in 0 of 4 flings "
+                "(0 .. 49 %): they are no more independent of the frame rate than the paper's step"}));
 }
 
 // The drawn fling, flown here in steps of a second: whatever the rate, its place is one.

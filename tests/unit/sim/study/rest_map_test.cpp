@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "sim/core/core.h"
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/study/rest/rest_map.h"
+#include "tests/unit/sim/result/described.h"
 
 namespace hyrax {
 namespace {
@@ -50,10 +52,25 @@ TEST(RestBoundaries, DisagreeIfNotMeasuredOrElsewhere) {
   EXPECT_FALSE((RestBoundary{"off", "", 100.0, 100.001}.agrees()));
 }
 
+// It stops bounces below 8 px/s and says 5: at 120 Hz it keeps none of 5.99 px/s, at 60 Hz it leaves 11.99.
+TEST(RestMap, CountsTheFinalStatesThatTheBoundariesDoNotAllow) {
+  Constants laws = *shipped_core().constants;
+  laws.rest_threshold_px_per_s = 8.0;
+  Core lying = listing_core(laws);
+  lying.constants = shipped_core().constants;
+  const std::vector<RateEnds> map = rest_map(lying, {60.0, 120.0}, 5);
+  EXPECT_EQ(map[0].unforeseen, 0);
+  EXPECT_EQ(map[1].unforeseen, 5);
+  EXPECT_EQ(map[1].count(FinalState::zero_speed), 5);
+  for (const RestBoundary& boundary : rest_boundaries(lying))
+    EXPECT_FALSE(boundary.agrees()) << boundary.name;
+}
+
 TEST(RestVerdict, SaysWhatMovesAndWhatIsBroken) {
   RateEnds ends{.rate_hz = 60.0, .flings = {1, 0, 0, 2}, .unforeseen = 2};
   const Verdict verdict =
       rest_verdict({.boundaries = {{"a", "first", 100.0, 100.5}, {"b", "second", 50.0, {}}}, .map = {ends}});
+  EXPECT_NE(described(verdict).find("settles_after,_s: : 1: '-'"), std::string::npos) << "none has settled";
   EXPECT_EQ(std::get<std::string>(verdict.text[1]), "2 of 3 flings still move in the end.");
   EXPECT_EQ(verdict.broken,
             (std::vector<std::string>{"first: analytic 100 Hz, measured 100.5 Hz",
