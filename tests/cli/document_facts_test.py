@@ -512,7 +512,7 @@ class Facts(unittest.TestCase):
         self.assertEqual(tabled, found)
 
     def test_the_menu_of_hyrax_has_what_is_listed(self):
-        entries = re.findall(r'add\(menu, Choice::\w+, (?:state.is_paused \? L"&Go on" : )?L"(.*?)"', text_of("tools/hyrax/tray.cpp"))
+        entries = re.findall(r'\{Choice::\w+, (?:state.is_paused \? "&Go on" : )?"(.*?)"', text_of("tools/hyrax/menu.cpp"))
         listed = " ".join(re.search(r"for the menu: (.*?)\.", text_of(HYRAX), re.DOTALL)[1].split())
         self.assertEqual(listed.replace("start and save a recording", "start recording, save recording").split(", "),
                          [entry.replace("&", "").lower().removesuffix(" hyrax") for entry in entries])

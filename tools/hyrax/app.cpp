@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "sim/scenario/split_mix64.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax/arithmetic_pin.h"
 #include "tools/hyrax/report.h"
@@ -19,25 +18,21 @@ std::int64_t end_of(const PetOptions& options) {
          static_cast<std::int64_t>(*options.seconds * static_cast<double>(clock_ticks_per_s()));
 }
 
-// Up and to one side.
-Velocity random_throw(std::uint64_t seed) {
-  const double side = split_mix64_unit(seed, 0) < 0.5 ? -1.0 : 1.0;
-  return {side * (600.0 + 1400.0 * split_mix64_unit(seed, 1)), -800.0 - 900.0 * split_mix64_unit(seed, 2)};
-}
-
 }  // namespace
 
 App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
     : monitor_(monitor_under({0, 0})),
       pet_(core, monitor_.desk, clock_ticks_per_s(), clock_ticks()),
-      recorder_(pet_, [this](const std::string& sentence) { notify(sentence); }),
+      recorder_(pet_, clock_ticks_per_s(),
+                {.notify = [this](const std::string& sentence) { notify(sentence); },
+                 .new_path = new_recording_path}),
       log_(options.log_path ? std::optional<FrameLog>(*options.log_path) : std::nullopt),
       scenario_(options.replay_path ? std::optional(load_scenario(*options.replay_path)) : std::nullopt),
       end_ticks_(end_of(options)),
       window_(instance,
               [this](UINT message, WPARAM wide, LPARAM low) { return on_message(message, wide, low); }) {
   use_monitor(monitor_);
-  if (options.record_path) recorder_.start(*options.record_path);
+  if (options.record_path) recorder_.start(*options.record_path, clock_ticks());
   if (scenario_) {
     playback_.emplace(core, *scenario_, clock_ticks_per_s(), clock_ticks());
     window_.show({Pose::fly, false, playback_->now().sprite},
@@ -144,7 +139,7 @@ void App::play_frame() {
   const Keyframe& now = pet_.session().now();
   show(now, pet_.pose(), pet_.faces_left(), pet_.inputs_of_frame());
   if (pet_.is_asleep() && log_) log_->sleep(now);
-  recorder_.save_if_due();
+  recorder_.save_if_due(clock_ticks());
 }
 
 void App::play_replayed_frame() {
@@ -242,9 +237,10 @@ void App::open_menu() {
   Choice choice = Choice::none;
   {
     const Window::Modal modal(window_);
-    choice = choose_from_menu(window_.handle(), {.is_replay = playback_.has_value(),
-                                                 .is_paused = pet_.is_paused(),
-                                                 .is_recording = pet_.session().is_recording()});
+    choice =
+        choose_from_menu(window_.handle(), menu_entries({.is_replay = playback_.has_value(),
+                                                         .is_paused = pet_.is_paused(),
+                                                         .is_recording = pet_.session().is_recording()}));
   }
   try {
     execute(choice);
@@ -255,28 +251,10 @@ void App::open_menu() {
 }
 
 void App::execute(Choice choice) {
-  switch (choice) {
-    case Choice::none:
-      return;
-    case Choice::throw_it:
-      return pet_.fling(random_throw(static_cast<std::uint64_t>(clock_ticks())), clock_ticks());
-    case Choice::pause:
-      return pet_.is_paused() ? pet_.resume(clock_ticks()) : pet_.pause();
-    case Choice::reset:
-      return pet_.reset(clock_ticks());
-    case Choice::start_recording:
-      return recorder_.start_new();
-    case Choice::save_recording:
-      return recorder_.save();
-    case Choice::save_just_happened:
-      return recorder_.save_just_happened();
-    case Choice::about: {
-      const Window::Modal modal(window_);
-      return show_about(window_.handle());
-    }
-    case Choice::quit:
-      return window_.close();
-  }
+  if (choice == Choice::quit) return window_.close();
+  if (choice != Choice::about) return hyrax::execute(choice, pet_, recorder_, clock_ticks());
+  const Window::Modal modal(window_);
+  show_about(window_.handle());
 }
 
 // The icon is gone if the window was closed while a message box is open.

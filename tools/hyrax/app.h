@@ -1,7 +1,6 @@
 // The program: the hyrax in its window, the messages for it, and a frame whenever one is due.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,42 +10,13 @@
 
 #include "tools/files/failure.h"
 #include "tools/hyrax/frame_log.h"
+#include "tools/hyrax/menu.h"
 #include "tools/hyrax/options.h"
 #include "tools/hyrax/pet.h"
 #include "tools/hyrax/playback.h"
 #include "tools/hyrax/window.h"
 
 namespace hyrax {
-
-/// Starts, saves and finishes recordings, on behalf of the menu and the command line.
-/// REQUIRES: save, while the pet's session is recording; start and start_new, while it is not.
-class Recorder {
- public:
-  /// @param notify shows a sentence to the user. Refers to the pet.
-  Recorder(Pet& pet, std::function<void(const std::string&)> notify);
-
-  /// ERRORS: Failure(bad_input) if the file exists; Failure(cannot_access) if it cannot be written.
-  void start(const std::string& path);
-  /// Starts a recording in "Documents\Hyrax". ERRORS: as start.
-  void start_new();
-  /// Finishes the recording, if there is one. ERRORS: Failure(cannot_access).
-  void finish();
-  /// Finishes the recording and notifies the user. ERRORS: Failure(cannot_access).
-  void save();
-  /// Saves the last minutes as a file in "Documents\Hyrax".
-  void save_just_happened();
-  /// Saves the recording if the last save was long enough ago, and notifies the user of a failure.
-  void save_if_due();
-
- private:
-  void continue_in_new_file();
-
-  Pet& pet_;
-  std::function<void(const std::string&)> notify_;
-  ScenarioSaver saver_;
-  Repeated saves_{clock_ticks_per_s(), Recording::kSavesPerSecond};
-  std::string last_failure_;
-};
 
 class App {
  public:

@@ -1,5 +1,6 @@
 #include "tools/hyrax/desk.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hyrax {
@@ -15,6 +16,14 @@ std::int32_t nearest(double offset_px) {
 }
 
 }  // namespace
+
+Size sprite_at(int dpi) {
+  constexpr int kUsualDpi = 96;
+  const int side_px = std::max((kUsualSprite_px * dpi + kUsualDpi / 2) / kUsualDpi, 1);
+  return {side_px, side_px};
+}
+
+int frame_rate_hz(int display_hz) { return display_hz <= 1 ? 60 : std::clamp(display_hz, 30, 240); }
 
 ScreenPoint on_screen(const Desk& desk, const Position& position) {
   return {desk.origin.x_px + nearest(position.x_px), desk.origin.y_px + nearest(position.y_px)};

@@ -23,6 +23,14 @@ struct Desk {
   bool operator==(const Desk&) const = default;
 };
 
+inline constexpr int kUsualSprite_px = 128;  ///< Side of the sprite at 96 dpi, which is 100 %.
+
+/// The size of the sprite at a scaling.
+[[nodiscard]] Size sprite_at(int dpi);
+
+/// Frames per second on a display, 30 .. 240; 60 if its rate is unknown: 0 or 1.
+[[nodiscard]] int frame_rate_hz(int display_hz);
+
 /// The point of the screen nearest to a position; halves are rounded away from zero.
 [[nodiscard]] ScreenPoint on_screen(const Desk& desk, const Position& position);
 

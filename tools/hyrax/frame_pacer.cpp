@@ -38,10 +38,8 @@ FramePacer::~FramePacer() { CloseHandle(timer_); }
 void FramePacer::arm() {
   constexpr std::int64_t kTimerUnitsPerSecond = 10'000'000;
   const std::int64_t now_ticks = clock_ticks();
-  due_ticks_ += period_ticks_;
-  const std::int64_t wait_ticks = due_ticks_ - now_ticks;
-  if (wait_ticks < period_ticks_ - period_ticks_ / 4 || wait_ticks > period_ticks_)
-    due_ticks_ = now_ticks + period_ticks_;
+  due_ticks_ =
+      next_due_ticks({.last_due_ticks = due_ticks_, .now_ticks = now_ticks, .period_ticks = period_ticks_});
   LARGE_INTEGER due;
   due.QuadPart =
       -std::max<std::int64_t>((due_ticks_ - now_ticks) * kTimerUnitsPerSecond / clock_ticks_per_s(), 1);

@@ -2,18 +2,10 @@
 
 #include <shellscalingapi.h>
 
-#include <algorithm>
-
 namespace hyrax {
 namespace {
 
-constexpr int kSprite_px = 128;  // At 100 %.
 constexpr int kUsualDpi = 96;
-
-Size sprite_at(int dpi) {
-  const int side_px = std::max(MulDiv(kSprite_px, dpi, kUsualDpi), 1);
-  return {side_px, side_px};
-}
 
 }  // namespace
 
@@ -38,15 +30,14 @@ Monitor monitor_under(ScreenPoint point) {
 }
 
 int refresh_hz(HMONITOR monitor) {
-  constexpr int kUsual_hz = 60;
   MONITORINFOEXW info{};
   info.cbSize = sizeof info;
   DEVMODEW mode{};
   mode.dmSize = sizeof mode;
   if (GetMonitorInfoW(monitor, &info) == 0 ||
-      EnumDisplaySettingsW(info.szDevice, ENUM_CURRENT_SETTINGS, &mode) == 0 || mode.dmDisplayFrequency <= 1)
-    return kUsual_hz;
-  return std::clamp(static_cast<int>(mode.dmDisplayFrequency), 30, 240);
+      EnumDisplaySettingsW(info.szDevice, ENUM_CURRENT_SETTINGS, &mode) == 0)
+    return frame_rate_hz(0);
+  return frame_rate_hz(static_cast<int>(mode.dmDisplayFrequency));
 }
 
 ScreenPoint pointer_of_message() {

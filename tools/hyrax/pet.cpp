@@ -1,7 +1,9 @@
 #include "tools/hyrax/pet.h"
 #include "tools/files/failure.h"
+#include "tools/hyrax/resource_ids.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <utility>
 
@@ -124,6 +126,22 @@ void Pet::release(const Velocity& velocity, std::int64_t ticks) {
   apply(Release{velocity});
   hold_.reset();
   timer_.restart(ticks);
+}
+
+std::int64_t next_due_ticks(const FrameTimes& times) {
+  const std::int64_t due_ticks = times.last_due_ticks + times.period_ticks;
+  const std::int64_t wait_ticks = due_ticks - times.now_ticks;
+  const bool is_late_or_early =
+      wait_ticks < times.period_ticks - times.period_ticks / 4 || wait_ticks > times.period_ticks;
+  return is_late_or_early ? times.now_ticks + times.period_ticks : due_ticks;
+}
+
+int picture_of(Pose pose, int width_px) {
+  constexpr std::array kPictures = {HYRAX_FLY, HYRAX_HELD, HYRAX_STAND, HYRAX_SLEEP};
+  const int of_pose = kPictures[static_cast<std::size_t>(pose)];
+  for (const int percentage : {100, 125, 150, 175})
+    if (kUsualSprite_px * percentage / 100 >= width_px) return of_pose + percentage;
+  return of_pose + 200;
 }
 
 Session::Session(const Core& core, const Keyframe& start) : player_(core, start), ring_(start) {}

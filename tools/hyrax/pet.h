@@ -99,8 +99,21 @@ class Repeated {
   std::int64_t due_ticks_ = 0;
 };
 
+struct FrameTimes {
+  std::int64_t last_due_ticks;
+  std::int64_t now_ticks;
+  std::int64_t period_ticks;
+};
+
+/// When the next frame is due: a period after the last due time, so that the rate is kept; after a late frame
+/// a period from now. A short frame after a late one would make a settled hyrax hop.
+[[nodiscard]] std::int64_t next_due_ticks(const FrameTimes& times);
+
 /// How the hyrax is drawn.
 enum class Pose { fly, held, stand, sleep };
+
+/// The number of its picture in hyrax.rc for that width: the smallest one that is not scaled up.
+[[nodiscard]] int picture_of(Pose pose, int width_px);
 
 /// Turns events on a screen into inputs and frames of a session. Independent of the system: points are in px
 /// of the screen, times in ticks of a clock that the caller reads.

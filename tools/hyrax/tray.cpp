@@ -22,12 +22,6 @@ void copy(wchar_t (&target)[N], const std::wstring& text) {
   lstrcpynW(target, text.c_str(), static_cast<int>(N));
 }
 
-void add(HMENU menu, Choice choice, const wchar_t* text, bool is_enabled = true) {
-  AppendMenuW(menu, MF_STRING | (is_enabled ? MF_ENABLED : MF_GRAYED), static_cast<UINT_PTR>(choice), text);
-}
-
-void add_line(HMENU menu) { AppendMenuW(menu, MF_SEPARATOR, 0, nullptr); }
-
 }  // namespace
 
 TrayIcon::TrayIcon(HWND window, UINT message) : window_(window), message_(message) { show(); }
@@ -57,19 +51,13 @@ void TrayIcon::notify(const std::string& sentence) const {
   Shell_NotifyIconW(NIM_MODIFY, &data);
 }
 
-Choice choose_from_menu(HWND window, const MenuState& state) {
+Choice choose_from_menu(HWND window, const std::vector<MenuEntry>& entries) {
   const HMENU menu = CreatePopupMenu();
-  const bool is_live = !state.is_replay;
-  add(menu, Choice::throw_it, L"&Throw", is_live);
-  add(menu, Choice::pause, state.is_paused ? L"&Go on" : L"&Pause", is_live);
-  add(menu, Choice::reset, L"&Reset", is_live);
-  add_line(menu);
-  add(menu, Choice::start_recording, L"Start re&cording", is_live && !state.is_recording);
-  add(menu, Choice::save_recording, L"&Save recording", is_live && state.is_recording);
-  add(menu, Choice::save_just_happened, L"Save what &just happened", is_live);
-  add_line(menu);
-  add(menu, Choice::about, L"&About Hyrax");
-  add(menu, Choice::quit, L"&Quit");
+  for (const MenuEntry& entry : entries) {
+    const UINT kind = entry.choice == Choice::none ? MF_SEPARATOR : MF_STRING;
+    AppendMenuW(menu, kind | (entry.is_enabled ? MF_ENABLED : MF_GRAYED), static_cast<UINT_PTR>(entry.choice),
+                to_wide(entry.text).c_str());
+  }
   POINT pointer{};
   GetCursorPos(&pointer);
   const HWND active = GetForegroundWindow();

@@ -20,27 +20,6 @@ constexpr int kSideMax_px = 2048;  // Of the picture; a scenario's sprite may be
   throw Failure(ExitCode::program_fault, "hyrax: the sprite cannot be drawn: " + what);
 }
 
-int resource_base(Pose pose) {
-  switch (pose) {
-    case Pose::fly:
-      return HYRAX_FLY;
-    case Pose::held:
-      return HYRAX_HELD;
-    case Pose::stand:
-      return HYRAX_STAND;
-    case Pose::sleep:
-      return HYRAX_SLEEP;
-  }
-  return HYRAX_FLY;
-}
-
-// The smallest that is not scaled up.
-int resource_of(Pose pose, int width_px) {
-  for (const int percentage : {100, 125, 150, 175})
-    if (128 * percentage / 100 >= width_px) return resource_base(pose) + percentage;
-  return resource_base(pose) + 200;
-}
-
 std::unique_ptr<Gdiplus::Bitmap> load(int resource) {
   const HRSRC found = FindResourceW(nullptr, MAKEINTRESOURCEW(resource), MAKEINTRESOURCEW(10));  // RT_RCDATA
   if (found == nullptr) fail_to_draw("resource " + std::to_string(resource) + " is missing");
@@ -93,7 +72,7 @@ class Canvas {
 };
 
 void draw_picture(const Canvas& canvas, const SpriteLook& look, Size size) {
-  const auto picture = load(resource_of(look.pose, size.width_px));
+  const auto picture = load(picture_of(look.pose, size.width_px));
   if (look.faces_left) picture->RotateFlip(Gdiplus::RotateNoneFlipX);
   Gdiplus::Bitmap target(size.width_px, size.height_px, 4 * size.width_px, PixelFormat32bppPARGB,
                          canvas.pixels());

@@ -10,6 +10,7 @@
 
 #include "tools/hyrax/desk.h"
 #include "tools/hyrax/frame_log.h"
+#include "tools/hyrax/menu.h"
 #include "tools/hyrax/pet.h"
 
 namespace hyrax {
@@ -28,8 +29,7 @@ class FramePacer {
 
   void set_rate(int hz) { period_ticks_ = clock_ticks_per_s() / hz; }
   [[nodiscard]] HANDLE handle() const { return timer_; }
-  /// Sets the timer to one period after the last due time, so that the rate is kept; after a late frame to
-  /// one period from now. A short frame after a late one would make a settled hyrax hop.
+  /// Sets the timer for the next frame.
   void arm();
 
  private:
@@ -49,7 +49,7 @@ struct Monitor {
 /// Its current work area, and the size of the sprite at its scaling. Nothing if it was disconnected.
 [[nodiscard]] std::optional<Desk> desk_of(HMONITOR monitor);
 
-/// Frames per second, 30 .. 240; 60 if unknown.
+/// Frames per second for it.
 [[nodiscard]] int refresh_hz(HMONITOR monitor);
 
 /// The pointer when the current message was sent; it may have moved since.
@@ -135,26 +135,11 @@ class TrayIcon {
   UINT message_;
 };
 
-enum class Choice {
-  none = 0,
-  throw_it = 1,
-  pause = 2,
-  reset = 3,
-  start_recording = 4,
-  save_recording = 5,
-  save_just_happened = 6,
-  about = 7,
-  quit = 8,
-};
-
-struct MenuState {
-  bool is_replay = false;  ///< A replay takes no inputs.
-  bool is_paused = false;
-  bool is_recording = false;
-};
-
 /// Shows the menu at the pointer until the user makes a choice or closes it.
-[[nodiscard]] Choice choose_from_menu(HWND window, const MenuState& state);
+[[nodiscard]] Choice choose_from_menu(HWND window, const std::vector<MenuEntry>& entries);
+
+/// A new file in "Documents\\Hyrax", named by the local time, as just-happened-20261121-134455.json.
+[[nodiscard]] std::string new_recording_path(const std::string& name);
 
 /// Shows the version in a message box.
 void show_about(HWND window);

@@ -23,6 +23,16 @@ TEST(Desk, PutsAPositionFarOutsideWhereTheScreenEnds) {
   EXPECT_EQ(on_screen(kMain, {nan, 0.0}).y_px, 0);
 }
 
+TEST(Desk, HasASpriteOfItsScalingAndARateOfItsDisplay) {
+  EXPECT_EQ(sprite_at(96), (Size{128, 128}));
+  EXPECT_EQ(sprite_at(97), (Size{129, 129}));
+  EXPECT_EQ(sprite_at(140), (Size{187, 187}));
+  EXPECT_EQ(sprite_at(0), (Size{1, 1}));
+  for (const auto& [display_hz, rate_hz] :
+       {std::pair{0, 60}, {1, 60}, {2, 30}, {30, 30}, {31, 31}, {239, 239}, {240, 240}, {360, 240}})
+    EXPECT_EQ(frame_rate_hz(display_hz), rate_hz) << display_hz;
+}
+
 TEST(Desk, WithoutChangesNeedsNoInput) { EXPECT_TRUE(inputs_of_move(kMain, kMain, {5.0, 5.0}).empty()); }
 
 TEST(Desk, OfAnotherSizeIsAResize) {

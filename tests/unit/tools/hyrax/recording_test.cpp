@@ -189,6 +189,36 @@ TEST_F(RecordedSession, IsNamedByItsFile) {
   EXPECT_EQ(scenario_name_of(std::string(99, 'x') + ".json").size(), 64u);
 }
 
+TEST(NextDueTicks, KeepTheRateUnlessTheLastFrameWasLateOrTooEarly) {
+  const auto due = [](std::int64_t now) {
+    return next_due_ticks({.last_due_ticks = 1000, .now_ticks = now, .period_ticks = 100});
+  };
+  EXPECT_EQ(due(1000), 1100);
+  EXPECT_EQ(due(1025), 1100);
+  EXPECT_EQ(due(1026), 1126);
+  EXPECT_EQ(due(1500), 1600);
+  EXPECT_EQ(due(999), 1099);
+}
+
+TEST(PictureOf, APoseIsTheSmallestThatIsLargeEnough) {
+  const std::string resources = read_text_file(HYRAX_SOURCE_DIR "/tools/hyrax/hyrax.rc");
+  for (const auto& [pose, name] :
+       {std::pair{Pose::fly, "fly"}, {Pose::held, "held"}, {Pose::stand, "stand"}, {Pose::sleep, "sleep"}})
+    for (const auto& [width_px, percentage] : {std::pair{1, 100},
+                                               {128, 100},
+                                               {129, 125},
+                                               {160, 125},
+                                               {161, 150},
+                                               {192, 150},
+                                               {224, 175},
+                                               {225, 200},
+                                               {999, 200}})
+      EXPECT_NE(resources.find("\n" + std::to_string(picture_of(pose, width_px)) + " RCDATA \"sprite/" +
+                               name + "-" + std::to_string(percentage) + ".png\""),
+                std::string::npos)
+          << name << " " << width_px;
+}
+
 TEST(Repeated, ARecordingIsSavedTwiceASecond) {
   Repeated saves(1000, Recording::kSavesPerSecond);
   EXPECT_TRUE(saves.is_due(0));

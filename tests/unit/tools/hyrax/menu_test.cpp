@@ -1,0 +1,161 @@
+// What menu and recorder do, and what they tell the user.
+#include "tools/hyrax/menu.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "sim/core/shipped_core.h"
+#include "sim/replay/replay.h"
+#include "tests/unit/tools/store/temp_folder.h"
+#include "tools/files/failure.h"
+#include "tools/files/path.h"
+#include "tools/files/scenario_reader.h"
+
+namespace hyrax {
+namespace {
+
+std::string shown(const MenuState& state) {
+  std::string text;
+  for (const MenuEntry& entry : menu_entries(state))
+    text += entry.choice == Choice::none ? "| "
+            : entry.is_enabled           ? entry.text + std::to_string(static_cast<int>(entry.choice)) + " "
+                                         : "(" + entry.text + ") ";
+  return text;
+}
+
+TEST(Menu, HasWhatIsPossibleNow) {
+  EXPECT_EQ(shown({}),
+            "&Throw1 &Pause2 &Reset3 | Start re&cording4 (&Save recording) Save what &just happened6 | "
+            "&About Hyrax7 &Quit8 ");
+  EXPECT_EQ(shown({.is_paused = true, .is_recording = true}),
+            "&Throw1 &Go on2 &Reset3 | (Start re&cording) &Save recording5 Save what &just happened6 | "
+            "&About Hyrax7 &Quit8 ");
+  EXPECT_EQ(shown({.is_replay = true, .is_recording = true}),
+            "(&Throw) (&Pause) (&Reset) | (Start re&cording) (&Save recording) (Save what &just happened) | "
+            "&About Hyrax7 &Quit8 ");
+}
+
+class ChosenFromMenu : public testing::Test {
+ protected:
+  static constexpr std::int64_t kTicksPerS = 6000;
+
+  void choose(Choice choice) { execute(choice, pet, recorder, ticks); }
+  void frames(int count) {
+    for (int frame = 0; frame < count; ++frame) pet.frame(ticks += kTicksPerS / 60);
+  }
+  std::string path(const std::string& name) const { return folder.at(name); }
+  static std::int64_t good_frames(const std::string& path) {
+    const Scenario scenario = load_scenario(path);
+    const RunSummary summary = replay(shipped_core(), scenario);
+    EXPECT_EQ(scenario.expect->state_hash, hex(summary.state_hash));
+    return summary.steps;
+  }
+  // Saves are another thread's.
+  static void wait_until(const std::function<bool()>& is_done) {
+    for (int tries = 0; tries < 10'000 && !is_done(); ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(is_done());
+  }
+
+  const TempFolder folder;
+  std::vector<std::string> notes;
+  std::int64_t ticks = 77;
+  Pet pet{shipped_core(), {{100, 50}, {1024, 768}, {128, 128}}, kTicksPerS, ticks};
+  Recorder recorder{
+      pet,
+      kTicksPerS,
+      {.notify = [this](const std::string& note) { notes.push_back(note); },
+       .new_path = [this](const std::string& name) { return free_path(path(name + ".json")); }}};
+};
+
+TEST_F(ChosenFromMenu, AThrowGoesUpAndToEitherSide) {
+  int left = 0;
+  for (; ticks < 200; ++ticks) {
+    choose(Choice::throw_it);
+    const Row& row = pet.session().now().row;
+    EXPECT_TRUE(std::fabs(row.vx_px_per_s) >= 600.0 && std::fabs(row.vx_px_per_s) <= 2000.0)
+        << row.vx_px_per_s;
+    EXPECT_TRUE(row.vy_px_per_s <= -800.0 && row.vy_px_per_s >= -1700.0) << row.vy_px_per_s;
+    left += row.vx_px_per_s < 0.0;
+  }
+  EXPECT_TRUE(left > 30 && left < 90) << left;
+}
+
+TEST_F(ChosenFromMenu, ThePetPausesGoesOnAndIsReset) {
+  frames(10);
+  choose(Choice::pause);
+  EXPECT_TRUE(pet.is_paused());
+  choose(Choice::pause);
+  EXPECT_FALSE(pet.is_paused());
+  choose(Choice::reset);
+  frames(1);
+  EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Place{{448.0, 0.0}}, Stop{}}));
+  for (const Choice choice : {Choice::none, Choice::about, Choice::quit}) choose(choice);
+  frames(1);
+  EXPECT_TRUE(pet.inputs_of_frame().empty() && notes.empty());
+}
+
+TEST_F(ChosenFromMenu, RecordingsAreNewFilesThatReplay) {
+  choose(Choice::save_just_happened);  // Nothing has.
+  frames(5);
+  choose(Choice::start_recording);
+  EXPECT_TRUE(pet.session().is_recording());
+  frames(7);
+  choose(Choice::save_recording);
+  EXPECT_FALSE(pet.session().is_recording());
+  choose(Choice::save_just_happened);
+  choose(Choice::save_just_happened);
+  EXPECT_EQ(notes,
+            (std::vector<std::string>{
+                "Recording to " + path("recording.json"), "Saved as " + path("recording.json"),
+                "Saved as " + path("just-happened.json"), "Saved as " + path("just-happened-2.json")}));
+  EXPECT_EQ(good_frames(path("recording.json")), 7);
+  EXPECT_EQ(good_frames(path("just-happened-2.json")), 12);
+  std::filesystem::remove_all(folder.at(""));
+  choose(Choice::save_just_happened);
+  EXPECT_TRUE(notes.back().starts_with(path("just-happened.json") + ": cannot be written")) << notes.back();
+}
+
+TEST_F(ChosenFromMenu, ARecordingIsSavedWhenItIsDueAndBeforeTheSleep) {
+  recorder.save_if_due(ticks);
+  recorder.start(path("fling.json"), ticks);
+  frames(30);
+  recorder.save_if_due(ticks);
+  wait_until([&] { return is_there(path("fling.json")); });
+  EXPECT_EQ(good_frames(path("fling.json")), 30);
+  frames(5);
+  pet.pause();
+  recorder.save_if_due(ticks);
+  wait_until([&] {
+    return load_scenario(path("fling.json")).expect->state_hash ==
+           hex(pet.session().just_happened().state_hash());
+  });
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST_F(ChosenFromMenu, AFailureToSaveIsSaidOnce) {
+  std::filesystem::create_directory(path("gone"));
+  recorder.start(path("gone/fling.json"), ticks);
+  std::filesystem::remove(path("gone"));
+  const auto save = [&] {
+    frames(30);
+    recorder.save_if_due(ticks);
+    return !notes.empty();
+  };
+  wait_until(save);
+  for (int again = 0; again < 5; ++again) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    save();
+  }
+  EXPECT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(notes.front().starts_with(path("gone/fling.json") + ": cannot be written")) << notes.front();
+  EXPECT_THROW(recorder.finish(), Failure);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,49 @@
+// The recordings that menu and command line start and end.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "tools/hyrax/pet.h"
+
+namespace hyrax {
+
+/// Starts, saves and finishes recordings, on behalf of the menu and the command line. Times are ticks of the
+/// pet's clock.
+/// REQUIRES: save, while the pet's session is recording; start and start_new, while it is not.
+class Recorder {
+ public:
+  /// What it needs of the system.
+  struct System {
+    std::function<void(const std::string& sentence)> notify;       ///< Shows a sentence to the user.
+    std::function<std::string(const std::string& name)> new_path;  ///< Of a file that does not exist.
+  };
+
+  /// Refers to the pet.
+  Recorder(Pet& pet, std::int64_t ticks_per_s, System system)
+      : pet_(pet), system_(std::move(system)), saves_(ticks_per_s, Recording::kSavesPerSecond) {}
+
+  /// ERRORS: Failure(bad_input) if the file exists; Failure(cannot_access) if it cannot be written.
+  void start(const std::string& path, std::int64_t ticks);
+  /// Starts a recording in a new file, and notifies the user. ERRORS: as start.
+  void start_new(std::int64_t ticks);
+  /// Finishes the recording, if there is one. ERRORS: Failure(cannot_access).
+  void finish();
+  /// Finishes the recording and notifies the user. ERRORS: Failure(cannot_access).
+  void save();
+  /// Saves the last minutes in a new file, and notifies the user.
+  void save_just_happened();
+  /// Saves the recording if the last save was long enough ago, and notifies the user of a failure.
+  void save_if_due(std::int64_t ticks);
+
+ private:
+  void continue_in_new_file();
+
+  Pet& pet_;
+  System system_;
+  ScenarioSaver saver_;
+  Repeated saves_;
+  std::string last_failure_;
+};
+
+}  // namespace hyrax
