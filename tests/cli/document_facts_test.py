@@ -261,7 +261,7 @@ PROVED = {
         ("velocity after gravity and drag, as it met the wall in the first step", "PlaysRandomFlingsByTheFrameRule"), ("in order of the first; in a corner x before y", "PlaysRandomFlingsByTheFrameRule")),
     SWEEPS: (
         ("`--resume` continues, to the same bytes, and `--force` starts over; without either the sweep is refused", "test_what_is_left_is_neither_discarded_nor_another_file_unsaid"),
-        ("plays every member i with i mod N = I into", "PartsHoldEveryMemberOnce"), ("A sweep with an invalid member is refused", "test_members_beyond_the_limits_are_named"),
+        ("plays every member i with i mod N = I into", "PartsHoldEveryMemberOnce"), ("A sweep with an invalid member is refused", "AMemberBeyondThemIsNamedUpToTheMillionth"),
         ("byte for byte, and names parts that are missing", "test_missing_parts_are_named"), ("NaN if it has not settled", "test_random_sweeps_equal_the_runs_of_their_members"),
         ("those if left out", "test_members_default_to_the_combinations_of_the_grids")),
     HYRAX: (

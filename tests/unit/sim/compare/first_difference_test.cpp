@@ -22,25 +22,6 @@ Row some_row() {
           .contact = 3};
 }
 
-TEST(FirstDifference, IsNoneBetweenEqualRows) {
-  EXPECT_FALSE(first_difference(some_row(), some_row()));
-  EXPECT_FALSE(first_difference(Row{}, Row{}));
-}
-
-TEST(FirstDifference, NamesStepFieldValuesAndUlps) {
-  for (const RowField& field : kRowFields) {
-    const Row actual = with_fault(some_row(), field.name);
-    const auto first = first_difference(some_row(), actual);
-    ASSERT_TRUE(first) << field.name;
-    EXPECT_EQ(first->step, 7);
-    EXPECT_EQ(first->field, field.name);
-    EXPECT_EQ(first->expected, field.value(some_row()));
-    EXPECT_EQ(first->actual, field.value(actual));
-    EXPECT_EQ(first->ulps, field.name == "contact" ? std::nullopt : std::optional(std::uint64_t{1}))
-        << field.name;
-  }
-}
-
 TEST(FirstDifference, ComparesTheFieldsInOrder) {
   Row actual = some_row();
   for (auto field = kRowFields.rbegin(); field != kRowFields.rend(); ++field) {
