@@ -158,7 +158,7 @@ Verdict verdict_of(const std::vector<PlayedCase>& cases, const std::vector<Judge
       {}};
   if (knife_edges > 0)
     verdict.text.push_back(
-        fmt::format("  rounding alone decided {} times whether a wall was met", knife_edges));
+        fmt::format("  rounding alone decided {} whether a wall was met", counted(knife_edges, "time")));
   for (std::string& sentence : expected_failure_sentences(judgements))
     verdict.text.push_back(std::move(sentence));
   for (const Judgement& judgement : judgements)
