@@ -69,7 +69,8 @@ TEST_F(AtomicFileTest, AcceptsANewNameOnly) {
     if (name == "new.txt")
       file.commit_as_new();
     else
-      EXPECT_THROW((old_file(name), file.commit_as_new()), Failure);
+      EXPECT_EQ(refusal_of([&] { old_file(name), file.commit_as_new(); }, ExitCode::cannot_access),
+                path(name) + ": cannot be written: File exists");
   }
   EXPECT_EQ(read_text_file(path("new.txt")), "new");
   EXPECT_EQ(read_text_file(path("taken.txt")), "old");
@@ -111,7 +112,8 @@ TEST_F(AtomicFileTest, LeavesNothingWhenAFolderTakesItsNameMeanwhile) {
     AtomicFile file(path("a"));
     file.write("new");
     fs::create_directories(path("a") + "/b");
-    EXPECT_THROW(file.commit(), Failure);
+    EXPECT_EQ(refusal_of([&] { file.commit(); }, ExitCode::cannot_access),
+              path("a") + ": cannot be written: Is a directory");
   }
   EXPECT_EQ(folder_.names(), Names{"a"});
 }

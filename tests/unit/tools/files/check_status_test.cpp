@@ -24,6 +24,8 @@ TEST(CountsSentence, CountsEachStatus) {
 TEST(CountsSentence, DoesNotCountUnreferencedGoldenFilesAsScenarios) {
   EXPECT_EQ(counts_sentence({agreed, unreferenced, unreferenced}),
             "1 checked: 1 agreed, 0 disagreed, 0 without golden file, 0 failed; 2 unreferenced");
+  EXPECT_EQ(counts_sentence({}, 2),
+            "0 checked: 0 agreed, 0 disagreed, 0 without golden file, 0 failed; 2 folders failed");
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ Scenario of_200_steps() {
 }
 
 TEST(NonFiniteText, NamesFieldStepAndTime) {
-  const Row last{.step = 23, .t_s = 23 / 60.0, .vx_px_per_s = kNan};
-  EXPECT_EQ(non_finite_text(of_200_steps(), last), "vx is NaN from step 23 of 200 (0.38 s)");
+  const Row last{.step = 6, .t_s = 0.1, .vx_px_per_s = kNan};
+  EXPECT_EQ(non_finite_text(of_200_steps(), last), "vx is NaN from step 6 of 200 (0.10 s)");
 }
 
 TEST(NonFiniteText, NamesASpeedBeforeThePositionThatItSpoils) {
