@@ -20,9 +20,9 @@ struct KeyframeColumn {
   void (*set)(Keyframe&, double);
 };
 
-// -1 if it cannot be a count, as in a damaged file.
+// 0, which is another value, if it cannot be a count, as in a damaged file.
 std::int64_t count_of(double value, double max) {
-  return value >= 0.0 && value <= max ? static_cast<std::int64_t>(value) : -1;
+  return value >= 0.0 && value <= max ? static_cast<std::int64_t>(value) : 0;
 }
 
 template <auto Member, auto Field>

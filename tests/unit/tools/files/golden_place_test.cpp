@@ -42,6 +42,14 @@ TEST(GoldenPlace, IsBelowTheGivenFolder) {
   EXPECT_EQ(place_of("/data/flings/x.json", "/elsewhere/"), "/elsewhere/x.h5");
 }
 
+TEST(GoldenPlace, ReservesTheFolderCoreAtTheTopOfScenarios) {
+  for (const char* const scenario : {"scenarios/core/x.json", "scenarios/core/deep/x.json"})
+    EXPECT_TRUE(golden_place(scenario, "")->is_reserved) << scenario;
+  for (const char* const scenario :
+       {"scenarios/core.json", "scenarios/a/core/x.json", "core/scenarios/x.json"})
+    EXPECT_FALSE(golden_place(scenario, "")->is_reserved) << scenario;
+}
+
 TEST(GoldenPlace, FollowsALinkBeforeDots) {
   const TempFolder folder;
   std::filesystem::create_directories(folder.at("real/deep"));

@@ -134,6 +134,14 @@ TEST(GoldenSummary, LosesItsChecksumByALineMoreOrLess) {
   EXPECT_FALSE(has_checksums(text + "more\n", kContents, kFile));
 }
 
+TEST(GoldenSummary, IsKnownByItsFirstLineItsStateHashAndItsLastLine) {
+  const std::string text = text_of(some_run(), some_summary(), "x");
+  EXPECT_TRUE(is_summary(text));
+  EXPECT_FALSE(is_summary("notes\n" + text));
+  EXPECT_FALSE(is_summary(text + "more\n"));
+  EXPECT_FALSE(is_summary(std::string(text).replace(text.find(kHash), 1, "?")));
+}
+
 TEST(SummaryFileChecksum, IsTheEndOfTheText) {
   EXPECT_EQ(summary_file_checksum(text_of(some_run(), some_summary(), "x")), kFile);
 }

@@ -30,18 +30,23 @@ class Refusal : public testing::Test {
     ASSERT_GE(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data()), 0) << dataset;
   }
 
-  // Sets the first element of a dataset of bytes.
-  void set_first(const char* dataset, std::uint8_t value) const {
+  // Sets an element of a dataset of the undamaged file, which holds values of that type.
+  template <class Value>
+  void set(const char* dataset, hsize_t row, Value value) const {
+    write_bytes(path_, whole_);
     const h5::Handle file = open();
-    const h5::Handle bytes(H5Dopen2(file, dataset, H5P_DEFAULT), H5Dclose);
-    const h5::Handle type(H5Dget_type(bytes), H5Tclose);
-    ASSERT_GE(h5::write_rows(bytes, type, 0, 1, &value), 0);
+    const h5::Handle numbers(H5Dopen2(file, dataset, H5P_DEFAULT), H5Dclose);
+    const h5::Handle type(H5Dget_type(numbers), H5Tclose);
+    ASSERT_EQ(H5Tget_size(type), sizeof value);
+    ASSERT_GE(h5::write_rows(numbers, type, row, 1, &value), 0);
   }
 
-  void expect_refused(const std::string& place) const {
-    const std::string sentence = refusal_of([&] { read_all(path_); });
-    EXPECT_EQ(sentence.rfind(path_ + ": ", 0), 0u) << sentence;
-    EXPECT_NE(sentence.find(place), std::string::npos) << sentence << "\nshould name " << place;
+  void expect_refused(const std::string& sentence) const {
+    const std::string said = refusal_of([&] { read_all(path_); });
+    EXPECT_TRUE(said.starts_with(path_ + ": " + sentence)) << said << "\nis not: " << sentence;
+  }
+  void expect_refused_as_golden(const std::string& sentence) const {
+    EXPECT_EQ(refusal_of([&] { static_cast<void>(read_golden(path_)); }), path_ + ": " + sentence);
   }
 
   const TempFolder folder_;
@@ -68,34 +73,41 @@ TEST_F(Refusal, OfAFileCutShortAtAnyLength) {
 TEST_F(Refusal, OfAFileOfAnotherKind) {
   for (const char* const text : {"step,t,x,y\n0,0,0,0\n", ""}) {
     write_bytes(path_, text);
-    expect_refused("HDF5");
+    expect_refused("is not an HDF5 file, or is truncated");
   }
   ASSERT_TRUE(h5::create_file(path_, 0).is_open());
-  expect_refused("unknown format (found none)");
+  expect_refused("attribute format: unknown format (found none); allowed: hyrax-trajectory/1");
 }
 
 TEST_F(Refusal, OfAMissingAttribute) {
   for (const std::string attribute : {"scenario", "steps", "physics", "state_hash", "format"}) {
     write_bytes(path_, whole_);
     ASSERT_GE(H5Adelete(open(), attribute.c_str()), 0);
-    expect_refused(attribute == "format" ? "none" : attribute);
+    expect_refused("attribute " + attribute +
+                   (attribute == "format"  ? ": unknown format (found none)"
+                    : attribute == "steps" ? ": is missing or not an integer 0 .. 1e12"
+                                           : ": is missing or not text"));
   }
 }
 
 TEST_F(Refusal, OfAnAttributeOfAnotherValue) {
-  const auto with = [&](const char* attribute, auto value, const char* place) {
+  const auto with = [&](const char* attribute, auto value, const std::string& sentence) {
     write_bytes(path_, whole_);
     H5Adelete(open(), attribute);
     h5::write_attribute(open(), attribute, value);
-    expect_refused(place);
+    expect_refused(sentence);
   };
-  with("format", "hyrax-trajectory/2", "hyrax-trajectory/2");
-  with("scenario", R"({"format": "hyrax-scenario/1"})", "attribute scenario");
-  with("steps", std::int64_t{331}, "331");
-  for (const char* const attribute : {"scenario", "physics", "state_hash"})
-    with(attribute, std::int64_t{1}, attribute);
-  with("format", std::int64_t{1}, "none");
-  with("steps", "330", "steps");
+  const std::string no_steps = "attribute steps: is missing or not an integer 0 .. 1e12";
+  with("format", "hyrax-trajectory/2", "attribute format: unknown format (found hyrax-trajectory/2)");
+  with("scenario", R"({"format": "hyrax-scenario/1"})", "attribute scenario: /name: is missing");
+  with("steps", std::int64_t{331},
+       "/trajectory/step: ends at the wrong row (found 330); the attribute steps is 331");
+  with("steps", std::int64_t{-1}, no_steps);
+  with("steps", kStepsMax + 1, no_steps);
+  with("steps", "330", no_steps);
+  for (const std::string attribute : {"scenario", "physics", "state_hash"})
+    with(attribute.c_str(), std::int64_t{1}, "attribute " + attribute + ": is missing or not text");
+  with("format", std::int64_t{1}, "attribute format: unknown format (found none)");
 }
 
 TEST_F(Refusal, OfAMissingDatasetOrGroup) {
@@ -108,47 +120,58 @@ TEST_F(Refusal, OfAMissingDatasetOrGroup) {
   for (const std::string& name : names) {
     write_bytes(path_, whole_);
     remove(name.c_str());
-    expect_refused(name);
+    expect_refused(std::ranges::count(name, '/') > 1 ? name + ": is missing" : name);
   }
 }
 
 TEST_F(Refusal, OfAWrongTypeOrLength) {
-  const auto with = [&](const char* dataset, hid_t type, hsize_t length, const char* place = nullptr) {
-    replace(dataset, type, {length});
-    expect_refused(place == nullptr ? dataset : place);
+  const auto with = [&](const std::string& dataset, hid_t type, hsize_t length, const std::string& sentence) {
+    replace(dataset.c_str(), type, {length});
+    expect_refused(dataset + ": " + sentence);
   };
-  with("/trajectory/x", H5T_IEEE_F32LE, 331);
-  with("/trajectory/x", H5T_STD_I64LE, 331);
-  with("/trajectory/step", H5T_IEEE_F64LE, 331);
-  with("/trajectory/step", H5T_STD_I32LE, 331);
-  with("/trajectory/contact", H5T_STD_I64LE, 331);
-  with("/contacts/wall", H5T_IEEE_F64LE, 20);
-  with("/events/kind", H5T_STD_U8LE, 14);
-  with("/trajectory/x", H5T_IEEE_F64LE, 330);
-  with("/trajectory/step", H5T_STD_I64LE, 0, "/trajectory");
-  with("/trajectory/vy", H5T_IEEE_F64LE, 332);
-  with("/trajectory/contact", H5T_STD_U8LE, 0);
-  with("/contacts/overshoot", H5T_IEEE_F64LE, 3);
-  with("/contacts/last_step", H5T_STD_I64LE, 0);
-  with("/events/b", H5T_IEEE_F64LE, 3, "/events");
+  const std::string wrong = "is of the wrong type", rows = "; /trajectory/step has 331";
+  const std::string another = "differs in length from /contacts/step";
+  with("/trajectory/x", H5T_IEEE_F32LE, 331, wrong);
+  with("/trajectory/x", H5T_STD_I64LE, 331, wrong);
+  with("/trajectory/step", H5T_IEEE_F64LE, 331, wrong);
+  with("/trajectory/step", H5T_STD_I32LE, 331, wrong);
+  with("/trajectory/contact", H5T_STD_I64LE, 331, wrong);
+  with("/contacts/wall", H5T_IEEE_F64LE, 20, wrong);
+  with("/events/kind", H5T_STD_U8LE, 14, wrong);
+  with("/trajectory/x", H5T_IEEE_F64LE, 330, "has the wrong length (found 330)" + rows);
+  with("/trajectory/vy", H5T_IEEE_F64LE, 332, "has the wrong length (found 332)" + rows);
+  with("/trajectory/contact", H5T_STD_U8LE, 0, "has the wrong length (found 0)" + rows);
+  with("/contacts/overshoot", H5T_IEEE_F64LE, 3, another);
+  with("/contacts/last_step", H5T_STD_I64LE, 0, another);
+  replace("/trajectory/step", H5T_STD_I64LE, {0});
+  expect_refused("/trajectory/t: has the wrong length (found 331); /trajectory/step has 0");
+  for (const char* const dataset : {"/events/a", "/events/b"}) {
+    replace(dataset, H5T_IEEE_F64LE, {3});
+    expect_refused("/events: its datasets differ in length");
+  }
   replace("/trajectory/x", H5T_IEEE_F64LE, {331, 1});
-  expect_refused("/trajectory/x");
+  expect_refused("/trajectory/x: must have one axis");
 }
 
 TEST_F(Refusal, OfAWallOrAnInputThatIsNone) {
-  for (const auto& [dataset, value] : {std::pair{"/contacts/wall", 3}, {"/events/kind", 200}}) {
-    write_bytes(path_, whole_);
-    set_first(dataset, static_cast<std::uint8_t>(value));
-    expect_refused(dataset);
-  }
+  set("/contacts/wall", 0, std::uint8_t{3});
+  expect_refused("/contacts/wall: unknown code (found 3); allowed: 1, 2, 4, 8");
+  set("/events/kind", 0, std::uint8_t{200});
+  expect_refused("/events/kind: unknown code (found 200); allowed: 0 .. 7");
+  set("/events/kind", 0, std::uint8_t{6});
+  expect_refused("/events: input 0: its numbers do not fit its kind, grab");
 }
 
 TEST_F(Refusal, OfARunWithHolesAsGoldenFile) {
   Scenario scenario = fling_at(60.0, 100);
   scenario.record_every = 10;
   write_run(path_, scenario);
-  const std::string sentence = refusal_of([&] { static_cast<void>(read_golden(path_)); });
-  EXPECT_NE(sentence.find("11 rows of 101"), std::string::npos) << sentence;
+  expect_refused_as_golden("not written by bless: has no blocks, and 11 rows of 101");
+}
+
+TEST_F(Refusal, OfRowsOutOfOrderInAGoldenFile) {
+  set("/trajectory/step", 5, std::int64_t{7});
+  expect_refused_as_golden("/trajectory/step: row 5 is missing or out of order (found 7)");
 }
 
 // The golden file of a run of three blocks.
@@ -164,7 +187,7 @@ class BlockRefusal : public Refusal {
   void expect_refused_with(const char* dataset, hid_t type, std::int64_t length,
                            const std::string& sentence) {
     replace(dataset, type, {static_cast<hsize_t>(length)});
-    EXPECT_EQ(refusal_of([&] { static_cast<void>(read_golden(path_)); }), path_ + ": " + sentence);
+    expect_refused_as_golden(sentence);
   }
 
   static constexpr std::int64_t kSteps = 2 * static_cast<std::int64_t>(kBlockRows) + 99;
@@ -188,6 +211,23 @@ TEST_F(BlockRefusal, OfLengthsThatDiffer) {
 
 TEST_F(BlockRefusal, OfBlocksThatAreNotConsecutive) {
   expect_refused_with("/blocks/count", H5T_STD_I64LE, 3, "/blocks: are not consecutive");
+  set("/trajectory/step", 1, std::int64_t{4095});
+  expect_refused_as_golden("/blocks: are not consecutive");
+  set("/blocks/count", 2, std::int64_t{2});
+  expect_refused_as_golden("/blocks/count: its blocks do not end with the run's last row");
+}
+
+TEST_F(BlockRefusal, OfAStateThatNoReplayHas) {
+  for (const auto& [name, value] : {std::pair{"time_frames", -1.0},
+                                    {"time_frames", 1e13},
+                                    {"window_width", 1e7},
+                                    {"window_height", -1.0},
+                                    {"sprite_width", 64.5},
+                                    {"is_held", 2.0}}) {
+    const std::string dataset = std::string("/blocks/") + name;
+    set(dataset.c_str(), 1, value);
+    expect_refused_as_golden(dataset + ": not a state of a replay (found " + std::to_string(value) + ")");
+  }
 }
 
 TEST(Reading, AMissingFileCannotBeAccessed) {
