@@ -2,6 +2,8 @@
 // its pictures have no faults.
 #include "tests/unit/sim/result/described.h"
 
+#include <fmt/format.h>
+
 #include "sim/core/shipped_core.h"
 #include "sim/study/study.h"
 #include "sim/trace/step_program.h"
@@ -25,12 +27,16 @@ std::int64_t nearly_steady_ns() {
   return now_ns += 100'000 + 400 * (++calls % 7);
 }
 
-Result quick(const Study& study) {
+Result quick(const Study& study, std::string& progress) {
   StudyRequest request{.core = shipped_core(),
                        .is_quick = true,
                        .core_step = make_step_program(read_step(shipped_core().record.step).value()),
                        .machine = "some machine",
                        .now_ns = nearly_steady_ns};
+  std::int64_t calls = 0;
+  request.report_progress = [&](const std::string& unit, std::int64_t done, std::int64_t total) {
+    progress = fmt::format("progress {}: {} of {}, called {} times\n", unit, done, total, ++calls);
+  };
   if (study.takes_scenarios) {
     request.scenarios = {named("calm", fling_at(60.0, 300)), named("eventful", fling_at(144.0, 500))};
     request.scenarios[1].scenario.events = {{std::int64_t{40}, Hitch{0.1}}, {2.5, Fling{{-700.0, -300.0}}}};
@@ -52,8 +58,8 @@ Result quick(const Study& study) {
 
 TEST(Results, OfEveryStudyAreThoseApproved) {
   for (const Study& study : studies()) {
-    const Result result = quick(study);
     std::string text;
+    const Result result = quick(study, text);
     for (const Table& table : result.tables) text += described(table);
     for (const Figure& figure : result.figures) {
       text += described(figure);
