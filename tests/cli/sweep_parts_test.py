@@ -309,6 +309,9 @@ class Interrupted(FilesTest):
         (self.folder / "other.h5.partial").write_bytes((self.folder / "out.h5.partial").read_bytes())
         self.write("other.json", document(seed=8))
         self.sweep("other.json", "--resume", exit_code=BAD_INPUT, says=("other.h5.partial", "another sweep"))
+        (self.folder / "other.h5.partial").write_text("no HDF5")
+        self.sweep("other.json", "--resume", exit_code=BAD_INPUT,
+                   says="other.h5.partial: is no sweep's file that can be continued; `--force` starts over")
         self.assertEqual(self.sweep("sweep.json", "--resume", "-o", "out.h5", "--json").json["resumed"], 0)
 
     def test_a_part_with_fewer_than_no_rows_or_more_than_all_is_damaged(self):

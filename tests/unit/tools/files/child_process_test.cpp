@@ -1,0 +1,59 @@
+// A program that is started: what it reads and prints, and how it ends.
+#include "tools/files/child_process.h"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+
+#include "tests/unit/tools/files/refusal.h"
+
+namespace hyrax {
+namespace {
+
+ChildEnd end_of(const std::string& script, std::string_view input = "",
+                std::optional<double> limit_s = std::nullopt, std::size_t out_bytes_max = 1000) {
+  return run_child({"sh", "-c", script}, input, limit_s, out_bytes_max);
+}
+
+TEST(ChildProcess, GivesItsExitCodeAndWhatItPrinted) {
+  const ChildEnd end = end_of("cat; echo error >&2; exit 3", "input\n", 60.0);
+  EXPECT_EQ(end.exit_code, 3);
+  EXPECT_FALSE(end.is_timed_out);
+  EXPECT_EQ(end.out, "input\n");
+  EXPECT_EQ(end.err, "error\n");
+}
+
+TEST(ChildProcess, MayPrintMoreThanIsKept) {
+  const std::string print = "head -c 300000 /dev/zero | tr '\\0' ";
+  const ChildEnd end = end_of(print + "a; " + print + "b >&2");
+  EXPECT_EQ(end.out, std::string(1000, 'a'));
+  EXPECT_EQ(end.err, std::string(64 << 10, 'b'));
+}
+
+TEST(ChildProcess, MayEndByASignalOrTooLate) {
+  EXPECT_EQ(end_of("kill -TERM $$").exit_code, 128 + 15);
+  const ChildEnd late = end_of("echo first; sleep 60", "", 0.2);
+  EXPECT_TRUE(late.is_timed_out);
+  EXPECT_EQ(late.out, "first\n");
+}
+
+TEST(ChildProcess, ThatCannotBeStartedIsNamed) {
+  for (const auto& [program, reason] :
+       {std::pair{"/no/such/program", "No such file or directory"}, {"/etc/passwd", "Permission denied"}}) {
+    EXPECT_EQ(refusal_of([&file = program] { static_cast<void>(run_child({file}, "", 1.0)); },
+                         ExitCode::cannot_access),
+              std::string(program) + ": cannot be started: " + reason);
+  }
+  EXPECT_TRUE(CannotStart("program", ENOENT).is_missing());
+  EXPECT_FALSE(CannotStart("program", EACCES).is_missing());
+}
+
+TEST(EndText, SaysHowAProgramEnded) {
+  EXPECT_EQ(end_text({0, false, "", ""}, 10.0), "exit code 0");
+  EXPECT_EQ(end_text({128, false, "", ""}, 10.0), "exit code 128");
+  EXPECT_EQ(end_text({139, false, "", ""}, 10.0), "signal 11 (exit code 139)");
+  EXPECT_EQ(end_text({137, true, "", ""}, 2.5), "no end within 2.5 s");
+}
+
+}  // namespace
+}  // namespace hyrax
