@@ -177,15 +177,6 @@ class Text(CauseTest):
 
     NEW_NUMBER = "give the physics model a new number (now hyrax-physics/1"
 
-    def test_bless_shows_the_groups_of_check(self):
-        bless = ("bless", "scenarios", "--reason", "x", "--dry-run")
-        paragraph = self.stronger().out.partition("  to see all")[0]
-        text = self.altered("gravity_stronger", command=bless).out
-        self.assertIn(paragraph, text)
-        self.assertIn(self.NEW_NUMBER, text)
-        self.assertEqual(self.groups("gravity_stronger", "--quiet", command=bless), self.stronger("--json").json["groups"])
-        self.assertEqual(self.groups("none", command=bless, exit_code=AGREED), [])
-
     def test_other_results_of_a_model_suggest_a_new_number_for_it(self):
         """Not rounding, nor an edited scenario or golden file."""
         says, bless = self.NEW_NUMBER, ("bless", "scenarios", "--reason", "x", "--dry-run")

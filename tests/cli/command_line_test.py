@@ -77,23 +77,16 @@ class Order(ProgramTest):
             outcome = self.expect(AGREED, command, *before, *form, *after)
             self.assertEqual(count(outcome), 2, f"{before} {form} {after}: {outcome}")
 
-    def test_every_option_of_every_command(self):
+    def test_options_with_and_without_values(self):
         files = self.project("one", "two")
         self.expect(AGREED, "run", *files, "-o", "out/")
-        listed = lambda outcome: len(outcome.json.popitem()[1])
         for command, given, count, options in (
                 ("run", files, lambda outcome: outcome.out.count("  contacts  "),
                  (["--set", "/steps=9"], ["-o", "out"], ["--golden", "golden"], ["--drift"], ["--no-skip"])),
-                ("run", files, listed, (["--output", "out"], ["--json"])),
-                ("bless", files, lambda outcome: outcome.out.count("already"), (["--golden", "golden"], ["--reason", "x"])),
                 ("check", files, lambda outcome: outcome.json["checked"],
                  (["--golden", "golden"], ["--jobs", "2"], ["--junit", "x.xml"], ["--quick"], ["--json"])),
-                ("validate", files, listed, (["--json"],)),
                 ("diff", ["out/one.h5", "out/one.h5"], lambda outcome: 2 * outcome.out.count(" agree, "),
-                 (["--abs", "1"], ["--rel", "1"], ["--ulps", "1"])),
-                ("drift", files, listed, (["--reference", "gsl"], ["--stepper", "rk4"], ["--tolerance", "1e-6"], ["--json"])),
-                ("study", ["needs", files[0]], lambda outcome: 2 * outcome.out.count("needs.csv"),
-                 (["--within", "1px"], ["-o", "out"], ["--gate"], ["--quick"]))):
+                 (["--abs", "1"], ["--rel", "1"], ["--ulps", "1"]))):
             self.assert_any_order(command, given, options, count)
 
     def test_set_takes_one_value_each_time(self):

@@ -87,25 +87,6 @@ class Diff(ProgramTest):
         self.assertEqual((document["first_divergence"]["actual"], document["first_divergence"]["ulps"]), (25, None))
         self.assertEqual(document["worst"]["contact"]["ulps"], None)
 
-    def test_contacts_are_counted_in_the_words_of_their_number(self):
-        start = fling()["start"]
-        self.runs(fling(steps=20), fling(start={**start, "vy_px_per_s": -300}), fling(start={**start, "vx_px_per_s": -1200}))
-        found = []
-        for b in ("0.h5", "1.h5", "2.h5"):
-            found.append(tuple(self.diff(DISAGREED, b=b)["contacts"].values()))
-            moved, vanished, appeared = found[-1]
-            text = self.expect(DISAGREED, "diff", "a.h5", b).out
-            self.assertIn(f"\n  contacts   {moved} contact{'' if moved == 1 else 's'} moved, {vanished} vanished, "
-                          f"{appeared} appeared\n", text)
-            with h5py.File(self.folder / "a.h5") as one, h5py.File(self.folder / b) as other:
-                ends = [" -> ".join(dict.fromkeys(f"{file[f'trajectory/{name}'][-1]:.6g}" for file in (one, other)))
-                        for name in "xy"]
-            self.assertRegex(text, rf"\n  (end |rest) +.* px apart: x {ends[0]}, y {ends[1]}[ ;]")
-        self.assertEqual([moved for moved, *_ in found], [0, 7, 0])
-        self.assertEqual(found[2], (0, 1, 1))
-        self.assertIn("vanished   right step 36", text)
-        self.assertIn("appeared   left step", text)
-
     def test_two_scenarios_are_compared_value_by_value_too(self):
         start = numpy.nextafter(1200.0, 1300.0)
         self.expect(AGREED, "run", "fling.json", "-o", "b.h5", "--set", f"/start/vx_px_per_s={start}")
