@@ -11,7 +11,6 @@ import xarray
 from process import skip_unless_installed, succeed
 from program import AGREED, ProgramTest, fling, main
 
-UNITS = {"t": "s", "dt": "s", "x": "px", "y": "px", "vx": "px/s", "vy": "px/s"}
 KINDS = {"fling": 0, "place": 1, "stop": 2, "resize-window": 3, "resize-sprite": 4, "hitch": 5, "grab": 6, "release": 7}
 EVENTS = [{"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -800}}, {"step": 40, "hitch": {"dt_s": 0.25}},
           {"step": 90, "resize": {"window": {"width_px": 1280, "height_px": 720},
@@ -80,21 +79,6 @@ class H5py(Reader):
             self.assertEqual(list(events["a"]), [-900, 0.25, 1280, 64])
             self.assertEqual(list(events["b"]), [-800, 0, 720, 32])
 
-    def test_empty_lists_are_datasets_of_length_zero(self):
-        self.expect(AGREED, "run", "fling.json", "-o", "still.h5", "--set", "/events=[]", "--set", "/steps=0")
-        with h5py.File(self.folder / "still.h5") as file:
-            for group in ("contacts", "events"):
-                self.assertTrue(all(file[group][name].shape == (0,) for name in file[group]), group)
-            self.assertEqual(file["trajectory/x"].shape, (1,))
-
-    def test_time_is_the_axis_of_the_others(self):
-        with h5py.File(self.path) as file:
-            rows = file["trajectory"]
-            self.assertTrue(h5py.h5ds.is_scale(rows["t"].id))
-            for name in rows:
-                if name != "t":
-                    self.assertEqual([scale.name for scale in rows[name].dims[0].values()], ["/trajectory/t"], name)
-
     def test_provenance_has_the_build_and_no_time(self):
         with h5py.File(self.path) as file:
             self.assertEqual(sorted(file["provenance"].attrs),
@@ -108,21 +92,6 @@ class H5py(Reader):
             file.visititems(lambda name, item: filters.append((name, item.compression))
                             if isinstance(item, h5py.Dataset) and item.compression else None)
             self.assertEqual(filters, [])
-
-
-class Xarray(Reader):
-    """xarray (with h5netcdf) opens /trajectory as a data set over time."""
-
-    def test_rows_are_variables_over_time_with_units(self):
-        with xarray.open_dataset(self.path, group="trajectory", engine="h5netcdf") as rows:
-            self.assertEqual(dict(rows.sizes), {"t": 301})
-            self.assertEqual(sorted(rows.data_vars), ["contact", "dt", "step", "vx", "vy", "x", "y"])
-            self.assertEqual(list(rows.coords), ["t"])
-            for name, unit in UNITS.items():
-                self.assertEqual(rows[name].attrs["units"], unit)
-                self.assertEqual(rows[name].dims, ("t",))
-            self.assertEqual(float(rows.x.sel(t=0.5, method="nearest")), float(rows.x[30]))
-            self.assertEqual(float(rows.t[-1]), self.summary["simulated_s"])
 
 
 class EveryGroup(Reader):
@@ -152,8 +121,8 @@ class EveryGroup(Reader):
                 self.assertEqual(sorted(opened.variables), sorted(file[group]))
                 for name in file[group]:
                     numpy.testing.assert_array_equal(opened[name], file[group][name])
-        self.assertEqual(list(self.open("fling.h5", "contacts").coords), ["step"])
-        self.assertEqual(list(self.open("fling.h5", "events").coords), ["frame"])
+        for group, axis in (("trajectory", "t"), ("contacts", "step"), ("events", "frame")):
+            self.assertEqual(list(self.open("fling.h5", group).coords), [axis])
 
     def test_of_a_run_of_more_contacts_than_a_batch_and_of_one_of_none(self):
         self.expect(AGREED, "run", "fling.json", "-o", "many.h5", "--set", "/window/width_px=100", "--set", "/steps=9000",

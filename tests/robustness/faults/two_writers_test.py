@@ -61,24 +61,6 @@ class TwoWriters(ProgramTest):
             self.expect(AGREED, "check")
         self.assertEqual(self.names("golden"), ["core", "same.h5", "same.txt"])
 
-    def test_a_part_that_a_killed_writer_left_goes_with_the_next_write(self):
-        self.write("endless.json", fling(name="endless", steps=1_000_000_000_000, record={"every": 1_000_000_000}))
-        killed = self.begin("run", "--no-skip", "endless.json", "-o", "out.h5")
-        while not self.is_locked(".out.h5.part"):
-            time.sleep(0.01)
-        killed.send(signal.SIGKILL)
-        killed.wait()
-        self.assertIn(".out.h5.part", self.names())
-        self.assert_done(self.begin("run", "900.json", "-o", "out.h5"))
-        self.assertEqual([name for name in self.names() if name.endswith(".part")], [])
-
-    def test_a_part_file_that_is_in_the_way_is_not_followed(self):
-        (self.folder / ".out.h5.part").symlink_to("victim")
-        self.write("victim", "somebody else's")
-        self.assert_done(self.begin("run", "900.json", "-o", "out.h5"))
-        self.assertEqual((self.folder / "victim").read_text(), "somebody else's")
-        self.assertEqual((self.folder / "out.h5").read_bytes(), self.whole[1])
-
 
 if __name__ == "__main__":
     main()

@@ -150,12 +150,14 @@ TEST_F(AtomicFileTest, MakesTheFileThatALinkMeans) {
 
 TEST_F(AtomicFileTest, RefusesWhatCannotBeAFile) {
   fs::create_directory(path("folder"));
+  fs::create_symlink("circle", path("circle"));
   for (const auto& [file, reason] : {std::pair{path("folder"), "Is a directory"},
+                                     {path("circle"), "Too many levels of symbolic links"},
                                      {path("no/such/file.txt"), "No such file or directory"},
                                      {old_file("a.txt") + "/b.txt", "Not a directory"},
                                      {path(std::string(300, 'a')), "File name too long"}})
     EXPECT_EQ(refusal(file), file + ": cannot be written: " + reason);
-  EXPECT_EQ(folder_.names(), (Names{"a.txt", "folder"}));
+  EXPECT_EQ(folder_.names(), (Names{"a.txt", "circle", "folder"}));
 }
 
 TEST_F(AtomicFileTest, RefusesAPipeAndLeavesItThere) {
