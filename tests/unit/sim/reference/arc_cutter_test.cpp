@@ -76,14 +76,6 @@ TEST(ArcCutter, ReportsABounceAfterOneStep) {
   EXPECT_EQ(c.skipped_arcs, 3);
 }
 
-TEST(ArcCutter, FindsOneArcInAnUndisturbedFlight) {
-  const Cut c = cut(open_sky({300.0, -500.0}, 60.0, 30));
-  ASSERT_EQ(c.arcs.size(), 1u);
-  EXPECT_EQ(c.arcs[0].start.row.step, 0);
-  EXPECT_EQ(c.arcs[0].last_step, 30);
-  EXPECT_EQ(c.arcs[0].ended_by, ArcEnd::end);
-}
-
 TEST(ArcCutter, CutsAtEveryClampedStep) {
   const Scenario scenario = fling();
   const Columns rows = rows_of(scenario);
@@ -131,6 +123,8 @@ TEST(ArcCutter, EndsAnArcAtTheRowBeforeAnInput) {
   EXPECT_EQ(c.arcs[0].last_step, 10);
   EXPECT_EQ(c.arcs[0].ended_by, ArcEnd::input);
   EXPECT_EQ(c.arcs[1].start.row.step, 10);
+  EXPECT_EQ(c.arcs[1].last_step, 30);
+  EXPECT_EQ(c.arcs[1].ended_by, ArcEnd::end);
 }
 
 TEST(ArcCutter, BeginsAnArcAfterTheInputsOfTheNextFrame) {
@@ -209,23 +203,6 @@ TEST(ArcCutter, StopsBeforeARowThatIsNotFinite) {
   ASSERT_EQ(c.arcs.size(), 1u);
   EXPECT_EQ(c.arcs[0].last_step, 19);
   EXPECT_EQ(c.non_finite_step, 20);
-}
-
-TEST(ArcCutter, CutsTheSameHoweverRowsAreBatched) {
-  const Scenario scenario = fling();
-  const Columns rows = rows_of(scenario);
-  Seen seen;
-  ArcCutter cutter(scenario, inputs_of(scenario), seen);
-  for (std::size_t index = 0; index < rows.size(); ++index) {
-    Columns one;
-    one.append(rows.row(index));
-    cutter.rows(one);
-  }
-  cutter.finish();
-  const Cut whole = cut(scenario, rows);
-  ASSERT_EQ(seen.arcs.size(), whole.arcs.size());
-  for (std::size_t index = 0; index < whole.arcs.size(); ++index)
-    EXPECT_EQ(seen.arcs[index].last_step, whole.arcs[index].last_step);
 }
 
 }  // namespace

@@ -49,18 +49,6 @@ TEST(ExactFling, SlidesAsFarAsItsFrictionLets) {
   EXPECT_NEAR(fling.at(100.0).x_px, 100.0 + 0.8 * 500.0 / rate_per_s, 1e-10);
 }
 
-TEST(ExactFling, FlightIsTheClosedFormOfLinearDrag) {
-  const FixedLaws laws;
-  ExactFling fling(laws);
-  fling.start({100.0, 500.0, 300.0, -600.0}, kBounds);
-  const double k = laws.drag_rate_per_s;
-  const double t = 0.7;
-  const double damping = std::exp(-k * t);
-  const State now = fling.at(t);
-  EXPECT_NEAR(now.x_px, 100.0 + 300.0 * (1.0 - damping) / k, 1e-10);
-  EXPECT_NEAR(now.vy_px_per_s, -600.0 * damping + 1200.0 * (1.0 - damping) / k, 1e-9);
-}
-
 TEST(ExactFling, MeetsEveryWall) {
   ExactFling fling;
   fling.start({500.0, 500.0, -3000.0, -2500.0}, kBounds);

@@ -37,23 +37,6 @@ double apart_px(FlightSolver& solver, const std::vector<double>& frames_s, const
 const std::vector<double> kOneSecond(60, kFrame_s);
 constexpr Velocity kVelocity{500.0, -900.0};
 
-TEST(GslFlight, AgreesWithTheClosedForm) {
-  GslFlight gsl;
-  EXPECT_LT(apart_px(gsl, kOneSecond, kVelocity), 1e-11);
-}
-
-TEST(GslFlight, AgreesWhereEveryFrameHasItsOwnRate) {
-  GslFlight gsl;
-  EXPECT_LT(apart_px(gsl, {0.01, 0.02, 0.0, 0.005, 0.5, 0.5, 1e-6, 0.0, 0.0, 0.03}, kVelocity), 1e-11);
-}
-
-TEST(GslFlight, BeginsEveryArcAfresh) {
-  GslFlight gsl;
-  const double first_px = apart_px(gsl, kOneSecond, kVelocity);
-  apart_px(gsl, {0.3, 0.2}, {-4000.0, 3000.0});
-  EXPECT_EQ(apart_px(gsl, kOneSecond, kVelocity), first_px);
-}
-
 // A multistep method that goes on from the last arc's forces is off by hundreds of px; what is left
 // after a restart is its global error, far above its tolerance for a step.
 TEST(GslFlight, RestartsMultistepMethodsAtEveryArc) {

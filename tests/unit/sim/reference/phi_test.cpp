@@ -36,11 +36,6 @@ TEST(Phi, AgreesWith256BitsAtAnyDamping) {
   EXPECT_LT(worst, 1e-15);
 }
 
-TEST(Phi, IsTheLimitWithoutDamping) {
-  EXPECT_EQ(phi(0.0).one, 1.0);
-  EXPECT_EQ(phi(0.0).two, 0.5);
-}
-
 TEST(WidePhi, HasAHundredBits) {
   for (const double z : {-90.0, -3.0, -1.0, -0.5, -1e-3, -1e-9}) {
     const WidePhi p = wide_phi({z, 0.0});

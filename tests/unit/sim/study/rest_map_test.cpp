@@ -47,11 +47,6 @@ TEST(FinalState, IsMovingAtAnyOtherSpeedOrPlace) {
             FinalState::moving);
 }
 
-TEST(RestBoundaries, DisagreeIfNotMeasuredOrElsewhere) {
-  EXPECT_FALSE((RestBoundary{"none", "", 100.0, {}}.agrees()));
-  EXPECT_FALSE((RestBoundary{"off", "", 100.0, 100.001}.agrees()));
-}
-
 // It stops bounces below 8 px/s and says 5: at 120 Hz it keeps none of 5.99 px/s, at 60 Hz it leaves 11.99.
 TEST(RestMap, CountsTheFinalStatesThatTheBoundariesDoNotAllow) {
   Constants laws = *shipped_core().constants;
