@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 
 from process import run
@@ -26,18 +27,26 @@ class SameTest(ProgramTest):
                                                   "nothing to compare\n", ""))
 
     def test_everything_is_the_same(self):
-        for path, name in (("recorded/caught-in-flight", "recorded/caught"), ("hard/window-of-no-size", "hard/no-size"),
-                           ("flings/first-fling", "recorded-later/first-fling")):
+        for path, name in (("recorded/caught-in-flight", "recorded/caught"), ("flings/stop-in-flight", "recorded/stop"),
+                           ("hard/window-of-no-size", "hard/no-size"), ("flings/first-fling", "recorded-later/first-fling")):
             target = self.folder / f"library/{name}.json"
-            target.parent.mkdir(parents=True)
+            target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(SOURCE / f"scenarios/{path}.json", target)
-        exit_code, out, err = self.compare("--json", "--scenarios", "library", "--flings", 3, "--seed", 5)
+        command = ("--json", "--scenarios", "library", "--flings", "3", "--seed", "5")
+        exit_code, out, err = self.compare(*command, "--report", "card.html")
+        if exit_code == CANNOT_ACCESS and "HYRAX_PAGE" in err:  # The program has no page.
+            exit_code, out, err = self.compare(*command)
+        else:
+            page = json.loads(re.search('id="data">(.*?)</script>', (self.folder / "card.html").read_text(), re.DOTALL)[1])
+            self.assertEqual(page["command"], f"hyrax-compare {' '.join(command)} --report card.html")
+            self.assertEqual(page["results"][0]["title"], "physics.h: candidate against base")
+            self.assertEqual(page["results"][0]["origin"], {"candidate": "sim/physics/physics.h", "base": "golden/core/physics.h"})
         self.assertEqual((exit_code, err), (AGREED, ""))
         card = json.loads(out)
         self.assertEqual((card["candidate"], card["base"], card["seed"]),
                          ("sim/physics/physics.h", "golden/core/physics.h", 5))
         self.assertEqual((card["step"], card["lacking"]), ({"status": "proved_equal", "why": None, "changes": []}, None))
-        self.assertEqual(card["scenarios"], {"count": 3, "same_bits": 3, "rounding": 0, "values": 0, "contacts": 0, "shape": 0,
+        self.assertEqual(card["scenarios"], {"count": 4, "same_bits": 4, "rounding": 0, "values": 0, "contacts": 0, "shape": 0,
                                              "cut": 0, "changed": []})
         self.assertEqual(card["flings"]["classes"]["same_bits"], 3)
         for key in ("shift_px", "distance_px"):
@@ -54,7 +63,7 @@ class SameTest(ProgramTest):
             self.assertEqual(line["cases_broken"], {"before": 0, "after": 0})
             self.assertEqual([share["count"] for share in line["random_runs_broken"].values()], [0, 0])
         self.assertEqual((card["claims"]["changed"], card["claims"]["not_measured"], card["claims"]["other_numbers"]), ([], [], 0))
-        self.assertEqual(card["recordings"], {"recordings": 1, "moved": []})
+        self.assertEqual(card["recordings"], {"recordings": 2, "moved": []})
         self.assertEqual(card["consequence"], "None: every row has the same bits.")
         self.assertGreater(card["cost"]["step_ns"]["after"]["median"], 0.0)
 

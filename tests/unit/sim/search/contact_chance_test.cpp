@@ -95,8 +95,15 @@ TEST(ContactChance, IsThatOfPlainSampling) {
   EXPECT_GE(chance.high(), changed.low());
 }
 
+TEST(ContactChance, OfALongRunIsThatOfItsFirstSteps) {
+  const Scenario scenario = falling(500.0, 100.0, {}, 20'001);
+  EXPECT_EQ(contact_chance(shipped_core(), scenario, 0.0, 1, 1).steps, 20'000);
+  EXPECT_EQ(contact_chance(shipped_core(), half_a_pixel_from_the_wall(), 0.0, 1, 1).steps, 1);
+}
+
 TEST(ContactChance, RepeatsWithItsSeed) {
   const Scenario scenario = half_a_pixel_from_the_wall();
+  EXPECT_EQ(contact_chance(shipped_core(), scenario, 0.0, 9).seed, 9U);
   EXPECT_EQ(contact_chance(shipped_core(), scenario, 0.0, 9).changed.count,
             contact_chance(shipped_core(), scenario, 0.0, 9).changed.count);
   EXPECT_NE(contact_chance(shipped_core(), scenario, 0.0, 9).changed.count,
