@@ -4,10 +4,9 @@
 import signal
 import unittest
 
-from hyrax_program import FLING, HyraxTest
+from hyrax_program import HyraxTest
 from process import skip_without
 
-SPRITE_PX = 128
 SCREEN = [1024, 768]
 SMALL_SCREEN = [800, 600]
 
@@ -43,23 +42,6 @@ class Disturbance(HyraxTest):
         self.assert_resized(flight, SCREEN)
         self.assert_on_the_ground(flight.frames[-1], SCREEN)
 
-    def test_the_display_shrinks_and_grows_at_rest(self):
-        process = self.start()
-        self.wait_for_sleep()
-        self.hand("display", *SMALL_SCREEN)
-        self.wait_for_input("resize-window", 1)
-        self.wait_for_sleep()
-        self.hand("display", *SCREEN)
-        self.wait_for_input("resize-window", 2)
-        self.wait_for_sleep()
-        flight = self.close(process)
-        self.assert_is_the_model(flight)
-        first, second = (event["step"] for event in flight.events("resize"))
-        self.assert_on_the_ground(flight.frames[first - 1], SCREEN)
-        self.assert_on_the_ground(flight.frames[first], SMALL_SCREEN)
-        self.assert_on_the_ground(flight.frames[second - 1], SMALL_SCREEN)
-        self.assert_on_the_ground(flight.frames[-1], SCREEN)
-
     def test_a_sprite_larger_than_the_work_area(self):
         self.set_scaling_dpi(960)
         self.addCleanup(self.set_scaling_dpi, 96)
@@ -67,30 +49,6 @@ class Disturbance(HyraxTest):
         width, height = flight.frames[-1]["sprite_px"]
         self.assertGreater(max(width / SCREEN[0], height / SCREEN[1]), 1)
         self.assert_is_the_model(flight)
-
-    def test_a_freeze_of_three_seconds_in_flight(self):
-        process = self.start_and_fling()
-        self.hand("suspend", 3000, "sleep", 1000)
-        flight = self.close(process)
-        self.assertGreater(max(flight.dt_s()), 2.9)
-        self.assert_is_the_model(flight)
-        for frame in flight.frames:
-            if not frame["held"]:
-                self.assertTrue(0 <= frame["x_px"] <= SCREEN[0] - SPRITE_PX and
-                                0 <= frame["y_px"] <= SCREEN[1] - SPRITE_PX, frame)
-
-    def test_time_asleep_is_no_frame(self):
-        process = self.start()
-        self.wait_for_sleep()
-        self.hand("sleep", 3000, *FLING)
-        self.wait_for_input("release")
-        flight = self.close(process)
-        self.assert_is_the_model(flight)
-        asleep = next(number for number, line in enumerate(flight.log) if "asleep_after_frame" in line)
-        awake = flight.log[asleep + 1]
-        self.assertEqual(awake["frame"], flight.log[asleep]["asleep_after_frame"] + 1)
-        self.assertLess(awake["dt_s"], 3)
-        self.assertEqual(len(flight.events("release")), 1)
 
     def test_killed_in_mid_recording_it_loses_at_most_a_second(self):
         for wait_ms in (100, 500, 900):

@@ -64,14 +64,6 @@ class Executable(unittest.TestCase):
             self.assertLessEqual(imports(program), WINDOWS_DLLS)
         self.assertIn("gdiplus.dll", imports(HYRAX))
 
-    def test_a_dll_of_the_compiler_would_be_found(self):
-        with tempfile.TemporaryDirectory() as folder:
-            program = pathlib.Path(folder, "needy.exe")
-            source = pathlib.Path(folder, "needy.cpp")
-            source.write_text("#include <string>\nint main(int n, char**) { return std::to_string(n).size(); }")
-            succeed(TOOLS + "g++-posix", source, "-o", program)
-            self.assertFalse(imports(program) <= WINDOWS_DLLS)
-
     def test_it_is_small(self):
         self.assertLess(HYRAX.stat().st_size, SIZE_MAX_BYTES)
 

@@ -1,4 +1,4 @@
-// Mouse, keyboard, display and process control for tests of hyrax.exe under Wine. Performs the actions of its
+// Mouse, keyboard and display for tests of hyrax.exe under Wine. Performs the actions of its
 // command line in order.
 //
 //   flinger ACTION [NUMBER]...
@@ -13,7 +13,6 @@
 //   post MESSAGE WORD LONG  posts a message to the window
 //   sleep MS
 //   display WIDTH HEIGHT  changes the size of the display
-//   suspend MS            suspends the process for MS
 //
 // Exit codes: 0 done, 1 something could not be done, 2 the command line is wrong.
 #define WIN32_LEAN_AND_MEAN
@@ -77,29 +76,6 @@ void send_key(WORD code) {
   if (SendInput(2, inputs, sizeof inputs[0]) != 2) stop(1, "SendInput failed");
 }
 
-HANDLE process_of(HWND window) {
-  DWORD id = 0;
-  GetWindowThreadProcessId(window, &id);
-  const HANDLE process = OpenProcess(PROCESS_ALL_ACCESS, FALSE, id);
-  if (process == nullptr) stop(1, "the process cannot be opened");
-  return process;
-}
-
-// What a debugger or a machine under load does to it: no header declares these two.
-void suspend(HWND window, DWORD wait_ms) {
-  using OfProcess = LONG(NTAPI*)(HANDLE);
-  const HMODULE ntdll = GetModuleHandleW(L"ntdll.dll");
-  const auto stop_it =
-      reinterpret_cast<OfProcess>(reinterpret_cast<void*>(GetProcAddress(ntdll, "NtSuspendProcess")));
-  const auto go_on =
-      reinterpret_cast<OfProcess>(reinterpret_cast<void*>(GetProcAddress(ntdll, "NtResumeProcess")));
-  const HANDLE process = process_of(window);
-  if (stop_it(process) != 0) stop(1, "the process cannot be suspended");
-  Sleep(wait_ms);
-  if (go_on(process) != 0) stop(1, "the process cannot be resumed");
-  CloseHandle(process);
-}
-
 void change_display(DWORD width, DWORD height) {
   DEVMODEW mode{};
   mode.dmSize = sizeof mode;
@@ -160,7 +136,6 @@ constexpr Act kActs[] = {
     {L"sleep", 1, [](Hand&, const long* n) { Sleep(static_cast<DWORD>(n[0])); }},
     {L"display", 2,
      [](Hand&, const long* n) { change_display(static_cast<DWORD>(n[0]), static_cast<DWORD>(n[1])); }},
-    {L"suspend", 1, [](Hand& hand, const long* n) { suspend(hand.window, static_cast<DWORD>(n[0])); }},
 };
 constexpr std::size_t kNumbersMax = 4;
 

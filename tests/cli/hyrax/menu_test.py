@@ -57,22 +57,6 @@ class Menu(HyraxTest):
 
     # --- judging
 
-    def test_throw_and_reset_are_inputs(self):
-        process = self.start()
-        self.choose("T", lambda: self.has_input("fling"))
-        self.choose("R", lambda: self.has_input("place", "stop"))
-        self.wait_for_sleep()
-        flight = self.close(process)
-        self.assert_is_the_model(flight)
-
-    def test_what_just_happened_is_saved_after_the_fact(self):
-        process = self.start_without_recording()
-        self.choose("J", lambda: self.saved("just-happened"))
-        path, = self.saved("just-happened")
-        self.expect(AGREED, "run", path, "-o", self.folder / "happened.h5")
-        self.choose("Q", lambda: not process.is_running)
-        self.assertEqual(process.wait().exit_code, 0)
-
     def test_a_recording_is_begun_and_saved(self):
         process = self.start_without_recording()
         self.choose("CT", lambda: self.saved("recording"))
@@ -104,13 +88,6 @@ class Menu(HyraxTest):
         self.wait_for_sleep()
         self.hand("key", RETURN)
         self.choose("Q", lambda: not process.is_running)
-
-    def test_about_waits_for_its_reader_and_quit_ends_it(self):
-        process = self.start_without_recording()
-        self.wait_for_sleep()
-        self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord("A"), "sleep", OPENS_MS, "key", RETURN)
-        self.choose("Q", lambda: not process.is_running)
-        self.assertEqual(process.wait().exit_code, 0)
 
 
 if __name__ == "__main__":
