@@ -87,5 +87,32 @@ TEST(HalfDt, IsOfTheRunWithTwiceTheFramesAndItsInputsAtTheirTimes) {
   }
 }
 
+TEST(HalfDt, SaysWhyItIsNotMeasured) {
+  for (const auto& [clock, steps, why_not] :
+       std::initializer_list<std::tuple<Clock, std::int64_t, const char*>>{
+           {{FixedRate{60.0}, Jitter{Jitter::Kind::uniform, 0.1, 1}}, 9, "jitter"},
+           {{RecordedSteps{{0.1, 0.2}}, {}}, 2, "a trace"},
+           {{FixedStep{0.0}, {}}, 9, "dt is 0"},
+           {{FixedRate{60.0}, {}}, 0, "dt is 0"},
+           {{FixedRate{60.0}, {}}, 1'000'001, "over 1e6 steps"},
+           {{FixedRate{0.6 * kRateMax_hz}, {}}, 9, "no such clock"}}) {
+    Scenario scenario = fling_at(60.0, steps);
+    scenario.clock = clock;
+    const HalfDtOutcome outcome = measure_half_dt(shipped_core(), scenario);
+    EXPECT_FALSE(outcome.half.has_value());
+    EXPECT_EQ(outcome.why_not, why_not);
+  }
+}
+
+TEST(MarginText, NeverPromisesMoreThanTheMargin) {
+  Margin margin{.half_width = 0.01999, .nearest = NearestDecision{}};
+  EXPECT_TRUE(margin_text(margin).starts_with("any start within ±0.019 px and px/s keeps all contacts; "));
+  margin.half_width = 1e-9;
+  EXPECT_FALSE(is_knife_edge(margin));
+  margin.half_width = 0.99e-9;
+  EXPECT_TRUE(is_knife_edge(margin));
+  EXPECT_EQ(margin_text({}), "no start changes the contacts");
+}
+
 }  // namespace
 }  // namespace hyrax

@@ -5,6 +5,7 @@
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tests/unit/tools/store/temp_folder.h"
+#include "tools/app/play/play_with_progress.h"
 #include "tools/app/report/report_page.h"
 #include "tools/app/runs/scenario_run.h"
 
@@ -21,6 +22,23 @@ TEST(WrittenRun, ThatBecomesNonFiniteIsGivenToOthersOnce) {
   EXPECT_TRUE(same_trace(given, played));
   EXPECT_EQ(text_of(run.summary), text_of(summary));
   EXPECT_EQ(run.rows_recorded, 52);
+}
+
+TEST(RunPicture, TakesEveryRowOfTheFirstStepsAndEveryNthLater) {
+  const RowSink::Wants wants = RunPicture(fling_at(60.0, 120'000)).wants();
+  EXPECT_EQ(wants.rows_every, 3);
+  EXPECT_EQ(wants.all_rows_to, 50'000);
+  EXPECT_EQ(RunPicture(fling_at(60.0, 49'999)).wants().rows_every, 1);
+}
+
+TEST(Title, HasTheClockAndHowFarARunCame) {
+  Scenario scenario = fling_at(59.94, 90);
+  EXPECT_EQ(title_of(scenario, 7, 0.5), "fling: 7 of 90 steps, 0.5 s at 59.94 Hz");
+  scenario.clock.base = FixedStep{0.25};
+  EXPECT_EQ(title_of(scenario, 90, 22.5), "fling: 90 steps, 22.5 s at dt 0.25 s");
+  scenario.clock.base = RecordedSteps{{0.25, 0.5}};
+  scenario.length = std::int64_t{2};
+  EXPECT_EQ(title_of(scenario, 2, 0.75), "fling: 2 steps, 0.75 s at recorded dt");
 }
 
 TEST(StillPicture, HasThePathOfTheCentreToScaleBelowTheVerdict) {
