@@ -30,15 +30,20 @@ TEST_F(StoredRuns, MatchInRowsTimesAndContacts) {
     run.rows.vx_px_per_s[row] += 1.0;
     EXPECT_FALSE(match_of(run).rows) << row;
   }
-  for (std::size_t contact = 0; contact <= whole.contacts.size(); ++contact) {
-    StoredRun run = whole;
-    if (contact < whole.contacts.size())
-      ++run.contacts[contact].last_step;
-    else
-      ++run.contacts_total;
-    EXPECT_FALSE(match_of(run).contacts) << contact;
-    EXPECT_TRUE(match_of(run).rows) << contact;
-  }
+  void (*const changes[])(StoredRun&, std::size_t) = {
+      [](StoredRun& run, std::size_t contact) { ++run.contacts[contact].step; },
+      [](StoredRun& run, std::size_t contact) { ++run.contacts[contact].last_step; },
+      [](StoredRun& run, std::size_t contact) { run.contacts[contact].wall = Wall::top; },
+      [](StoredRun& run, std::size_t contact) { run.contacts[contact].vx_after_px_per_s += 1.0; },
+      [](StoredRun& run, std::size_t) { ++run.contacts_total; },
+      [](StoredRun& run, std::size_t) { run.contacts.pop_back(); }};
+  for (const auto& change : changes)
+    for (std::size_t contact = 0; contact < whole.contacts.size(); ++contact) {
+      StoredRun run = whole;
+      change(run, contact);
+      EXPECT_FALSE(match_of(run).contacts) << contact;
+      EXPECT_TRUE(match_of(run).rows) << contact;
+    }
 }
 
 TEST_F(StoredRuns, MatchInBlocksHoweverTheyAreCounted) {
