@@ -235,7 +235,7 @@ PROVED = {
     FORMAT: (
         ("All bounds are inclusive.", "SaysOfEachRuleWhetherItHoldsBothBoundsIncluded"),
         ("every row is inside the bounds of its frame (or, with `false`, one is not)", "SaysOfEachRuleWhetherItHoldsBothBoundsIncluded"),
-        ("at the number at the latest, or within the range", "KeepsAnExpectedPointApartFromAnUpperBound"), ("no flight arc has a larger one", "DetectsEachOfThem"),
+        ("at the number at the latest, or within the range", "SaysOfEachRuleWhetherItHoldsBothBoundsIncluded"), ("no flight arc has a larger one", "DetectsEachOfThem"),
         ("The origin is the top left corner of the window, x points right, y points down. `x, y` is the top left corner of the sprite", "AgreesWithTheListingAtEveryEdge"),
         ("(2) apply the events of this frame in file order; (3) unless the sprite is held, call `update(dt, ...)` once with the current sizes; (4) record row i + 1", "PlaysRandomFlingsByTheFrameRule"),
         ("and holds the sprite: frames pass, without step and with contact 0, until `release`", "StopsAndHoldsAGrabbedSpriteUntilItsRelease"),
@@ -243,7 +243,7 @@ PROVED = {
         ("must not decrease. `grab` while held and `release` while not held are errors. All other events are allowed while held.", "AreWhatTheReaderSays"),
         ("the first frame that starts at t >= at_s", "PicksTheFirstOfManyFramesThatStartAtTheSameTime"), ("Beyond the end is an error. With jitter,", "WalksJitteredFramesUpToItsLimit"),
         ("and the last one are stored. Contacts are stored for every K", "RecordsEveryFewRowsAndTheLastOne"), ("`steps` may be left out; if given, it must equal the length", "OfATraceIsItsLength"),
-        ("the file name without `.json`, which must then be such a name", "NeedsANameWhereItsOwnIsNone"), ("an unknown or duplicate key, a wrong type", "ReportsEveryFaultInALineOfItsOwn"),
+        ("the file name without `.json`, which must then be such a name", "NeedsANameWhereItsOwnIsNone"), ("an unknown or duplicate key, a wrong type", "AreWhatTheReaderSays"),
         ("may be kept beside scenarios", "test_a_schema_beside_scenarios_is_none"), ("A jitter value is used up all the same", "PlaysEveryKindOfInputByTheFrameRule")),
     FILES: (
         ("+0 and -0 differ, and NaN always fails. It never writes into golden/", "test_golden_files_are_unchanged_for_every_verdict"),
@@ -403,7 +403,7 @@ class Facts(unittest.TestCase):
             for words, test in promises:
                 with self.subTest(document=document, words=words):
                     self.assertIn(words, text)
-                    self.assertIn(test, names)
+                    self.assertTrue(test in names, f"no test {test}")
 
     def test_what_is_said_again_is_what_was_printed(self):
         for document, words, *printed in SAID_AGAIN:

@@ -27,6 +27,7 @@ A picture whose name a file in the scratch folder has, after all blocks, says wh
 """
 
 import dataclasses
+import functools
 import json
 import os
 import pathlib
@@ -167,6 +168,7 @@ def words_outside_blocks(document):
     return BLOCK.sub("", document.read_text(encoding="utf-8"))
 
 
+@functools.cache
 def text_of(path):
     """A file of the project."""
     return (SOURCE / path).read_text(encoding="utf-8")

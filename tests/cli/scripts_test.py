@@ -88,13 +88,35 @@ FUNCTIONS = (
     ("assume_yes=no; plan_of() { :; }; sed() { :; }; stop() { return 3; }; for answer in " + " ".join(ANSWERS) + "; do agree_to a 2>&0 && called $answer; done", "", 3, "", AGREEING),
     ("assume_yes=no; plan_of() { :; }; sed() { :; }; agree_to a 2>&0 < /dev/null && agree_to a && assume_yes=yes && agree_to a 2>&0", "", 0, "Missing packages .*: a\n", []),
 )
-# A command of tools/, a pattern of the programs that fail, the exit code, what is printed.
-EXIT_CODES = (
-    ("run a.json", "hyrax-sim*", 8, ""), ("test", "ctest*", 1, ""), ("test --all --yes -R unit", "ctest*asan* run*", 1, "FAILED: asan-clang fuzz\n"),
-    ("package deb", "cpack*", 3, "could not be built"), ("package tar", "", 2, "(found tar)"),
-)
-TESTED = {"test": ["-LE long"], "test --all --yes -R unit": ["-LE nightly -R unit", "-LE long|one_build -R unit"]}
+# A command of tools/, a pattern of the programs that fail, the exit code, what is printed, and what is called, without what
+# all calls of a program have.
+OF_EVERY_CALL = r" --(?:log-level=WARNING|quiet|output-on-failure|no-tests=error)| -(?:S PROJECT|G Ninja|j \d+)| (?:-B|-C|--test-dir)(?= /)"
+BUILT = "cmake /tools -DCMAKE_BUILD_TYPE=Release -DHYRAX_TESTS=OFF, ninja /tools hyrax-sim"
+TESTS = "cmake /tools -DCMAKE_BUILD_TYPE=Release -DHYRAX_TESTS=ON -DHYRAX_WERROR=OFF"
+WITH_PAGE = "ninja /tools page_packages, ninja /tools page, cmake /tools -DHYRAX_PAGE=ON, ninja /tools"
 
+
+def preset(name, one_build, left_out):
+    """Calls that test a preset."""
+    return (f"cmake --preset {name} -DHYRAX_WERROR=OFF -DHYRAX_ONE_BUILD={one_build}, ninja /{name}, hyrax-sim check scenarios, "
+            f"ctest /{name} -LE {left_out}")
+
+
+CALLS = (
+    ("run", "", 0, "Replaying first-fling; writing first-fling.h5 and", f"{BUILT}, hyrax-sim run PROJECT/scenarios/flings/first-fling.json --figure first-fling.svg"),
+    ("run --yes a.json --report x.html", "hyrax-sim*", 8, "",
+     f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-sim, hyrax-sim run a.json --report x.html"),
+    ("test", "ctest*", 1, "", f"{TESTS}, ninja /tools, ctest /tools -LE long"),
+    ("test --all --yes -R unit", "ctest*asan* run*", 1, "FAILED: asan-clang fuzz\n",
+     f"{TESTS} -DHYRAX_BENCHMARKS=ON, {WITH_PAGE}, ctest /tools -LE nightly -R unit, {preset('asan-clang', 'OFF', 'long|one_build -R unit')}, run 30"),
+    ("test --nightly", "*page_packages", 0, "its tests in a browser are left out", ", ".join((
+        f"{TESTS} -DHYRAX_BENCHMARKS=ON, ninja /tools page_packages, cmake /tools -DHYRAX_PAGE=OFF, ninja /tools, ctest /tools",
+        *(preset(name, "ON", "long") for name in ("asan-clang", "clang", "asan", "debug")), "cmake --preset tsan -DHYRAX_WERROR=OFF",
+        r"ninja /tsan hyrax-sim racy, ctest /tsan -R ^faults\.threads$, run 3600, mutation.py --build /tools --count 10 --seed DATE --minutes 60"))),
+    ("package deb", "cpack*", 3, "could not be built", "cmake --preset package -DHYRAX_PAGE=no, ninja /package, "
+     "cpack --config /package/CPackConfig.cmake -G DEB /package/packages"),
+    ("package tar", "", 2, "(found tar)", ""),
+)
 
 class Scripts(ProgramTest):
     """Scripts of tools/ in a copy of the folder, where they find stand-ins for all programs that they call."""
@@ -107,7 +129,8 @@ class Scripts(ProgramTest):
     def add_stand_ins(self):
         """Of the programs that build and test, and of what they build."""
         self.write("tools/setup.sh", (SOURCE / "tools/setup.sh").read_text() + WITHOUT_PROCESSES)
-        for path in ("build/tools/bin/hyrax-sim", "build/asan-clang/bin/hyrax-sim", "tests/robustness/fuzz/run"):
+        for path in (*(f"build/{build}/bin/hyrax-sim" for build in ("tools", "asan-clang", "clang", "asan", "debug")),
+                     "tests/robustness/fuzz/run", "tests/must_fail/mutation/mutation.py"):
             self.write(path, f'#!/bin/sh\ncalled() {STAND_IN}\ncalled "${{0##*/}}" "$@"\n')
             (self.folder / path).chmod(0o755)
 
@@ -119,18 +142,18 @@ class Scripts(ProgramTest):
                       env={**os.environ, **BY_NAME, "CI": "", "FAILS": fails, "LOG": f"{self.folder}/log"})
         return outcome, (self.folder / "log").read_text().splitlines()
 
-    def test_exit_codes(self):
+    def test_what_is_called_and_exit_codes(self):
         """A build that fails is 3, a program's own code is passed on, a failed test is 1; the usage names each."""
         self.add_stand_ins()
-        for command, fails, exit_code, part in EXIT_CODES:
+        for command, fails, exit_code, part, calls in CALLS:
             with self.subTest(command=command, fails=fails):
                 outcome, log = self.call(command, fails)
                 self.assertEqual(outcome.exit_code, exit_code, outcome)
                 self.assertIn(part, outcome.err)
                 stated = re.search(r"Exit code: [^.]*", (self.folder / f"tools/{command.split()[0]}").read_text())[0]
-                self.assertRegex(stated, r"that of hyrax-" if exit_code == 8 else rf"\b{exit_code}\b")
-                tested = [line.split("--no-tests=error ")[1] for line in log if line.startswith("ctest")]
-                self.assertIn(tested[:2], ([], TESTED.get(command)))
+                self.assertRegex(stated, r"that of hyrax-" if command.startswith("run") else rf"\b{exit_code}\b")
+                text = re.sub(r"--seed \d{8} ", "--seed DATE ", ", ".join(log).replace(str(self.folder.resolve()), "PROJECT"))
+                self.assertEqual(re.sub(OF_EVERY_CALL, "", text.replace("PROJECT/build/", "/")), calls)
 
     def test_every_option_of_a_usage_is_read_and_every_one_that_is_read_is_in_it(self):
         for script in SCRIPTS:
