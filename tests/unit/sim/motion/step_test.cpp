@@ -66,6 +66,17 @@ void visit_edges(const Visit& visit) {
               visit(State{x_px, y_px, vx_px_per_s, vy_px_per_s}, dt_s, world);
 }
 
+TEST(SameBits, OfConstantsAreThoseOfEachOne) {
+  EXPECT_TRUE(same_bits(kPaper, kPaper));
+  for (double Constants::*const each :
+       {&Constants::gravity_px_per_s2, &Constants::restitution, &Constants::air_drag,
+        &Constants::ground_friction, &Constants::rest_threshold_px_per_s}) {
+    Constants other = kPaper;
+    other.*each = above(other.*each);
+    EXPECT_FALSE(same_bits(kPaper, other));
+  }
+}
+
 TEST(ListingStep, WithAllPartsIsTheCoreOnEveryEdge) {
   visit_edges([](const State& start, double dt_s, const World& world) {
     ASSERT_TRUE(agrees(start, dt_s, world, step_with(AllParts())));

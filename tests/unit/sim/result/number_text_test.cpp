@@ -17,6 +17,7 @@ TEST(Rounded, WritesNumbersForPeople) {
   EXPECT_GT(count, 15);
   EXPECT_EQ(rounded(std::nan("")), "–");
   EXPECT_EQ(rounded(-HUGE_VAL), "-Infinity");
+  EXPECT_EQ(rounded(HUGE_VAL), "Infinity");
 }
 
 TEST(WithDecimals, KeepsThemAndHasNoNegativeZero) {
@@ -33,6 +34,9 @@ TEST(UnitText, RaisesSquares) {
 TEST(Counted, HasTheSingularOfOne) {
   EXPECT_EQ(counted(1.0, "step"), "1 step");
   EXPECT_EQ(counted(11'400.0, "step"), "11,400 steps");
+  EXPECT_EQ(plain_counted(1, "step"), "1 step");
+  EXPECT_EQ(plain_counted(11'400, "step"), "11400 steps");
+  EXPECT_EQ(plain_counted(0, "step"), "0 steps");
 }
 
 }  // namespace
