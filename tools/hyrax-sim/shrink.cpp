@@ -97,8 +97,8 @@ ShrinkOutcome shrink_by_command(const Core& core, const ShrinkRequest& request, 
   constexpr int kCannotExecute = 126;
   constexpr int kNotFound = 127;
   if (!wanted.is_timed_out && (wanted.exit_code == kCannotExecute || wanted.exit_code == kNotFound))
-    refuse_input(
-        fmt::format("hyrax-sim shrink: --fails: the shell cannot run `{}`: {}", request.fails, wanted.err));
+    refuse_input(fmt::format("hyrax-sim shrink: --fails: the shell cannot run `{}`: {}", request.fails,
+                             wanted.err.substr(0, wanted.err.find('\n'))));
   const auto fails = [&](const Scenario& simpler) {
     const ChildEnd end = command.run(simpler);
     return end.is_timed_out == wanted.is_timed_out && (end.is_timed_out || end.exit_code == wanted.exit_code);
