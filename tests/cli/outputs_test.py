@@ -35,8 +35,10 @@ class Guarded(ProgramTest):
         golden = [f"golden/new{suffix}", f"scenarios/../golden/new{suffix}", f"to-golden/new{suffix}", f"to-new{suffix}",
                   f"golden/deep/new{suffix}", f"hard-golden{suffix}", str(self.folder / f"golden/new{suffix}"),
                   f"golden/in{suffix}"]
-        return ([(path, "would overwrite an input of this command") for path in inputs[:of_each]] +
-                [(f"other{suffix}", "would overwrite a scenario")] + [(path, "golden") for path in golden[:of_each]])
+        return ([(path, f"would overwrite an input of this command (found {path}); name another file") for path in inputs[:of_each]] +
+                [(f"other{suffix}", f"would overwrite a scenario (found other{suffix}); name another file")] +
+                [(path, f"is a golden file or in a golden folder (found {path}); only `hyrax-sim bless` writes there")
+                 for path in golden[:of_each]])
 
     def assert_refused(self, *arguments, says, **options):
         """Exit 2 with a message, and nothing is written."""
@@ -49,7 +51,7 @@ class Guarded(ProgramTest):
         """Each victim, as the value of the option that ends the command."""
         for victim, says in self.victims(suffix, of_each):
             arguments = [part.replace("IN", f"scenarios/in{suffix}") for part in command]
-            self.assert_refused(*arguments, victim, says=(command[-1], says))
+            self.assert_refused(*arguments, victim, says=(f" {command[-1]}", f": {says}"))
         self.assert_refused(*arguments[:-1], "--golden", "elsewhere", command[-1], f"elsewhere/new{suffix}", says="golden")
 
     def test_run_o(self):
@@ -68,7 +70,7 @@ class Guarded(ProgramTest):
         self.write("fling.json", fling())
         self.assert_refused("drift", "fling.json", "-o", "golden/fling.h5", says=("-o", "golden"))
         for victim, says in self.victims(".h5"):
-            self.assert_refused("drift", "scenarios/in.h5", "-o", victim, says=("-o", says))
+            self.assert_refused("drift", "scenarios/in.h5", "-o", victim, says=f"-o: {says}")
 
     def test_a_scenario_by_its_name_that_is_no_json(self):
         self.write("scenarios/broken.json", "{ not yet")

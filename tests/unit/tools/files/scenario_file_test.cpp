@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include <unistd.h>
+
 #include "sim/scenario/frame_clock.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/tools/files/refusal.h"
@@ -86,6 +88,18 @@ TEST_F(ScenarioFile, ThatIsNoneCannotBeRead) {
     const std::string said =
         refusal_of([&file = path] { static_cast<void>(load_scenario(file)); }, ExitCode::cannot_access);
     EXPECT_TRUE(said.ends_with(": cannot be read: " + reason)) << said;
+  }
+}
+
+// As of `<(command)` in a shell.
+TEST_F(ScenarioFile, MayComeThroughAPipeThatIsOpen) {
+  for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    ASSERT_EQ(write(ends[1], kNameless, sizeof kNameless - 1), static_cast<ssize_t>(sizeof kNameless - 1));
+    close(ends[1]);
+    EXPECT_EQ(load_scenario(folder + std::to_string(ends[0]), {{"/name", "piped"}}).name, "piped");
+    close(ends[0]);
   }
 }
 
