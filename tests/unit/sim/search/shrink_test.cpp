@@ -32,6 +32,8 @@ TEST(Shrink, OneEventIsLeftWhereOneIsNeeded) {
   const Shrunk shrunk = shrink(shipped_core(), eventful_fling(), has_a_stop);
   EXPECT_EQ(shrunk.scenario.events, (std::vector<Event>{{std::int64_t{0}, Stop{}}}));
   EXPECT_EQ(complexity_of(shrunk.scenario).steps, 1);
+  EXPECT_EQ(shrunk.scenario.window, (Size{1000, 1000}));  // None is without a side.
+  EXPECT_EQ(shrunk.scenario.sprite, (Size{100, 100}));
 }
 
 TEST(Shrink, WhatNeedsManyFramesKeepsThem) {
