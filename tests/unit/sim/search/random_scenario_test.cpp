@@ -1,6 +1,7 @@
 // Random scenarios: valid, reproducible, of every feature; and no rule broken by the shipped core.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "sim/core/shipped_core.h"
@@ -74,6 +75,48 @@ TEST(RandomRun, ReachesWhatTheFormatAllows) {
   EXPECT_EQ(jitters.size(), 3u);
   EXPECT_GT(oversized, 50);
   EXPECT_GT(zero_frames, 50);
+}
+
+TEST(RandomRun, StartsAsItsFeaturesSay) {
+  int outside = 0, fast = 0, on_bounds = 0, leaving_the_threshold = 0;
+  std::int64_t longest = 0;
+  for (std::uint64_t run = 0; run < 2000; ++run) {
+    const RandomRun random = random_run(shipped_core(), 2, run);
+    const auto has = [&random](Feature feature) {
+      return random.features[static_cast<std::size_t>(feature)];
+    };
+    const Scenario& scenario = random.scenario;
+    const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
+    const Position& start = scenario.start;
+    const Velocity& velocity = scenario.start_velocity;
+    const double speed_px_per_s = std::max(std::fabs(velocity.vx_px_per_s), std::fabs(velocity.vy_px_per_s));
+    if (has(Feature::corners)) {  // It moves towards the walls that are near.
+      EXPECT_NEAR(start.x_px, std::signbit(velocity.vx_px_per_s) ? 10.0 : bounds.right_px - 10.0, 10.001);
+      EXPECT_NEAR(start.y_px, std::signbit(velocity.vy_px_per_s) ? 10.0 : bounds.bottom_px - 10.0, 10.001);
+    } else {
+      if (has(Feature::rest)) {
+        EXPECT_EQ(start.y_px, bounds.bottom_px);
+        const double dt_s = FrameClock(scenario.clock).dt_s(0);
+        leaving_the_threshold += velocity.vy_px_per_s == 5.0 / 0.6 / 0.999 - 1200.0 * dt_s ? 1 : 0;
+      }
+      on_bounds += has(Feature::on_bounds) && (start.x_px == 0.0 || start.x_px == bounds.right_px) ? 1 : 0;
+      const bool is_outside = std::fabs(start.x_px) > 1e4;
+      EXPECT_LE(is_outside, has(Feature::outside));
+      outside += is_outside ? 1 : 0;
+    }
+    EXPECT_LE(speed_px_per_s > 2500.0, has(Feature::fast) || has(Feature::rest));
+    fast += speed_px_per_s > 2500.0 ? 1 : 0;
+    EXPECT_LE(has(Feature::small_window),
+              std::max(scenario.window.width_px, scenario.window.height_px) <= 64);
+    const std::int64_t steps = step_count(scenario);
+    EXPECT_LE(steps, has(Feature::long_run) ? 2000 : 80);
+    longest = std::max(longest, steps);
+  }
+  EXPECT_GT(outside, 50);
+  EXPECT_GT(fast, 100);
+  EXPECT_GT(on_bounds, 100);
+  EXPECT_GT(leaving_the_threshold, 50);
+  EXPECT_GT(longest, 1500);
 }
 
 TEST(RandomRun, IsPlayedOnEachDisplayAtEachRate) {
