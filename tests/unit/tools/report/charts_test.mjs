@@ -26,6 +26,7 @@ test('the values, and their marks, are those of the moment', () => {
   assert.deepEqual(figures('charts'), ['chart-position: Position, pxx 9.0y 30.0CSV', 'chart-velocity: Velocity, px/svx 6.0vy –CSV', 'chart-energy: Energy, px²/s²run –CSV']);
   assert.deepEqual(figures('more-charts'), ['chart-dt: Frame time, msdt 500.000CSV']);
   for (const plot of plots) assert.deepEqual(marks(plot), ['playhead translateX(150px)', 'divergence translateX(150px)']);
+  assert.deepEqual([plots[0].over.children[1].attributes.title, element('charts').querySelector('button').attributes['aria-label']], ['first difference at step 6', 'Save Position as CSV']);
   assert.deepEqual(element('charts').querySelectorAll('i').map(({ attributes }) => attributes.class.replace(/ +/, ' ')), ['swatch tint-blue', 'swatch tint-orange', 'swatch tint-blue', 'swatch tint-orange', 'swatch tint-green']);
   assert.equal(plots[0].root.attributes['aria-label'], 'Position over time. x: 0 to 12 px; y: 0 to 40 px.');
   const table = element('charts-table').querySelectorAll('tr').map(row => row.children.map(({ textContent }) => textContent).join('|'));
@@ -45,7 +46,7 @@ test('a pointer shows the last row up to it; a mouse only at rest', () => {
 
 test('they open on the part that moves, and one zoom is that of all', () => {
   const opened = since => charted({ run: { ...result.run, result: { at_rest_since_s: since } } }).range();
-  assert.deepEqual([null, 0, 2, 2.8, 3].map(opened), [[0, 4], [0, 4], [0, 2.16], [0, 4], [0, 4]]);
+  assert.deepEqual([null, 0, 2, 2.5, 2.8, 3].map(opened), [[0, 4], [0, 4], [0, 2.16], [0, 2.7], [0, 4], [0, 4]]);
   const { charts, plots, moment } = charted();
   moment.show(1);
   plots[1].setScale('x', { min: 2, max: 4 });
@@ -71,11 +72,12 @@ test('each chart has its axes, dashes and points', () => {
   const causes = { step: [0, 8] }, errors = { step: [0, 8], model: [0, 2], truncation: [0, 1], implementation: [0, 1] };
   for (const name of ['gravity', 'drag', 'lift', 'bounce', 'sum']) causes[name] = [0, 1];
   const { plots } = charted({ other, causes, errors, contactErrors: { step: [4], time_error: [1], effective_restitution: [2] } });
-  const looks = plots.map(({ place, options: { series, axes, scales } }) => `${place.id.slice(6)}: ${series.slice(1).map(each => [each.stroke(), each.dash && 'dashed', each.spanGaps && 'joined', each.points.show && 'points',
+  const looks = plots.map(({ place, options: { series, axes, scales } }) => `${place.id.slice(6)}: ${series.slice(1).map(each => [each.stroke(), each.dash && 'dashed', each.spanGaps && 'joined', each.points.show && `points of ${each.points.size}`,
     each.paths?.()].filter(Boolean).join(' ')).join(', ')}${scales.y.distr === 3 ? '; logarithmic' : ''}${axes[0].show ? '; with times' : ''}`);
   assert.deepEqual(looks, ['distance: vermilion; logarithmic', 'position: blue, orange, blue dashed, orange dashed', 'velocity: blue, orange, blue dashed, orange dashed', 'energy: green',
-    'errors: orange, blue, green; logarithmic; with times', 'drift: blue joined, green joined, vermilion joined, purple joined, ink dashed joined; with times', 'contact-time: vermilion points; with times',
-    'contact-restitution: purple points; with times', 'dt: blue steps -1; with times']);
+    'errors: orange, blue, green; logarithmic; with times', 'drift: blue joined, green joined, vermilion joined, purple joined, ink dashed joined; with times', 'contact-time: vermilion points of 7; with times',
+    'contact-restitution: purple points of 7; with times', 'dt: blue steps -1; with times']);
+  for (const { options: { axes, height } } of plots) assert.equal(height, axes[0].show ? 132 : 108);
   assert.deepEqual(plots[1].place.querySelectorAll('i').map(({ attributes }) => attributes.class.replace(/ +/, ' ')), ['swatch tint-blue', 'swatch tint-orange', 'swatch dashed tint-blue', 'swatch dashed tint-orange']);
   assert.deepEqual(plots[1].options.axes.map(({ values }) => values(null, [1, 250_000])), [['1 s', '250,000 s'], ['1', '0.25 M']]);
   assert.deepEqual(plots[1].data.map(values => values[4]), [4, 12, 40, 12, 40]);

@@ -38,7 +38,9 @@ test('it begins in the middle at the top, and plays the frames of the display', 
   assert.deepEqual(played, ['', 'frame 0.016', '', 'frame 0.25', '', 'frame 0.01']); // None is longer than 0.25 s.
   assert.deepEqual(playground.trail, { step: [0, 0, 0, 0], x: [45, 41, 42, 43], y: [0, 30, 30, 30] });
   assert.deepEqual([playground.isLive, playground.isHeld, playground.look({ t: 9 })], [true, false, { trail: playground.trail }]);
+  const isLive = () => 'live' in document.documentElement.dataset, live = isLive();
   playground.end();
+  assert.deepEqual([live, isLive()], [true, false]);
 });
 
 test('charts follow twenty times a second, and leave a hand its frames', () => {

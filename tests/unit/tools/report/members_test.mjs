@@ -7,9 +7,9 @@ const [{ viridis }, { Core }, { showMembers }] = await Promise.all(['cells', 'co
 
 // The core's flight of a record goes a step of 10 px to the right, and down.
 const loaded = [], required = [];
-let start = [];
+let start = [], met = { left: 0, right: 2, top: 0, ground: 1 };
 Core.start = async () => ({ requireSame: fingerprint => required.push(fingerprint), load: record => loaded.push((start = [...record]).slice(4).join(' ')), playTo() {}, contacts: () => ({ step: [1], wall: [8], x: [start[4]], y: [60] }),
-  finish: () => ({ steps: 1, stateHash: 'ab', contacts: { left: 0, right: 2, top: 0, ground: 1 } }), errors: () => ({}), contactErrors: () => ({}), causes: () => ({}),
+  finish: () => ({ steps: 1, stateHash: 'ab', contacts: met }), errors: () => ({}), contactErrors: () => ({}), causes: () => ({}),
   rows: () => ({ step: [0, 1], t: [0, 2], x: [start[4], start[4] + 10], y: [start[5], 60], vx: [10, 10], vy: [90, 90], contact: [0, 8] }) });
 element('replay').parentElement = { clientWidth: 200 };
 
@@ -39,7 +39,7 @@ test('cells are where their numbers are, in the colours of the third', async () 
   const [, gradient] = /linear-gradient\(90deg, (.*)\)$/.exec(bar.children[2].attributes.style), colors = gradient.split(', ');
   assert.deepEqual([colors[0], colors.length, colors.at(-1)], [viridis(0), 9, viridis(1)]);
   assert.deepEqual(plot().options.axes.map(({ label }) => label), ['/start/vx_px_per_s', '/start/x_px']);
-  assert.deepEqual(choices.querySelectorAll('select').map(select => select.children.map(({ value, attributes }) => value + ('selected' in attributes ? '!' : '')).join(' ')), [
+  assert.deepEqual(choices.querySelectorAll('select').map(select => select.children.map(({ value, attributes }) => value + (attributes.selected === '' ? '!' : '')).join(' ')), [
     '/start/vx_px_per_s! /start/x_px final_x steps', '/start/vx_px_per_s /start/x_px! final_x steps', '/start/vx_px_per_s /start/x_px final_x! steps']);
   assert.match(plot().root.attributes['aria-label'], /^final_x, px over \/start\/vx_px_per_s and \/start\/x_px\. .*; from 1 to 5\.$/);
   assert.match((await shown({ ...grid, count: 6 })).head.textContent, /all 6 members/);
@@ -101,6 +101,10 @@ test('numbers that are no grids, many points and a page with figures have their 
     const { plot } = await shown({ ...grid, members: values, inputs: [{ ...input('a', 0, false, []), values }], results: [{ name: 'r', unit: '1', values }] });
     assert.match(plot().ctx.log[0], new RegExp(` r ${radius}$`));
   }
+  met = {};
+  (await shown({ ...grid, events: [{ frame: 0, kind: 'grab' }] })).at('click', 100, 75);
+  assert.match(element('member-note').textContent, /; contacts none\. Thin/);
+  assert.deepEqual([element('replay').getContext().log.filter(line => line.startsWith('text')), element('play').attributes['aria-label']], [['text ink: grab left 76,48'], 'Pause']);
   const article = new Element('article'), figure = new Element('figure');
   figure.setAttribute('class', 'figure');
   article.append(figure);

@@ -49,6 +49,8 @@ test('a path goes through the middles of the sprite, with its sizes', () => {
   assert.deepEqual(layer({ rows, other }), ['stroke bad 3 dashed: from 64,40 84,80 104,120 84,120 104,140', 'stroke path 3: from 60,40 80,80 100,120 80,120 100,140']);
   assert.deepEqual(layer({ rows: { ...rows, x: [10, 15, 60, 10, 15] } }), ['stroke path 3: from 60,40 80,80 from 260,120 from 80,120 100,140',
     'stroke path 3 dashed: from 80,80 260,120 from 260,120 80,120']);
+  const slow = px => layer({ rows: { ...rows, x: [0, 1, 2, 3, 4].map(i => 10 + px * i), y: [0, 0, 0, 0, 0], vx: [0, 0, 0, 0, 0], vy: [0, 0, 0, 0, 0] } }).length;
+  assert.deepEqual([slow(2), slow(2.25)], [1, 2]); // Up to 2 px need no speed.
   assert.deepEqual(layer({ rows: { ...rows, x: [10, 15, 15.1, 10, 15], y: [0, 10, 10.1, 20, 30] } }), ['stroke path 3: from 60,40 80,80 80,100 100,140']);
 });
 

@@ -105,5 +105,7 @@ test('each control has the name and the key that it says', () => {
   assert.deepEqual(speeds.map(([value]) => value), ['0.1', '0.25', '0.5', '1', '2', '4']);
   for (const [value, selected, text] of speeds) assert.deepEqual([text, Boolean(selected)], [value, value === '1']);
   assert.equal(/<p class="keys">(.*)<\/p>/.exec(html)[1].replace(/<[^>]*>/g, ''), 'space play ← → step, with shift ten [ ] contact 0 whole run');
-  assert.match(textOf('README.md').replaceAll('\n', ' '), /Space plays, the arrows step \(with shift ten steps\), `\[` and `\]` go to a contact, `0` shows the whole run/);
+  assert.match(html, /id="time"[^>]* aria-label="Row"/);
+  assert.match(textOf('runs.html'), /drag in a chart to zoom/);
+  assert.match(textOf('README.md').replaceAll(/\s+/g, ' '), /Space plays, the arrows step \(with shift ten steps\), `\[` and `\]` go to a contact, `0` shows the whole run\. `FILE\.html#step=120` opens at row 120\..* one zoom \(drag; double-click for the whole run\)/);
 });

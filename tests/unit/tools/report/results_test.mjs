@@ -18,8 +18,8 @@ const { report } = await load('document');
 const { showResults } = await load('results');
 
 const table = (name, count, columns) => ({ name, long_name: `Table ${name}`, row_count: count, columns });
-const long = 'a text that is longer than thirty-six letters';
-const small = table('speeds', 2, [{ name: 'method_of', values: ['Euler', 'Verlet'] }, { name: 'speed', unit: 'px2/s2', long_name: 'how fast', digits: 2, values: [12.345, null] }, { name: 'holds', values: [true, false] }, { name: '', unit: '1', values: ['', long] }]);
+const long = 'a text of more than thirty-six letters';
+const small = table('speeds', 2, [{ name: 'method_of', values: ['Euler', 'Verlet'] }, { name: 'speed', unit: 'px2/s2', long_name: 'how fast', digits: 2, values: [12.345, null] }, { name: 'holds', values: [true, false] }, { name: '', unit: '1', values: ['', long] }, { name: 'n', values: [1.23456789, 2] }, { name: 'short', values: ['', long.slice(0, 36)] }]);
 const cut = table('rows', 5, [{ name: 'step', unit: '1', values: [0, 1] }]);
 const figure = (title, more) => ({ suffix: '-all', title, subtitle: `Of ${title}`, note: 'a note', note_tone: 'bad', remarks: ['First.', 'Second.'],
   body: { plots: [{ x: { label: 't, s', categories: [] }, y: { label: 'x, px', categories: [] }, series: [{ name: 'a', x: [1], y: [2], y_low: [], x_low: [], x_high: [] }] }] }, ...more });
@@ -53,6 +53,7 @@ test('figures and tables are saved under their names, and shown as data once', a
   assert.deepEqual([saved[1][1], saved[2][1]], ['step\n0\n1\n', 'series,"t, s","x, px"\na,1,2\n']);
   for (let again = 0; again < 2; ++again) details[2].fire('toggle');
   assert.deepEqual(details[2].children.map(({ textContent }) => textContent), ['Data as a table', 'seriest, sx, pxa12']);
+  assert.equal((await shown({ ...result, figures: result.figures.slice(1) })).querySelector('nav'), null); // Of two figures.
   const many = { ...cut, row_count: 501, columns: [{ name: 'step', values: Array.from({ length: 501 }, (_, i) => i) }] };
   assert.equal((await shown({ ...bare, tables: [many] })).querySelectorAll('tr').length, 501); // With its head.
 });

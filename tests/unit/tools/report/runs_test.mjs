@@ -30,7 +30,7 @@ async function opened(runs, { against, hash = '', found = () => ({}), core = {},
   Object.assign(report, { runs, against });
   let played = -1;
   Core.start = start ?? (async () => ({ requireSame() {}, load: () => (found(++played) ? 400 : -1), playTo: step => step, finish: () => ({ ...checked, ...found(played) }), rows: () => rows, contacts: () => contacts, errors: () => ({ step: [] }),
-    contactErrors: () => ({ step: [95], wall: [2], time_error: [0.001], effective_restitution: [0.75] }), causes: () => ({ step: [] }), liveStart() {}, liveFrame: body, liveScenario: () => ({ record: [], stateHash: 'ab' }), ...core }));
+    contactErrors: () => ({ step: [95], wall: [2], time_error: [0.001], effective_restitution: [0.75] }), causes: () => ({ step: [] }), liveStart() {}, liveGrab() {}, liveVelocity: () => ({ vx: 3, vy: 4 }), liveFrame: body, liveScenario: () => ({ record: [], stateHash: 'ab' }), ...core }));
   await show();
 }
 const text = id => element(id).textContent;
@@ -84,7 +84,7 @@ test('each list of a run is at its place, and leads to its step', async () => {
 });
 
 test('beside another run it opens on the second around their largest distance', async () => {
-  const far = filed({ x: rows.x.map((x, i) => x + (i < 20 ? i : i === 20 ? 99.5 : i === 30 ? 100 : 0)) });
+  const far = filed({ x: rows.x.map((x, i) => x + (i < 16 ? i : i === 16 ? 98 : i === 20 ? 99.5 : i === 30 ? 100 : 0)) });
   const golden = { agrees: false, class: 'values', first_divergence: { step: 10, field: 'x' } };
   await opened([run('a', { golden })], { against: { rows: far } });
   assert.deepEqual([row(), text('stage-note'), 'red' in data(), element('play').attributes['aria-label']], [20, 'Dashed: the golden file.', true, 'Pause']);
@@ -151,11 +151,15 @@ test('the playground takes the stage, and gives it back', async () => {
   frame(116);
   assert.deepEqual([rowShown(), element('readouts').querySelector('[data-name=x]').textContent], ['1', '45.00']);
   assert.match(text('verdict'), /same bits/);
+  for (const id of ['verdict', 'contacts']) element(id).textContent = 'old';
+  element('replay').fire('pointerdown', { clientX: 110, clientY: 25, timeStamp: 120 });
+  for (const time of [330, 346, 600, 616]) frame(time);
+  assert.deepEqual([text('verdict'), text('contacts').slice(0, 4)], ['old', 'Step']); // The verdict comes when it is let go.
   element('mode-replay').fire('click');
   assert.deepEqual(controls(), ['replay', false, true, 'true', 'false']);
   frame(132);
   frame(148);
-  assert.deepEqual([frames, rowShown()], [1, '0']);
+  assert.deepEqual([frames, rowShown()], [4, '0']);
   await opened([run('a')], { start: () => Promise.reject(new Error('no WebAssembly')) });
   assert.deepEqual([data().replay, element('mode-fling').disabled, text('contacts')], ['none', true, 'None.']);
   assert.match(text('verdict'), /this browser runs no WebAssembly/);
