@@ -106,6 +106,8 @@ CALLS = (
     ("run", "", 0, "Replaying first-fling; writing first-fling.h5 and", f"{BUILT}, hyrax-sim run PROJECT/scenarios/flings/first-fling.json --figure first-fling.svg"),
     ("run --yes a.json --report x.html", "hyrax-sim*", 8, "",
      f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-sim, hyrax-sim run a.json --report x.html"),
+    ("compare my.h --report x.html", "hyrax-compare*", 8, "",
+     f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-compare, hyrax-compare my.h --report x.html"),
     ("test", "ctest*", 1, "", f"{TESTS}, ninja /tools, ctest /tools -LE long"),
     ("test --all --yes -R unit", "ctest*asan* run*", 1, "FAILED: asan-clang fuzz\n",
      f"{TESTS} -DHYRAX_BENCHMARKS=ON, {WITH_PAGE}, ctest /tools -LE nightly -R unit, {preset('asan-clang', 'OFF', 'long|one_build -R unit')}, run 30"),
@@ -130,7 +132,7 @@ class Scripts(ProgramTest):
         """Of the programs that build and test, and of what they build."""
         self.write("tools/setup.sh", (SOURCE / "tools/setup.sh").read_text() + WITHOUT_PROCESSES)
         for path in (*(f"build/{build}/bin/hyrax-sim" for build in ("tools", "asan-clang", "clang", "asan", "debug")),
-                     "tests/robustness/fuzz/run", "tests/must_fail/mutation/mutation.py"):
+                     "build/tools/bin/hyrax-compare", "tests/robustness/fuzz/run", "tests/must_fail/mutation/mutation.py"):
             self.write(path, f'#!/bin/sh\ncalled() {STAND_IN}\ncalled "${{0##*/}}" "$@"\n')
             (self.folder / path).chmod(0o755)
 
@@ -151,7 +153,7 @@ class Scripts(ProgramTest):
                 self.assertEqual(outcome.exit_code, exit_code, outcome)
                 self.assertIn(part, outcome.err)
                 stated = re.search(r"Exit code: [^.]*", (self.folder / f"tools/{command.split()[0]}").read_text())[0]
-                self.assertRegex(stated, r"that of hyrax-" if command.startswith("run") else rf"\b{exit_code}\b")
+                self.assertRegex(stated, r"that of hyrax-" if command.startswith(("run", "compare")) else rf"\b{exit_code}\b")
                 text = re.sub(r"--seed \d{8} ", "--seed DATE ", ", ".join(log).replace(str(self.folder.resolve()), "PROJECT"))
                 self.assertEqual(re.sub(OF_EVERY_CALL, "", text.replace("PROJECT/build/", "/")), calls)
 

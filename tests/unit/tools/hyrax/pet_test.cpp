@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
@@ -247,14 +248,25 @@ TEST_F(PetOnADesk, StaysInTheHandWhenTheDeskMovesUnderIt) {
   EXPECT_EQ(pet.place(), (ScreenPoint{before.x_px + 24, before.y_px - 18}));
 }
 
-TEST_F(PetOnADesk, LooksWhereItFlies) {
-  pet.fling({-500.0, -500.0}, ticks);
-  frames(1);
-  EXPECT_TRUE(pet.faces_left());
-  EXPECT_EQ(pet.pose(), Pose::fly);
-  pet.fling({500.0, -500.0}, ticks);
-  frames(1);
-  EXPECT_FALSE(pet.faces_left());
+TEST_F(PetOnADesk, LooksWhereItFliesUnlessItIsSlow) {
+  for (const auto& [vx_px_per_s, faces_left] :
+       {std::pair{-20.0, false}, {-20.1, true}, {20.0, true}, {20.1, false}}) {
+    pet.fling({vx_px_per_s, -500.0}, ticks);
+    frames(1);
+    EXPECT_EQ(pet.faces_left(), faces_left) << vx_px_per_s;
+  }
+}
+
+TEST_F(PetOnADesk, StandsFromTheThirdFrameOnTheGroundUntilItSleeps) {
+  int down = 0;
+  int bounces = 0;
+  while (!pet.is_asleep()) {
+    frames(1);
+    const int before = std::exchange(down, row().y_px > 640.0 - 1.0 ? down + 1 : 0);
+    bounces += down == 0 && before > 0 && before < 3;
+    ASSERT_EQ(pet.pose(), pet.is_asleep() ? Pose::sleep : down >= 3 ? Pose::stand : Pose::fly) << row().step;
+  }
+  EXPECT_GT(bounces, 2);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
@@ -100,7 +101,8 @@ TEST_F(RecordedSession, NeitherReplacesNorRemovesOtherFiles) {
 
 TEST_F(RecordedSession, RefusesANameThatExists) {
   write_text_file(path("fling.json"), "mine");
-  EXPECT_THROW(session.start_recording(path("fling.json"), saver), Failure);
+  EXPECT_EQ(refusal_of([&] { session.start_recording(path("fling.json"), saver); }),
+            path("fling.json") + ": exists already; name another file, or remove it first");
   EXPECT_FALSE(session.is_recording());
   EXPECT_EQ(free_path(path("fling.json")), path("fling-2.json"));
   EXPECT_EQ(free_path(path("other.json")), path("other.json"));
