@@ -10,7 +10,7 @@
 #include "sim/core/core.h"
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
-#include "sim/result/table.h"
+#include "sim/result/result.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/methods/method.h"
 #include "sim/study/methods/method_errors.h"
@@ -158,6 +158,10 @@ inline constexpr double kOrderApart = 0.1;
 /// The tables points, orders, cheapest, paper, clock, set_up, bands.
 /// @param machine on which the costs were measured, as below.
 [[nodiscard]] std::vector<Table> speed_error_tables(const SpeedError& study, const std::string& machine);
+
+/// One screen: the first problem, and the fling or the last of the scenarios that were given.
+[[nodiscard]] Verdict speed_error_verdict(const SpeedError& study, const std::string& machine,
+                                          bool has_scenarios);
 
 /// The study's own members of the JSON document.
 [[nodiscard]] std::vector<Table> speed_error_summary(const SpeedError& study, const std::string& machine);

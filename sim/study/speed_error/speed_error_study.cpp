@@ -182,45 +182,6 @@ std::string paper_text(const SpeedError& study, std::size_t problem) {
       rounded(point->errors.end_px, 3), rounded(1e3 * point->errors.contact_time_s, 3));
 }
 
-// One screen: a flight, and a fling or the last of the scenarios that were given.
-Verdict verdict_of(const SpeedError& study, const StudyRequest& request) {
-  std::size_t fling = study.problems.size() - 1;
-  if (request.scenarios.empty())
-    for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
-      if (study.problems[problem].name == kFlingName) fling = problem;
-  Verdict verdict{
-      {study.probe.is_steady() ? fmt::format("Speed against error on {}; its clock was steady to {:.1f} %.",
-                                             request.machine, 100.0 * study.probe.drift_rel)
-                               : fmt::format("Speed against error on {}; costs are {}.", request.machine,
-                                             unsteady_text(study.probe)),
-       "Exact: the fixed laws, v' = g - k v with k = 0.06003 1/s (drag as at 60 Hz), from impact to "
-       "impact."},
-      broken_rules(study)};
-  for (const std::size_t problem : {std::size_t{0}, fling}) {
-    const Problem& played = study.problems[problem];
-    verdict.text.push_back(fmt::format("\n{} ({}){}", played.label, played.name,
-                                       played.remark.empty() ? "" : ", " + played.remark));
-    verdict.text.push_back(methods_text(study, problem));
-    if (study.probe.is_steady()) {
-      verdict.text.push_back(
-          "  cheapest of those that give 60 rows a second (\"or\": its cost does not differ measurably)");
-      verdict.text.push_back(cheapest_text(study, problem));
-    }
-    if (std::optional<Table> steppers = gsl_text(study, problem)) {
-      verdict.text.push_back(
-          fmt::format("  GSL's steppers at the loosest tolerance that ends within {:g} px: the end only, and "
-                      "60 rows a second",
-                      kGslEnd_px));
-      verdict.text.push_back(std::move(*steppers));
-    }
-    add_bands(verdict, study, problem);
-  }
-  if (const std::string sentence = paper_text(study, fling); !sentence.empty())
-    verdict.text.push_back(sentence);
-  for (const std::string& sentence : convergence_sentences(study)) verdict.text.push_back(sentence);
-  return verdict;
-}
-
 std::vector<Problem> problems_of(const StudyRequest& request) {
   std::vector<Problem> problems = study_problems();
   if (request.is_quick) problems = {problems[0], problems[4]};
@@ -269,13 +230,51 @@ Result run_speed_error(const StudyRequest& request) {
   const SpeedError study =
       study_speed_error(request.core, problems_of(request), std::move(methods), options, request.now_ns);
   Result result{.tables = speed_error_tables(study, request.machine),
-                .verdict = verdict_of(study, request),
+                .verdict = speed_error_verdict(study, request.machine, !request.scenarios.empty()),
                 .summary = speed_error_summary(study, request.machine)};
   result.figures = figures_of(study, request.machine);
   return result;
 }
 
 }  // namespace
+
+Verdict speed_error_verdict(const SpeedError& study, const std::string& machine, bool has_scenarios) {
+  std::size_t fling = study.problems.size() - 1;
+  if (!has_scenarios)
+    for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
+      if (study.problems[problem].name == kFlingName) fling = problem;
+  Verdict verdict{
+      {study.probe.is_steady()
+           ? fmt::format("Speed against error on {}; its clock was steady to {:.1f} %.", machine,
+                         100.0 * study.probe.drift_rel)
+           : fmt::format("Speed against error on {}; costs are {}.", machine, unsteady_text(study.probe)),
+       "Exact: the fixed laws, v' = g - k v with k = 0.06003 1/s (drag as at 60 Hz), from impact to "
+       "impact."},
+      broken_rules(study)};
+  for (const std::size_t problem : {std::size_t{0}, fling}) {
+    const Problem& played = study.problems[problem];
+    verdict.text.push_back(fmt::format("\n{} ({}){}", played.label, played.name,
+                                       played.remark.empty() ? "" : ", " + played.remark));
+    verdict.text.push_back(methods_text(study, problem));
+    if (study.probe.is_steady()) {
+      verdict.text.push_back(
+          "  cheapest of those that give 60 rows a second (\"or\": its cost does not differ measurably)");
+      verdict.text.push_back(cheapest_text(study, problem));
+    }
+    if (std::optional<Table> steppers = gsl_text(study, problem)) {
+      verdict.text.push_back(
+          fmt::format("  GSL's steppers at the loosest tolerance that ends within {:g} px: the end only, and "
+                      "60 rows a second",
+                      kGslEnd_px));
+      verdict.text.push_back(std::move(*steppers));
+    }
+    add_bands(verdict, study, problem);
+  }
+  if (const std::string sentence = paper_text(study, fling); !sentence.empty())
+    verdict.text.push_back(sentence);
+  for (const std::string& sentence : convergence_sentences(study)) verdict.text.push_back(sentence);
+  return verdict;
+}
 
 Study speed_error_study() {
   return {.name = "speed-error",

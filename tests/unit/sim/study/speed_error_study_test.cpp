@@ -6,6 +6,7 @@
 
 #include "sim/core/shipped_core.h"
 #include "sim/study/speed_error/speed_error.h"
+#include "tests/unit/sim/result/described.h"
 
 namespace hyrax {
 namespace {
@@ -22,8 +23,7 @@ SpeedError some_study() {
     for (const double rate_hz : {30.0, 60.0, 240.0}) {
       WorkPoint point{0, method, rate_hz, {}, {}};
       point.errors.position_px = method == 0 ? rate_hz : 1.0 / rate_hz;
-      point.cost = {{9.0 * rate_hz, 10.0 * rate_hz, 12.0 * rate_hz},
-                    {10.0 * rate_hz, 9.0 * rate_hz, 12.0 * rate_hz}};
+      point.cost = cost_of({9.0 * rate_hz, 10.0 * rate_hz, 12.0 * rate_hz});
       study.points.push_back(point);
     }
   study.orders = {{0, 0, 3, 30.0, 240.0, {.order = -1.0, .standard_error = 0.04}},
@@ -76,6 +76,34 @@ TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnBelowTheLeastError) {
   const std::vector<Plot> plots = plots_of(study);
   for (const Plot& plot : plots) EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-17);
   EXPECT_TRUE(has_text("no error at all"));
+}
+
+TEST(SpeedErrorVerdict, SaysWhatWasNotMeasuredAndWhatNoMethodReaches) {
+  SpeedError study = some_study();
+  study.cheapest = {{.problem = 0, .error_px = 1e-9}};
+  const std::string steady = described(speed_error_verdict(study, "some machine", false));
+  EXPECT_TRUE(has(steady, "Speed against error on some machine; its clock was steady to 0.0 %."));
+  EXPECT_TRUE(has(steady, "'no method at any rate'")) << steady;
+  EXPECT_TRUE(has(steady, "'at no rate'"));
+  EXPECT_TRUE(has(steady, "cost_at_60_Hz,_ns/s: : 2: '600 (540 .. 720)' x2"));
+  EXPECT_TRUE(has(steady, "set-up,_ns: : 2: '-' x2"));
+  study.probe.drift_rel = 0.4;
+  for (WorkPoint& point : study.points) point.cost = {};
+  const std::string unsteady = described(speed_error_verdict(study, "some machine", false));
+  EXPECT_TRUE(has(unsteady,
+                  "Speed against error on some machine; costs are not measured: clock unsteady "
+                  "(drift 40 %, at most 25 %)."));
+  EXPECT_TRUE(has(unsteady, "cost_at_60_Hz,_ns/s: : 2: '-' x2"));
+  EXPECT_FALSE(has(unsteady, "cheapest"));
+}
+
+TEST(SpeedErrorTables, HaveNoErrorsWhereAMethodFailed) {
+  SpeedError study = some_study();
+  study.points[1].errors.is_failed = true;
+  const std::string points = described(speed_error_tables(study, "some machine").front());
+  EXPECT_TRUE(has(points, "failed, 1: 1: the method gave up: 6: 0 1 0 0 0 0\n"));
+  EXPECT_TRUE(
+      has(points, "position_error, px: largest distance from the exact fling: 6 (1 missing): 30 240"));
 }
 
 }  // namespace
