@@ -7,6 +7,7 @@ Usage: schema_test.py SCHEMA.json
 import copy
 import json
 import pathlib
+import re
 import sys
 import unittest
 
@@ -103,6 +104,22 @@ class Schema(unittest.TestCase):
 
         look("", self.schema)
         self.assertEqual(open_places, [])
+
+    def test_titles_have_the_units_of_their_keys(self):
+        units = {"_px_per_s": "px/s", "_px_max": "px", "_px": "px", "_hz": "Hz", "_s": "s"}
+        titled = []
+
+        def look(schema):
+            for key, inner in schema.items() if isinstance(schema, dict) else ():
+                unit = re.search(r", (px/s|px|s|Hz)$", inner.get("title", "")) if isinstance(inner, dict) else None
+                of_key = next((units[suffix] for suffix in units if key.endswith(suffix)), None)
+                if unit and of_key:
+                    titled.append((key, unit[1], of_key))
+                look(inner)
+
+        look(self.schema)
+        self.assertGreater(len(titled), 8)
+        self.assertEqual([key for key, unit, of_key in titled if unit != of_key], [])
 
     def test_control_a_schema_without_a_limit_is_detected(self):
         loose = copy.deepcopy(self.schema)
