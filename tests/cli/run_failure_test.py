@@ -68,13 +68,6 @@ class UnwritableOutput(ProgramTest):
         self.assertIn("exit 3, left:\n", done.out, done.err)
         self.assertIn("disk/long.h5: cannot be written: its rows need 10.8 MiB (found 4.0 MiB free)", done.err)
 
-    def test_a_read_only_folder_is_exit_3(self):
-        done = self.in_private_mount("-o size=1m", "printf before > disk/fling.h5", 'mount -o remount,ro tmpfs "$PWD/disk"',
-                                     "code=0", '"$1" run fling.json -o disk/fling.h5 || code=$?', "echo",
-                                     "echo exit $code: $(cat disk/fling.h5)")
-        self.assertIn("exit 3: before\n", done.out, done.err)
-        self.assertIn("disk/fling.h5: cannot be written: Read-only file system", done.err)
-
     def test_a_missing_folder_is_exit_3(self):
         for option, path in (("-o", "no/such/run.h5"), ("--figure", "no/such/run.svg"), ("--report", "no/such/run.html")):
             outcome = self.expect(CANNOT_ACCESS, "run", self.scenario, option, path,

@@ -89,9 +89,6 @@ class Place(Unwritable):
                                   says="no/such/report.xml: cannot be written: No such file or directory")
             self.assertIn(wanted, outcome.out)
 
-    def test_a_junit_file_that_is_written_changes_no_verdict(self):
-        self.expect(DISAGREED, "check", "--junit", "report.xml")
-
     def test_a_folder_in_the_place_of_golden_rows(self):
         (self.folder / "golden/fling.h5").unlink()
         (self.folder / "golden/fling.h5/inside").mkdir(parents=True)

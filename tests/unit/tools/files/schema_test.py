@@ -43,7 +43,7 @@ def place_of(pointer, document):
     *path, last = tokens(pointer)
     for token in path:
         document = document[int(token)] if isinstance(document, list) else document.setdefault(token, {})
-    return document, last
+    return document, int(last) if isinstance(document, list) else last
 
 
 def entries_of(table):
