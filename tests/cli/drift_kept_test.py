@@ -113,10 +113,6 @@ class Run(DriftTest):
         self.assertEqual(self.errors(run["drift"]), self.errors(self.drift("fling.json", "--reference", "closed")[0]))
         self.assertNotIn("reference and energy (hyrax-sim drift)", run["not_computed"])
 
-    def test_it_prints_the_table(self):
-        outcome = self.expect(AGREED, "run", self.write("fling.json", fling()), "--drift")
-        self.assertIn("  any start within", outcome.out)
-
     def test_how_to_measure_is_refused_where_nothing_is_measured(self):
         self.write("fling.json", fling())
         for option in (("--rows",), ("--reference", "gsl"), ("--tolerance", 1e-9)):

@@ -76,11 +76,6 @@ class Schema(ProgramTest):
 class Validate(ProgramTest):
     """Reads scenarios without playing them."""
 
-    def test_a_good_scenario_is_good(self):
-        path = self.write("fling.json", fling())
-        self.assertEqual(self.expect(AGREED, "validate", path).out, "fling.json: good, 300 steps\n")
-        self.assertEqual(self.names(), ["fling.json"])
-
     def test_a_dash_is_standard_input(self):
         for document, exit_code in ((fling(), AGREED), (fling(steps=-1), BAD_INPUT)):
             source = self.write("fling.json", document)

@@ -42,29 +42,12 @@ class Detail(ProgramTest):
             self.assertEqual(self.expect(AGREED, *arguments, "-q").out, verdict)
         self.assertRegex(self.expect(AGREED, "drift", self.path, "-q").out, r"^fling: largest errors: implementation .* px\n$")
 
-    def test_what_is_compared_with_nothing_was_played(self):
-        self.write("alone.json", fling(name="alone"))
-        self.assertEqual(self.expect(AGREED, "run", "alone.json", "-q").out,
-                         "alone: played; no golden file and no expect; written: alone.h5\n")
-        for document, status in ((fling(), "played"), (fling(expect={"finite": True}), "agreed")):
-            self.write("alone.json", document)
-            self.assertEqual(self.expect(AGREED, "run", "alone.json", "--json").json["runs"][0]["status"], status)
-
     def test_of_more_than_three_scenarios_a_line_each(self):
         names = [self.write(f"many/{name}.json", fling(name=name)) for name in "abcd"]
         self.assertEqual(self.expect(AGREED, "run", "many", "-o", "out/").out,
                          "".join(f"{name}: played; no golden file and no expect; written: out/{name}.h5\n" for name in "abcd"))
         for arguments in ((*names[:3],), ("many", "-v")):
             self.assertIn("  state hash ", self.expect(AGREED, "run", *arguments, "-o", "out/").out)
-
-    def test_a_disagreement_is_a_verdict(self):
-        self.write(self.path, fling(start={"x_px": 1, "y_px": 2}))
-        run = self.expect(DISAGREED, "run", self.path, "-q").out
-        self.assertEqual(run, "fling: disagreed; written: fling.h5\n")
-        check = self.expect(DISAGREED, "check", "-q").out
-        self.assertEqual(check, "disagreed: scenarios/fling.json\n1 checked: 0 agreed, 1 disagreed, 0 without golden file, 0 failed\n")
-        bless = self.expect(AGREED, "bless", self.path, "--reason", "x", "-q").out
-        self.assertEqual(bless, f"{self.path}: blessed, golden/fling.h5\n")
 
     def test_errors_are_printed(self):
         bad = self.write("scenarios/bad.json", "{")
