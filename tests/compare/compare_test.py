@@ -178,27 +178,6 @@ class Evaluated(CompareTest):
                     self.assertAlmostEqual(measured_px, evaluation.moved_px(rate_hz), delta=1e-9)
 
 
-def before_after(document):
-    """Each pair of values before and after in a card."""
-    if isinstance(document, dict) and set(document) == {"before", "after"}:
-        yield document["before"], document["after"]
-    elif isinstance(document, (dict, list)):
-        for each in document.values() if isinstance(document, dict) else document:
-            yield from before_after(each)
-
-
-class Counted(CompareTest):
-    """Flings that do not end well with one of the cores."""
-
-    def test_both_cores_are_measured_over_the_same_flings(self):
-        for name in ("not_a_number", "friction_none"):
-            sizes = [[band and (band.get("samples"), band.get("of")) for band in pair] for pair in before_after(self.card(name))
-                     if dict in map(type, pair)]
-            self.assertGreater(len(sizes), 10)
-            for before, after in sizes:
-                self.assertEqual(before, after, name)
-
-
 class Text(CompareTest):
     """The card as people read it."""
 

@@ -10,23 +10,29 @@
 namespace hyrax {
 namespace {
 
-// Bounces higher and slides farther than the constants that it has say.
-Core lively_core() {
+PlayWatch play_watch{};
+
+ComparedCore base_core() {
+  return compared_core(0, {.counted = shipped_core(), .timed = shipped_core(), .lacking = {}},
+                       shipped_core().record, play_watch);
+}
+
+// Of other constants than it says.
+ComparedCore candidate_with(void (*change)(Constants&)) {
   Constants constants = shipped_core().constants.value();
-  constants.restitution = 0.9;
-  constants.ground_friction = 0.95;
-  Core lively = listing_core(constants);
-  lively.constants = shipped_core().constants;
-  return lively;
+  change(constants);
+  Core core = listing_core(constants);
+  core.constants = shipped_core().constants;
+  return compared_core(1, {.counted = core, .timed = core, .lacking = {}}, {.why_incomplete = "not traced"},
+                       play_watch);
 }
 
 TEST(MeasuredCard, IsTheOneApproved) {
-  PlayWatch watch{};
-  const auto compared = [&watch](int number, const Core& core, const CoreRecord& record) {
-    return compared_core(number, {.counted = core, .timed = core, .lacking = {}}, record, watch);
-  };
-  const ComparedCore base = compared(0, shipped_core(), shipped_core().record);
-  const ComparedCore candidate = compared(1, lively_core(), {.why_incomplete = "not traced"});
+  const ComparedCore base = base_core();
+  const ComparedCore candidate = candidate_with([](Constants& constants) {  // Bounces higher, slides farther.
+    constants.restitution = 0.9;
+    constants.ground_friction = 0.95;
+  });
   Scenario high = fling_at(60.0, 60);  // Bounces for half a minute by the candidate.
   high.window.height_px = 5000;
   std::int64_t now_ns = 0, calls = 0;
@@ -43,10 +49,8 @@ TEST(MeasuredCard, IsTheOneApproved) {
   const Card card = measure_card(base, candidate, request);
   const Result result = card_result(card);
   std::string text = "at most " + six_digits(card.displays.distance_max_px) + " px apart on a display\n";
-  Constants springy = shipped_core().constants.value();
-  springy.restitution = 1.0;
   const RestLine rest =
-      measure_rest(base, compared(1, listing_core(springy), {.why_incomplete = "not traced"}));
+      measure_rest(base, candidate_with([](Constants& constants) { constants.restitution = 1.0; }));
   text += "a drop moves " + described(rest.moved_px.before) + "; springy " + described(rest.moved_px.after) +
           "\n";
   text += described(result.verdict);
@@ -55,12 +59,22 @@ TEST(MeasuredCard, IsTheOneApproved) {
   expect_approved("tests/unit/sim/card/measured.txt", text);
 }
 
+TEST(MeasuredFlings, ThatDoNotStayFiniteAreLeftOutOfBothCores) {
+  Card card{.seed = 1, .flings = 2};
+  measure_flings(base_core(), candidate_with([](Constants& constants) { constants.air_drag = 1e200; }), card);
+  EXPECT_EQ(card.random.classes.of(DifferenceClass::shape), 2);
+  EXPECT_EQ(card.random.settled.before, 2);
+  EXPECT_EQ(card.random.settled.after, 0);
+  EXPECT_EQ(card.random.no_longer_settle, 2);
+  EXPECT_FALSE(card.random.shift_px);
+  EXPECT_FALSE(card.energy.drift_px2_per_s2.before);
+  EXPECT_FALSE(card.exact.back().distance_px.before);
+}
+
 // Each core is timed once, then the base and the candidate, the candidate and the base, and so on: 30,000
 // steps in 1 and 3 ns each.
 TEST(MeasuredCost, IsOfTheCandidateOverTheBaseWhicheverIsTimedFirst) {
-  PlayWatch watch{};
-  const ComparedCore core = compared_core(
-      0, {.counted = shipped_core(), .timed = shipped_core(), .lacking = {}}, shipped_core().record, watch);
+  const ComparedCore core = base_core();
   std::int64_t now_ns = 0, calls = 0;
   const CostLine cost = measure_cost(core, core, 1, [&] {
     const std::int64_t sample = calls / 2 % 4;
