@@ -106,6 +106,7 @@ CALLS = (
     ("run", "", 0, "Replaying first-fling; writing first-fling.h5 and", f"{BUILT}, hyrax-sim run PROJECT/scenarios/flings/first-fling.json --figure first-fling.svg"),
     ("run --yes a.json --report x.html", "hyrax-sim*", 8, "",
      f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-sim, hyrax-sim run a.json --report x.html"),
+    ("check a.json --golden g", "hyrax-sim*", 8, "", f"{BUILT}, hyrax-sim check a.json --golden g"), ("check", "ninja*", 3, "hyrax-sim could not be built", BUILT),
     ("compare my.h --report x.html", "hyrax-compare*", 8, "",
      f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-compare, hyrax-compare my.h --report x.html"),
     ("test", "ctest*", 1, "", f"{TESTS}, ninja /tools, ctest /tools -LE long"),
@@ -153,7 +154,7 @@ class Scripts(ProgramTest):
                 self.assertEqual(outcome.exit_code, exit_code, outcome)
                 self.assertIn(part, outcome.err)
                 stated = re.search(r"Exit code: [^.]*", (self.folder / f"tools/{command.split()[0]}").read_text())[0]
-                self.assertRegex(stated, r"that of hyrax-" if command.startswith(("run", "compare")) else rf"\b{exit_code}\b")
+                self.assertRegex(stated, r"that of `?hyrax-" if exit_code == 8 or command == "run" else rf"\b{exit_code}\b")
                 text = re.sub(r"--seed \d{8} ", "--seed DATE ", ", ".join(log).replace(str(self.folder.resolve()), "PROJECT"))
                 self.assertEqual(re.sub(OF_EVERY_CALL, "", text.replace("PROJECT/build/", "/")), calls)
 
