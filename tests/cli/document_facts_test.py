@@ -272,6 +272,20 @@ PROVED = {
         ("plays every member i with i mod N = I into", "PartsHoldEveryMemberOnce"), ("A sweep with an invalid member is refused", "AMemberBeyondThemIsNamedUpToTheMillionth"),
         ("byte for byte, and names parts that are missing", "test_missing_parts_are_named"), ("NaN if it has not settled", "test_random_sweeps_equal_the_runs_of_their_members"),
         ("those if left out", "test_members_default_to_the_combinations_of_the_grids")),
+    CORE: (
+        ("`GRAVITY` | 1200 px/s² | downward acceleration", "AgreesWithTheListingAtEveryEdge"), ("`AIR_DRAG` | 0.999 | factor of the velocity, per frame", "AgreesWithTheListingAtEveryEdge"),
+        ("`RESTITUTION` | 0.6 | speed after a bounce / speed before it", "AgreesWithTheListingAtEveryEdge"),
+        ("`GROUND_FRICTION` | 0.8 | factor of vx, per frame with ground contact", "AgreesWithTheListingAtEveryEdge"),
+        ("`REST_THRESHOLD` | 5 px/s | below it a ground contact sets vy to 0", "AgreesWithTheListingAtEveryEdge"),
+        ("position (x, y) in px and velocity (vx, vy) in px/s; x points right, y down", "AgreesWithTheListingAtEveryEdge"),
+        ("`-ffp-contract=off`, which forbids fused multiply-adds", "serves_an_outside_project"),
+        ("that is stopped and resumed, or that skips what repeats exactly, gives the same bits as a plain run", "ContinuesWithTheSameBitsFromEveryRow")),
+    CARD: (
+        ("largest minus smallest x where a fling lands", "IsTheOneApproved"), ("Only flings that settle on every display with both cores", "IsTheOneApproved"),
+        ("pairs of samples, base and candidate in changing order, and the ratio of each pair", "IsOfTheCandidateOverTheBaseWhicheverIsTimedFirst"),
+        ("The exit code is 0 whatever differs: the card measures, it does not judge.", "IsTheOneApproved"), ("null is what was not measured", "RowsAreObjectsAndAMissingNumberIsNull")),
+    STUDIES: (("if one of the rules of the study is broken; never about times", "test_another_verdict_breaks_the_gate_and_is_named"),
+              ("one group per table, one dataset per column, with `units` and `long_name`", "test_study_files")),
     HYRAX: (
         ("An ordinary end joins all parts into one file. Existing files of the user are never overwritten by a part.", "ContinuesInPartsAndEndsAsOneFile"),
         ("However the program ends, at most the last second is lost, and the file replays.", "ARecordingIsSavedTwiceASecond")),
