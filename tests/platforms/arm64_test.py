@@ -3,16 +3,14 @@
 
 import dataclasses
 import hashlib
-import shutil
 import sys
 
 import h5py
 
 from building import TIMEOUT_S, build
-from check_program import nudge
 from library import library
 from process import Failed, TimedOut, run, skip_for_lack_of, skip_without, succeed
-from program import AGREED, DISAGREED, PROGRAM, main
+from program import AGREED, PROGRAM, main
 from rows import BUILDS, EMULATED_STEPS_MAX, PROJECT
 from sweep_members import ALL, base
 from sweep_program import NO_CLUSTER, SweepTest, document
@@ -76,9 +74,6 @@ class Arm64(SweepTest):
     def hyrax_sim(self, *arguments, **options):
         return run(*ROW.runner, self.program, *arguments, **{"cwd": self.folder, "timeout": TIMEOUT_S, **options})
 
-    def test_it_is_a_program_of_that_processor(self):
-        self.assertIn("aarch64-Linux", self.expect(AGREED, "info").out)
-
     def test_every_scenario_agrees_that_is_not_too_long_for_an_emulator(self):
         scenarios = library(PROJECT / "golden")
         chosen = [path for path, known in scenarios.items() if known.steps <= EMULATED_STEPS_MAX]
@@ -86,14 +81,6 @@ class Arm64(SweepTest):
         print(f"{counts['agreed']} of {len(chosen)} agree "
               f"({len(scenarios) - len(chosen)} too long for an emulator)", file=sys.stderr)
         self.assertEqual(counts["agreed"], len(chosen))
-
-    def test_a_changed_golden_file_disagrees(self):
-        for path in (f"scenarios/{FLING}.json", f"golden/{FLING}.h5", f"golden/{FLING}.txt"):
-            (self.folder / path).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(PROJECT / path, self.folder / path)
-        self.expect(AGREED, "check", "scenarios")
-        nudge(self.folder / f"golden/{FLING}.h5", "trajectory/x", 400)
-        self.expect(DISAGREED, "check", "scenarios")
 
     def test_a_run_has_the_bytes_of_the_golden_file(self):
         self.expect(AGREED, "run", PROJECT / f"scenarios/{FLING}.json", "-o", "run.h5")
