@@ -8,7 +8,6 @@
 
 #include "sim/reference/margin.h"
 #include "tests/unit/sim/reference/test_run.h"
-#include "tests/unit/sim/reference/wide.h"
 
 namespace hyrax {
 namespace {
@@ -75,39 +74,6 @@ TEST(ImplementationError, DetectsDragBeforeGravity) {
     row.y_px += row.vy_px_per_s * row.dt_s;
   };
   EXPECT_GT(measured_arc(drag_first, open_sky({400.0, -900.0}, 60.0, 60)).implementation_px, 0.1);
-}
-
-// A fused operation changes rounding alone: the figure's digits and not its size. The reference is the same
-// for both doubles, so any change is the step's; and a step that is not the paper's, bit for bit, is counted.
-TEST(ImplementationError, OfAFusedOperationIsAnotherAndItsStepsDiffer) {
-  enum Fused { kNone, kGravity, kX, kY };
-  const auto measure_with = [](Fused fused, Measured& measured) {
-    const auto add = [fused](Fused which, double a, double b, double to) {
-      return fused == which ? std::fma(a, b, to) : to + a * b;
-    };
-    const auto step = [add](Row& row) {
-      row.vy_px_per_s = add(kGravity, 1200.0, row.dt_s, row.vy_px_per_s);
-      row.vx_px_per_s *= 0.999;
-      row.vy_px_per_s *= 0.999;
-      row.x_px = add(kX, row.vx_px_per_s, row.dt_s, row.x_px);
-      row.y_px = add(kY, row.vy_px_per_s, row.dt_s, row.y_px);
-    };
-    const Scenario scenario = open_sky({407.0, -903.0}, 144.0, 200);
-    Scenario at_origin = scenario;
-    at_origin.start = {0.0, 0.0};
-    measure(scenario, fly_by(step, at_origin), measured);
-  };
-  Measured strict(true);
-  measure_with(kNone, strict);
-  for (const Fused fused : {kGravity, kX, kY}) {
-    Measured other(true);
-    measure_with(fused, other);
-    std::size_t changed = 0;
-    for (std::size_t n = 0; n < strict.rows.size(); ++n)
-      changed += strict.rows[n].implementation_px != other.rows[n].implementation_px;
-    EXPECT_GT(changed, 0u) << fused;
-    EXPECT_GT(other.summary.differing_steps, 0) << fused;
-  }
 }
 
 TEST(StepsThatDiffer, IncludeOneUnitInTheLastPlace) {

@@ -75,30 +75,6 @@ TEST(ExactLaw, IsNotFollowedByAnotherStep) {
   EXPECT_GT(measured.arcs.at(0).exact_law_px_per_s, 0.01);
 }
 
-// A flight in powers of two (dt = 1/64 s, no drag) moves far away without losing a bit, so its
-// drift must not lose one either.
-class FarFromTheOrigin : public testing::Test {
- protected:
-  static constexpr double kFar_px = 0x1p42;  // 4e12 px: what is left are steps of 2^-10 px.
-
-  static Columns flight(double origin_px) {
-    Scenario scenario = open_sky({256.0, -896.0}, 64.0, 128);
-    scenario.start = {origin_px, origin_px};
-    return fly_by(paper_step(1.0), scenario);
-  }
-  static double drift_end(double origin_px) {
-    const Scenario scenario = open_sky({}, 64.0, 128);
-    Measured measured(true);
-    measure(scenario, flight(origin_px), measured, nullptr, {.air_drag = 1.0});
-    return measured.rows.back().energy_drift_px2_per_s2;
-  }
-};
-
-TEST_F(FarFromTheOrigin, TheDriftKeepsItsDigits) {
-  EXPECT_EQ(drift_end(kFar_px), drift_end(0.0));
-  EXPECT_EQ(drift_end(kFar_px), -2.0 * kGravity * kGravity / 64.0 / 2.0);
-}
-
 // A fling of five seconds in frames of 1e-4 to 5 s.
 class LongFrames : public testing::TestWithParam<double> {
  protected:

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <string_view>
 #include <vector>
 
 #include "sim/reference/arc_solution.h"
@@ -174,53 +173,27 @@ struct AlteredSolver final : FlightSolver {
   Flight flight() const override {
     Flight flight = gsl.flight();
     flight.dy_px += off_px;
-    flight.vy_px_per_s *= speed_factor;
     return flight;
   }
-  std::optional<Flight> model(double t_s) override { return gsl.model(model_time_factor * t_s); }
+  std::optional<Flight> model(double t_s) override { return gsl.model(t_s); }
   std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) override {
-    std::optional<Impact> impact = gsl.time_of_impact(approach, t_max_s);
-    if (impact) impact->t_s *= impact_factor;
-    return impact;
+    return gsl.time_of_impact(approach, t_max_s);
   }
   bool is_accurate() const override { return judges; }
 
   GslFlight gsl;
   double off_px = 0.0;
-  double speed_factor = 1.0;
-  double model_time_factor = 1.0;
-  double impact_factor = 1.0;
   bool fails = false;
   bool judges = true;
 };
 
-std::string_view fault_with(AlteredSolver& solver) {
-  Measured measured;
-  measure(fling(), measured, &solver);
-  return measured.summary.first_reference_fault;
-}
-
-TEST(DriftMeterWithGsl, ComparesEveryAnswer) {
-  struct Case {
-    double AlteredSolver::*value;
-    double altered;
-    std::string_view fault;
-  };
-  for (const Case& each : {Case{&AlteredSolver::off_px, 0.0, ""},
-                           {&AlteredSolver::off_px, 0.9e-9, ""},
-                           {&AlteredSolver::speed_factor, 1.0 + 1e-11, "velocity differs"},
-                           {&AlteredSolver::model_time_factor, 1.0 + 1e-9, "model error differs"},
-                           {&AlteredSolver::impact_factor, 1.0 + 1e-9, "time of impact differs"}}) {
-    AlteredSolver solver;
-    solver.*each.value = each.altered;
-    EXPECT_EQ(fault_with(solver), each.fault);
-  }
-}
-
 TEST(DriftMeterWithGsl, ReportsDifferentSolutionsAsAFaultOfTheReference) {
   AlteredSolver solver;
+  solver.off_px = 0.9e-9;
+  Measured within, measured;
+  measure(fling(), within, &solver);
+  EXPECT_EQ(within.summary.first_reference_fault, "");
   solver.off_px = 2e-9;
-  Measured measured;
   measure(fling(), measured, &solver);
   EXPECT_EQ(measured.arcs.at(0).reference_fault, "position differs");
   EXPECT_GE(measured.summary.reference_faults, measured.summary.arcs);

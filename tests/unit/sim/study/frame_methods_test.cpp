@@ -1,14 +1,11 @@
-// The methods of a work-precision diagram: the paper's is the shipped core. SpeedErrorRules hold their
-// orders.
+// The methods of a work-precision diagram; SpeedErrorRules hold their orders.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "sim/core/shipped_core.h"
-#include "sim/physics/physics.h"
 #include "sim/study/methods/method_errors.h"
 #include "sim/study/speed_error/speed_error.h"
-#include "sim/trajectory/row.h"
 
 namespace hyrax {
 namespace {
@@ -29,21 +26,6 @@ Problem problem_named(const std::string& name) {
 
 MethodErrors errors_of(const std::string& method, const Problem& problem, double rate_hz) {
   return measure_errors(shipped_core(), problem, kind_of(method), stage_frames_s(problem, rate_hz), rate_hz);
-}
-
-TEST(FrameMethods, ThePapersStepIsTheShippedCoreBitForBit) {
-  const Bounds bounds{1792.0, 952.0};
-  const std::unique_ptr<Method> method = kind_of("paper").make();
-  method->start({300.0, 500.0, 2400.0, -700.0}, bounds);
-  physics body(300.0, 500.0, 2400.0, -700.0);
-  const double dt_s = 1.0 / 60.0;
-  for (int frame = 0; frame < 2000; ++frame) {
-    ASSERT_TRUE(method->play({&dt_s, 1}));
-    body.update(dt_s, 1920, 1080, 128, 128);
-    const State now = method->motion();
-    ASSERT_TRUE(same_bits(now.x_px, body.x()) && same_bits(now.y_px, body.y()) &&
-                same_bits(now.vx_px_per_s, body.vx()) && same_bits(now.vy_px_per_s, body.vy()));
-  }
 }
 
 // Methods that find impacts frame by frame converge to the exact impacts.

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/core/core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/reference/exact_fling.h"
-#include "sim/scenario/frame_clock.h"
 #include "sim/study/frame_rate/frame_rate.h"
 
 namespace hyrax {
@@ -52,25 +50,6 @@ TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
     EXPECT_GT(study.shifts[0].shift_px.high, 0.0);
     EXPECT_EQ(study.shifts[1].shift_px.high, 0.0) << "from itself";
     EXPECT_GT(study.shifts[2].shift_px.high, 0.0);
-  }
-}
-
-// The flings of sim/ensemble, each against the core called step by step.
-TEST(ManyFlings, AreTheCoresBitForBit) {
-  for (const std::optional<Jitter>& jitter :
-       {std::optional<Jitter>(), std::optional(Jitter{Jitter::Kind::normal, 0.002, kJitterSeed}),
-        std::optional(Jitter{Jitter::Kind::missed_frames, 0.05, kJitterSeed})}) {
-    const ManyFlings flings({FixedRate{75.0}, jitter}, 4.0, 19);
-    const std::vector<MemberResult> results = flings.play(shipped_core());
-    ASSERT_EQ(results.size(), 19u);
-    for (std::int64_t fling = 0; fling < flings.count(); ++fling) {
-      const Clock clock = flings.clock(fling);
-      const FrameClock frames(clock);
-      State body = flings.start(fling);
-      for (std::int64_t frame = 0; frame < flings.frames(); ++frame)
-        body = shipped_core().step(body, frames.dt_s(frame), kDesktop);
-      EXPECT_TRUE(same_bits(body, results[static_cast<std::size_t>(fling)].final)) << fling;
-    }
   }
 }
 

@@ -103,6 +103,19 @@ TEST(Needs, TheTimeOfAStepIsThatOfTheFramesTimed) {
   }
 }
 
+TEST(Script, OfALongScenarioIsItsFirstFramesWithTheirInputs) {
+  Scenario scenario = scenario_named("flings/first-fling");
+  for (const std::int64_t more : {0, 1}) {
+    scenario.events = {{kScriptFramesMax - 1, Stop{}}};
+    if (more > 0) scenario.events.push_back({kScriptFramesMax, Stop{}});
+    scenario.length = kScriptFramesMax + more;
+    const Script script = script_of(scenario);
+    EXPECT_EQ(script.is_cut, more == 1);
+    EXPECT_EQ(std::ssize(script.frames_s), kScriptFramesMax);
+    EXPECT_EQ(script.inputs, std::vector<std::string>{"stop, frame 99999"});
+  }
+}
+
 Result studied(const std::vector<std::string>& names, std::shared_ptr<const StepProgram> core_step = nullptr,
                std::optional<double> within_px = {}) {
   StudyRequest request{.core = shipped_core(),
@@ -156,6 +169,7 @@ TEST(NeedsStudy, CountsThePathsOfTheStepThatScenariosTake) {
 TEST(NeedsStudy, SaysThatAPathWhichMovesByTheToleranceIsWithinIt) {
   const auto text = std::get<std::string>(studied({"flings/first-fling"}, nullptr, 0.0).verdict.text.back());
   EXPECT_NE(text.find("left out at once, the path moves 0 px, within 0 px."), text.npos) << text;
+  EXPECT_NE(text.find("of the exact motion: none of the methods gets that close."), text.npos) << text;
 }
 
 TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
