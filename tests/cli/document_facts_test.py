@@ -469,6 +469,18 @@ class Facts(unittest.TestCase):
             with self.subTest(document=document, words=words):
                 self.assertEqual(stated(document, words), numbers)
 
+    def test_figures_of_speed_reach_their_goal_or_are_marked(self):
+        sources = re.sub(r'"\s*\n\s*"', "", "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "tests/benchmarks").glob("*_figures.cpp")))
+        rows = re.findall(r"^(\S.*?) {2,}([\d.e-]+) .*\((\S+) \.\. (\S+)\)  at (least|most) (\S+)(  NOT REACHED)?$", text_of(BENCHMARKS), re.MULTILINE)
+        self.assertGreater(len(rows), 25)
+        for name, *numbers, kind, goal, mark in rows:
+            with self.subTest(name=name):
+                measured, low, high = map(float, numbers)
+                self.assertTrue(low <= measured <= high)
+                self.assertEqual(bool(mark), measured < float(goal) if kind == "least" else measured > float(goal))
+                decided_by = re.search(re.escape(f'"{name}"') + rf"[^;]*Goal::at_{kind}, ([\d.]+)", sources)
+                self.assertEqual(float(decided_by[1] if decided_by else goal), float(goal))
+
     def test_inputs_have_the_codes_of_their_list(self):
         listed = re.search(r"`/events/kind` \| enum uint8 \[E\] \| (.*?) \|", text_of(FILES))[1]
         codes = {name: int(code) for name, code in re.findall(r"([a-z-]+) (\d)", listed)}
