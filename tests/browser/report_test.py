@@ -130,19 +130,6 @@ class ReportTest(browser.BrowserTest):
         self.assertIn("from step 0 in vx", page["values"][0])
         self.assertIn(page["values"][1], self.expect(DISAGREED, "check").out.replace("\n  ", " "))
 
-    def test_plays_steps_scrubs_and_opens_a_link(self):
-        self.played("fling", program.fling())
-        row = "document.querySelector('[data-name=row]').textContent"
-        (page,) = self.open({**self.report("fling"), "hash": "#step=120", "actions": [
-            ["evaluate", row], ["press", "ArrowRight"], ["evaluate", row], ["press", "Shift+ArrowLeft"],
-            ["evaluate", row], ["press", "["], ["evaluate", row], ["press", "End"], ["evaluate", row],
-            ["evaluate", "time.value = 40; time.dispatchEvent(new Event('input'))"], ["evaluate", row],
-            ["press", "Space"], ["wait", f"Number({row}) > 50"], ["press", "Space"],
-            ["wait", "/^#step=\\d+$/.test(location.hash) && location.hash !== '#step=120'"]]})
-        values = page["values"]
-        self.assertEqual([values[at] for at in (0, 2, 4, 6, 8, 10)], ["120", "121", "111", "76", "300", "40"])
-        self.assertEqual(page["errors"], [])
-
     def test_what_is_flung_has_the_bits_verdict_charts_and_flights_of_its_file(self):
         self.played("fling", program.fling())
         flung, again, touched, rows = (self.folder / name for name in ("flung.json", "again.json", "touched.json", "rows.csv"))

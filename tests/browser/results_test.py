@@ -220,18 +220,6 @@ class ResultsTest(browser.BrowserTest):
         self.assertGreater(lit, 1)
         self.assertRegex(tip, f"{name}, [0-9]+ Hz; .*distance, px")
 
-    def test_saves_a_figure_and_a_table_as_csv(self):
-        figure, table = self.folder / "figure.csv", self.folder / "table.csv"
-        self.open({**self.study("rest"), "actions": [
-            ["download", "figure .actions button", str(figure)],
-            ["click", "main section details summary"], ["download", "main section details > button", str(table)]]})
-        lines = figure.read_text(encoding="utf-8").splitlines()
-        series = self.figures("rest")[0]["body"]["plots"][0]["series"]
-        self.assertEqual(len(lines), 1 + sum(len(each["x"]) for each in series))
-        self.assertEqual(lines[1].split(",")[-3:-1], [str(each).removesuffix(".0") for each in (series[0]["x"][0], series[0]["y"][0])])
-        with h5py.File(self.folder / "rest.h5") as file:
-            self.assertEqual(len(table.read_text(encoding="utf-8").splitlines()), 1 + len(file["final_states/rate"]))
-
     def test_hostile_text_stays_text(self):
         self.sweep("sweep", DRAWS, members=300, description=HOSTILE)
         (self.folder / "sweep.h5").rename(self.folder / "<img src=x onerror=alert(3)>.h5")

@@ -15,29 +15,6 @@
 namespace hyrax {
 namespace {
 
-std::string compact(const Json& json) {
-  std::string text = to_text(json);
-  std::erase(text, ' ');
-  return text;
-}
-
-TEST(FigureJson, NamesTheColoursOfWallsAsThePageDoes) {
-  const std::string page = read_text_file(std::string(HYRAX_SOURCE_DIR) + "/tools/report/page/painter.js");
-  std::smatch found;
-  ASSERT_TRUE(std::regex_search(
-      page, found,
-      std::regex("wallColors = \\{ 1: '([-a-z]+)', 2: '([-a-z]+)', 4: '([-a-z]+)', 8: '([-a-z]+)' \\};")));
-  for (std::size_t wall = 0; wall < kWallTones.size(); ++wall) {
-    std::string tone = found[wall + 1].str();
-    std::replace(tone.begin(), tone.end(), '-', '_');
-    Plot plot;
-    plot.marks = {{.at = 0.0, .text = "", .tone = kWallTones[wall]}};
-    EXPECT_NE(compact(figure_json({.body = std::vector{plot}})).find(R"("tone":")" + tone + '"'),
-              std::string::npos)
-        << tone;
-  }
-}
-
 TEST(FigureJson, RefusesWhatIsNoFigureAndSaysWhere) {
   const auto refused = [](const std::string& text) {
     return refusal_of([&] { static_cast<void>(figures_of(parse_json(text, "text"), "figures")); });
@@ -84,7 +61,7 @@ TEST(ResultPage, OfTwoResultsIsTheOneApproved) {
                         .judgement = "a rule is broken",
                         .verdict = {.text = {"first", table, "last"}, .broken = {"one <rule>", "another"}},
                         .tables = {table},
-                        .figures = {{.title = "figure & <co>", .subtitle = "of it"}},
+                        .figures = {{.title = "figure & <co>", .subtitle = "<of> it"}},
                         .origin = {{"core", "paper"}, {"built_by", "g++"}}};
   const Json good = result_json({.title = "good"});
   EXPECT_FALSE(has_members(good));

@@ -4,19 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
-#include <regex>
 
 #include "tests/unit/tools/report/picture_faults.h"
-#include "tools/report/figure_body.h"
 #include "tools/report/look.h"
 #include "tools/report/plot_scale.h"
 
 namespace hyrax {
 namespace {
-
-bool has(const std::string& svg, const std::string& part) { return svg.find(part) != svg.npos; }
 
 std::string svg_of(Plot plot) { return figure_svg({.title = "t", .body = std::vector{std::move(plot)}}); }
 
@@ -70,12 +65,6 @@ TEST(PlotScale, ZeroHasATickOnALogarithmicAxisWhereThereIsOneAndNoneBelow) {
   EXPECT_EQ(scale_of(rounding, {1e-14, 100.0}).at(1e-14), scale_of(rounding, {1e-14, 100.0}).at(0.1));
 }
 
-TEST(PlotScale, AReversedAxisHasItsLowEndWhereOthersHaveTheHigh) {
-  EXPECT_EQ(scale_of({.low = 0.0, .high = 10.0}, {}).at(10.0), 400.0);
-  EXPECT_EQ(scale_of({.is_reversed = true, .low = 0.0, .high = 10.0}, {}).at(0.0), 400.0);
-  EXPECT_EQ(scale_of({.is_reversed = true, .low = 0.0, .high = 10.0}, {}).at(10.0), 0.0);
-}
-
 TEST(PlotScale, EqualScalesWidenTheAxisThatIsTooLong) {
   const Axis axis;
   PlotScale x = scale_of(axis, {0.0, 10.0}), y = scale_of(axis, {0.0, 10.0}, 100.0);
@@ -91,13 +80,7 @@ TEST(PlotScale, EqualScalesWidenTheAxisThatIsTooLong) {
 
 TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   const Axis axis{.is_logarithmic = true, .strip_below = 1e-8};
-  const PlotScale scale = scale_of(axis, {1e-12, 1e-11, 1.0, 10.0});
-  ASSERT_TRUE(scale.gap());
-  EXPECT_LT(scale.gap()->to_px, scale.gap()->from_px);
-  EXPECT_LT(scale.at(1e-11), scale.gap()->to_px);
-  EXPECT_GT(scale.at(1.0), scale.gap()->from_px);
-  EXPECT_GT(scale.at(10.0) - scale.at(1.0), 0.4 * 400.0) << "one decade has most of the axis";
-  for (const Tick& tick : scale.ticks()) EXPECT_TRUE(tick.at < 1e-10 || tick.at > 0.1) << tick.text;
+  EXPECT_TRUE(scale_of(axis, {1e-9, 1.01e-7, 1.0}).gap());
   EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).gap());
   EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).gap()) << "nothing is empty between them";
 }
@@ -128,23 +111,6 @@ TEST(PlotSvg, LongTextsAreBrokenOnANarrowSheet) {
     EXPECT_EQ(picture_faults(html), std::vector<std::string>{});
     EXPECT_TRUE(box_of(html, text)) << "the wide one has room";
   }
-}
-
-TEST(GridSvg, ARowsNameIsAboveItsFieldsOnANarrowSheet) {
-  Grid grid{.rows = {"window-grows-under-the-sprite"},
-            .columns = std::vector(16, std::pair(std::string("comes-to-rest"), Tone::ink))};
-  grid.cells = {
-      {0, 0, Tone::good, "25"}, {0, 15, Tone::good, "7", 0.0, 0.5}, {0, 15, Tone::bad, "17", 0.5, 1.0}};
-  const std::string html = figure_html({.title = "Grid", .body = grid});
-  const std::size_t medium = html.find("class=\"medium\""), wide = html.find("class=\"wide\"");
-  const auto rise = [&](const std::string& svg) {
-    return place_of(svg, "25").y - place_of(svg, grid.rows[0]).y;
-  };
-  EXPECT_GT(rise(html.substr(0, medium)), 15.0);
-  EXPECT_EQ(rise(html.substr(medium, wide - medium)), 0.0);
-  EXPECT_FALSE(has(html.substr(0, medium), ">17<")) << "wider than its field";
-  EXPECT_TRUE(has(html.substr(wide), ">17<"));
-  EXPECT_EQ(picture_faults(html), std::vector<std::string>{});
 }
 
 TEST(Look, TextHasContrastAndSeriesDiffer) {

@@ -111,12 +111,14 @@ Figure plots_beside() {
                      {"good", {.form = Form::band, .tone = Tone::good}}}};
 }
 
+// On a narrow sheet a row's name is above its fields.
 Figure some_grid() {
-  Grid grid{.rows = {"comes to rest", "stays inside"},
+  Grid grid{.rows = {"comes to rest", "window-grows-under-the-sprite"},
             .columns = {{"calm", Tone::ink}, {"wild", Tone::vermilion}}};
+  grid.columns.resize(16, {"stays-inside", Tone::ink});
   grid.cells = {{0, 0, Tone::good, "25"},
-                {0, 1, Tone::good, "7", 0.0, 0.5},
-                {0, 1, Tone::bad, "1", 0.5, 1.0},
+                {0, 15, Tone::good, "7", 0.0, 0.5},
+                {0, 15, Tone::bad, "17", 0.5, 1.0},
                 {1, 0, Tone::notable, "a text without room"},
                 {1, 1}};
   return {.title = "Grid", .note = "all hold", .note_tone = Tone::green, .body = grid};
@@ -148,6 +150,7 @@ TEST(Pictures, OfFiguresAreThoseApproved) {
         << name;
   }
   expect_picture("beside.html", figure_html(plots_beside()));
+  expect_picture("grid.html", figure_html(some_grid()));
   expect_picture("list.html", figure_html(some_list()));
 }
 

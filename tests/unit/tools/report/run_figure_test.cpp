@@ -186,15 +186,6 @@ TEST(RunSvg, EndsItsParts) {
   }
 }
 
-TEST(RunSvg, OneFastThrowLeavesTheRestItsColours) {
-  Columns rows = dropped_rows(60);
-  EXPECT_FALSE(has_text(run_svg(some_fling(), rows, {}), "10⁵"));
-  rows.vy_px_per_s[0] = 1e6;
-  rows.vy_px_per_s[1] = 0.0;
-  const std::string svg = run_svg(some_fling(), rows, {});
-  for (const std::string tick : {"100", "1,000", "10,000", "10⁵"}) EXPECT_TRUE(has_text(svg, tick)) << tick;
-}
-
 TEST(RunSvg, ThePathHasTheColourOfItsSpeedInTheBar) {
   for (const double fastest : {4e4, 1e5}) {  // An even scale, and a logarithmic one.
     Columns rows = dropped_rows(60);
