@@ -228,6 +228,9 @@ class Unreferenced(CheckTest):
         self.write("golden/README.md", "no golden file")
         self.write("golden/folder.txt", "")
         (self.folder / "scenarios/folder.json").mkdir()
+        self.write("golden/folder.h5/README.md", "no golden file")
+        self.write("elsewhere/linked.h5", "")
+        os.symlink("../elsewhere", self.folder / "golden/linked")
         self.assertEqual(self.unreferenced(DISAGREED), ["golden/a/half", "golden/deep/er/other", "golden/folder"])
 
     def test_only_what_mirrors_the_folders_is_looked_at(self):
