@@ -228,7 +228,7 @@ class Unreferenced(CheckTest):
         self.write("golden/README.md", "no golden file")
         self.write("golden/folder.txt", "")
         (self.folder / "scenarios/folder.json").mkdir()
-        self.write("golden/folder.h5/README.md", "no golden file")
+        self.write("golden/pictures.h5/README.md", "no golden file")
         self.write("elsewhere/linked.h5", "")
         os.symlink("../elsewhere", self.folder / "golden/linked")
         self.assertEqual(self.unreferenced(DISAGREED), ["golden/a/half", "golden/deep/er/other", "golden/folder"])
