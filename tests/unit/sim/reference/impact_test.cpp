@@ -50,21 +50,6 @@ TEST(TimeOfImpact, OfAFallAgreesWith256Bits) {
   }
 }
 
-TEST(TimeOfImpact, OfASideWallAgreesWithTheLogarithm) {
-  // 0 = p + v (1 - e^-kt) / k.
-  const Approach approach{-500.0, 900.0, 0.0, 0.06};
-  const double expected = -std::log1p(-500.0 * 0.06 / 900.0) / 0.06;
-  EXPECT_NEAR(time_of_impact(approach, 10.0)->t_s, expected, 1e-15);
-}
-
-TEST(TimeOfImpact, OfTheTopIsOnTheWayUp) {
-  const Approach rise{-100.0, 600.0, -kGravity, 0.06};
-  const auto impact = time_of_impact(rise, 10.0);
-  ASSERT_TRUE(impact);
-  EXPECT_NEAR(position_at(rise, impact->t_s).rounded(), 0.0, 1e-12);
-  EXPECT_GT(impact->speed_px_per_s, 0.0);
-}
-
 TEST(TimeOfImpact, IsNoneForAWallThatIsNotMet) {
   // 0.6 px above at the turning point, inside before and after; below it.
   EXPECT_TRUE(time_of_impact({-149.4, 600.0, -kGravity, 0.0}, 1.0));

@@ -12,7 +12,6 @@
 
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
-#include "sim/replay/replay.h"
 #include "sim/scenario/split_mix64.h"
 #include "sim/study/hard_cases/hard_case.h"
 #include "sim/study/study.h"
@@ -190,19 +189,6 @@ TEST(HardCase, BoundsOfErrorsAreExpectationsToo) {
     expect.*bound = 0.0;
     EXPECT_EQ(judged(hard_case, Invariant::expectations), CaseVerdict::broken);
   }
-}
-
-// The documented reason of their expected failure: at every rate the position stands still, only vy differs.
-TEST(HardCase, ThePositionStandsStillAtEveryRate) {
-  int zero_speed = 0;
-  for (const HardCase& hard_case : hard_cases_of(shipped_core(), named("rest"))) {
-    if (!hard_case.must_come_to_rest) continue;
-    EXPECT_TRUE(replay(shipped_core(), hard_case.scenario).at_rest_since_s) << hard_case.name;
-    const bool is_held = judged(hard_case, Invariant::comes_to_rest) == CaseVerdict::held;
-    EXPECT_EQ(is_held, hard_case.never_at_rest.empty()) << hard_case.name;
-    zero_speed += is_held;
-  }
-  EXPECT_EQ(zero_speed, 7);
 }
 
 }  // namespace
