@@ -177,6 +177,7 @@ TEST(RunSvg, NotesWhatItDoesNotShow) {
   says({0, 952}, {30'000, 0.5}, "ends far outside, at x 30,000, y 0.5 px");
   scenario.length = std::int64_t{600};
   says({0, 952}, {0, 952}, "the first 1 of 600 steps");
+  says({0, 952}, {0, 952}, "start, end");
 }
 
 TEST(RunSvg, EndsItsParts) {

@@ -77,12 +77,14 @@ TEST(RunScene, OfRunsAreThoseApproved) {
   Scenario steep = fling_at(144.0, 400, many);
   steep.window = {200, 3000};
   steep.record_every = 7;
+  Scenario fast = fling_at(24.0, 90);
+  fast.start_velocity = {60'000.0, -700.0};
   Scenario wide = fling_at(60.0, 60);  // Not finite at the end; more windows than are drawn.
   wide.window = {9000, 200};
   for (std::int64_t frame = 1; frame < 30; ++frame)
     wide.events.push_back({frame, Resize{Size{static_cast<std::int32_t>(9000 - frame), 200}, {}}});
   std::string text;
-  for (const Scenario& scenario : {eventful_fling(), steep, fling_at(24.0, 90), wide}) {
+  for (const Scenario& scenario : {eventful_fling(), steep, fast, wide}) {
     RunRecorder recorder(step_count(scenario));
     static_cast<void>(replay(shipped_core(), scenario, recorder));
     StoredRun run = recorder.take();
