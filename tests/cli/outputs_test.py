@@ -28,12 +28,13 @@ class Guarded(ProgramTest):
         os.link(source, self.folder / f"hard{suffix}")
         os.symlink(f"scenarios/in{suffix}", self.folder / f"link{suffix}")
         os.symlink(f"../link{suffix}", self.folder / f"sub/link{suffix}")
-        os.link(self.folder / "golden/in.h5", self.folder / f"hard-golden{suffix}")
+        for part in ("h5", "txt"):
+            os.link(self.folder / f"golden/in.{part}", self.folder / f"hard-{part}{suffix}")
         os.symlink(f"golden/new{suffix}", self.folder / f"to-new{suffix}")
         inputs = [f"scenarios/in{suffix}", f"./scenarios//in{suffix}", f"sub/../scenarios/in{suffix}", f"hard{suffix}",
                   f"link{suffix}", f"sub/link{suffix}", str(source), f"to-golden/../scenarios/in{suffix}"]
         golden = [f"golden/new{suffix}", f"scenarios/../golden/new{suffix}", f"to-golden/new{suffix}", f"to-new{suffix}",
-                  f"golden/deep/new{suffix}", f"hard-golden{suffix}", str(self.folder / f"golden/new{suffix}"),
+                  f"golden/deep/new{suffix}", f"hard-h5{suffix}", f"hard-txt{suffix}", str(self.folder / f"golden/new{suffix}"),
                   f"golden/in{suffix}"]
         return ([(path, f"would overwrite an input of this command (found {path}); name another file") for path in inputs[:of_each]] +
                 [(f"other{suffix}", f"would overwrite a scenario (found other{suffix}); name another file")] +
@@ -55,7 +56,7 @@ class Guarded(ProgramTest):
         self.assert_refused(*arguments[:-1], "--golden", "elsewhere", command[-1], f"elsewhere/new{suffix}", says="golden")
 
     def test_run_o(self):
-        self.assert_all_refused(".h5", "run", "IN", "-o", of_each=8)
+        self.assert_all_refused(".h5", "run", "IN", "-o", of_each=9)
 
     def test_run_o_of_values(self):
         self.assert_all_refused(".csv", "run", "IN", "-o")
@@ -143,7 +144,8 @@ class Guarded(ProgramTest):
         for output in ("golden-old/x.h5", "old/x.h5", "sub/golden.h5", "golden/../x.h5", "scenarios/notes.h5"):
             self.expect(AGREED, "run", "scenarios/fling.json", "-o", output)
         self.expect(AGREED, "run", "scenarios/fling.json", "-o", output)  # Over its own output.
-        self.expect(AGREED, "check", "scenarios/fling.json", "--junit", "report.xml")
+        for report in ("report.xml", "scenarios/new.json"):
+            self.expect(AGREED, "check", "scenarios/fling.json", "--junit", report)
 
 
 class Names(ProgramTest):
