@@ -208,6 +208,7 @@ HELPS = [SOURCE / f"tools/{program}/help.txt" for program in ("hyrax", "hyrax-re
 # Numbers of documents that no table has, in their order: of the literature, of examples, of what was measured once, and of
 # formulas, which tests/oracle/witness_test.py evaluates. A new one belongs into a table, or, if nothing decides it, here.
 NO_SOURCE = {
+    "CHANGELOG.md": "1e 300 0 0",
     "README.md": "75 1000 1.0",
     "golden/README.md": "0 1 2 3 0.1 0 0 0 1 2 3 4 5 6 7 1 0 16 32",
     "scenarios/README.md": ("320 240 5120 1440 60 165 110 400 0 1 2 3 4 120 1,500 0 0 0 0 2K 144 60.0 1e9 0 1 1 1.0 2.0 1.0 6.0 "
