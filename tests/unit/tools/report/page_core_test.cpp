@@ -127,6 +127,7 @@ TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
               causes.at("gravity").back() + causes.at("drag").back() + causes.at("lift").back() +
                   causes.at("bounce").back(),
               1e-9);
+  EXPECT_EQ(causes.at("step").front(), 0.0);
   EXPECT_EQ(causes.at("step").back(), double(trace.contacts().back().step));
   EXPECT_TRUE(std::ranges::is_sorted(causes.at("step")));
 }
