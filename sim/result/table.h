@@ -48,14 +48,17 @@ struct Column {                // NOLINT(misc-no-recursion): copied with the tab
   std::string unit = {};       ///< "px", "px/s", "1" for a pure number; empty for text.
   std::string long_name = {};  ///< What it is, in a few words.
   /// A number that is missing is a NaN, an integer -1 in HDF5. A table in a cell is for JSON only.
-  std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>, std::vector<bool>,
-               std::vector<std::optional<std::int64_t>>, Codes, std::vector<Table>>
+  std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint64_t>,
+               std::vector<std::string>, std::vector<bool>, std::vector<std::optional<std::int64_t>>, Codes,
+               std::vector<Table>>
       values;      // Without "= {}", for which clang 14 needs Table complete.
   int digits = 4;  ///< Significant digits in printed text; files have all.
   /// Each value is printed with these digits; else all with as many decimals as the largest needs for them.
   bool is_each_rounded = false;
   /// In JSON, where it is not NAME_UNIT; "OBJECT/KEY" is a member of an object, "-" is none.
   std::string key = {};
+  /// Values of a row, one row after the other. More than one are for HDF5 only.
+  std::size_t width = 1;
 };
 
 /// What a table is in JSON.
@@ -76,7 +79,21 @@ struct Table {            // NOLINT(misc-no-recursion)
 
 /// Rows of the column.
 [[nodiscard]] inline std::size_t length(const Column& column) {
-  return std::visit([](const auto& values) { return values.size(); }, column.values);
+  return std::visit([](const auto& values) { return values.size(); }, column.values) / column.width;
+}
+
+/// Calls a function with the vector of a column's numbers or codes; not for a column of others.
+void with_numbers(auto& column, const auto& take) {
+  std::visit(
+      [&](auto& values) {
+        using Values = std::decay_t<decltype(values)>;
+        if constexpr (std::is_same_v<Values, Codes>)
+          take(values.codes);
+        else if constexpr (std::is_arithmetic_v<typename Values::value_type> &&
+                           !std::is_same_v<Values, std::vector<bool>>)
+          take(values);
+      },
+      column.values);
 }
 
 /// Rows of the table; 0 without columns. REQUIRES: all columns have one length.
@@ -146,7 +163,8 @@ struct ColumnOf {
 };
 
 template <class Record, class Also>
-[[nodiscard]] Column column_of(const ColumnOf<Record, Also>& described, const std::vector<Record>& records) {
+[[nodiscard]] Column column_of(const ColumnOf<Record, Also>& described,
+                               std::type_identity_t<std::span<const Record>> records) {
   const auto values = [&](const auto& get) -> decltype(Column::values) {
     using Get = std::decay_t<decltype(get)>;
     if constexpr (std::is_same_v<Get, typename ColumnOf<Record, Also>::Code>) {
@@ -174,8 +192,7 @@ template <class Record, class Also>
 }
 
 /// The records as columns: a table, or a chunk of one.
-template <class Record>
-[[nodiscard]] std::vector<Column> columns_of(const auto& described, const std::vector<Record>& records) {
+[[nodiscard]] std::vector<Column> columns_of(const auto& described, const auto& records) {
   std::vector<Column> columns;
   for (const auto& each : described) columns.push_back(column_of(each, records));
   return columns;

@@ -18,6 +18,7 @@ std::string csv_field(const std::string& text) {
 }
 std::string csv_field(double value) { return std::isnan(value) ? std::string() : to_text(value); }
 std::string csv_field(std::int64_t value) { return std::to_string(value); }
+std::string csv_field(std::uint64_t value) { return std::to_string(value); }
 std::string csv_field(const std::optional<std::int64_t>& value) {
   return value ? std::to_string(*value) : std::string();
 }

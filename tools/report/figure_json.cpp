@@ -4,9 +4,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <concepts>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "tools/files/failure.h"
 #include "tools/report/look.h"
@@ -221,9 +223,10 @@ void read(const Json& json, const std::string& place, Value& value) {
 Json value_json(double value) { return number(value); }
 Json value_json(std::string_view value) { return value; }
 Json value_json(bool value) { return value; }
-Json value_json(std::int64_t value) {
+Json value_json(std::integral auto value) {
   constexpr std::int64_t kExactMax = std::int64_t{1} << 53;
-  return value > kExactMax || value < -kExactMax ? Json(std::to_string(value)) : Json(value);
+  return std::cmp_greater(value, kExactMax) || std::cmp_less(value, -kExactMax) ? Json(std::to_string(value))
+                                                                                : Json(value);
 }
 Json value_json(const std::optional<std::int64_t>& value) { return value ? value_json(*value) : Json(); }
 Json value_json(const Table&) {

@@ -2,27 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-
-#include "sim/result/table.h"
 
 namespace hyrax {
 namespace {
-
-// A value at a place of any alignment.
-template <class Value>
-void put(std::byte*& to, const Value& value) {
-  std::memcpy(to, &value, sizeof value);
-  to += sizeof value;
-}
-
-template <class Get>
-EnsembleColumn member_column(const std::string& name, const std::string& unit, const std::string& long_name,
-                             ColumnType type, std::size_t width, Get get) {
-  return {"members", name, unit, long_name, type, width, [get](const EnsembleRows& rows, std::byte* to) {
-            for (const MemberResult& result : rows.results) put(to, get(result));
-          }};
-}
 
 constexpr ColumnOf<MemberResult> kFinal[] = {
     {"x", "px", "final x", [](const MemberResult& r) { return r.final.x_px; }},
@@ -41,12 +23,6 @@ constexpr ColumnOf<MemberResult> kExtremes[] = {
     {"speed_max", "px/s", "largest speed of all rows", &MemberResult::speed_max_px_per_s},
 };
 
-void add(std::vector<EnsembleColumn>& columns, std::span<const ColumnOf<MemberResult>> described) {
-  for (const ColumnOf<MemberResult>& each : described)
-    columns.push_back(member_column(each.name, each.unit, each.long_name, ColumnType::real, 1,
-                                    [get = each](const MemberResult& r) { return *get.number(r); }));
-}
-
 // "/start/x_px" is start.x_px.
 std::string input_name(const std::string& pointer) {
   std::string name = pointer.substr(1);
@@ -62,52 +38,64 @@ std::string unit_of(std::string_view name) {
   return "";
 }
 
-EnsembleColumn input_column(const VariedKey& key, std::size_t index) {
-  const std::string name = input_name(key.pointer);
-  return {"inputs",
-          name,
-          unit_of(name),
-          key.pointer,
-          key.kind == ScenarioNumberKind::real      ? ColumnType::real
-          : key.kind == ScenarioNumberKind::integer ? ColumnType::integer
-                                                    : ColumnType::seed,
-          1,
-          [index](const EnsembleRows& rows, std::byte* to) {
-            for (std::int64_t row = rows.first_row; row < rows.first_row + rows.count; ++row)
-              std::visit([&](auto value) { put(to, value); },
-                         value_of(rows.sweep, index, rows.part.member(row)));
-          }};
+Table members_table(const KeepSet& keep, std::span<const MemberResult> results) {
+  Table table{.name = "members"};
+  const auto add = [&](Keep kept, const auto& described) {
+    if (!keep.has(kept)) return;
+    for (Column& column : columns_of(described, results)) table.columns.push_back(std::move(column));
+  };
+  add(Keep::final, kFinal);
+  if (keep.has(Keep::contacts)) {
+    std::vector<std::int64_t> counts;
+    for (const MemberResult& result : results)
+      for (const std::int64_t WallCounts::*wall :
+           {&WallCounts::left, &WallCounts::right, &WallCounts::top, &WallCounts::ground})
+        counts.push_back(result.contacts.*wall);
+    table.columns.push_back({.name = "contacts",
+                             .unit = "1",
+                             .long_name = "contacts with left, right, top, ground",
+                             .values = std::move(counts),
+                             .width = 4});
+  }
+  add(Keep::at_rest, kAtRest);
+  add(Keep::extremes, kExtremes);
+  if (keep.has(Keep::state_hash)) {
+    Codes bytes;
+    for (const MemberResult& result : results)
+      bytes.codes.insert(bytes.codes.end(), result.state_hash.begin(), result.state_hash.end());
+    table.columns.push_back({.name = "state_hash",
+                             .long_name = "XXH3-128 of all rows",
+                             .values = std::move(bytes),
+                             .width = sizeof(Digest)});
+  }
+  return table;
 }
 
 }  // namespace
 
-std::vector<EnsembleColumn> columns_of(const Sweep& sweep) {
-  std::vector<EnsembleColumn> columns;
-  if (sweep.keep.has(Keep::final)) add(columns, kFinal);
-  if (sweep.keep.has(Keep::contacts))
-    columns.push_back(member_column("contacts", "1", "contacts with left, right, top, ground",
-                                    ColumnType::integer, 4, [](const MemberResult& r) {
-                                      return std::array<std::int64_t, 4>{r.contacts.left, r.contacts.right,
-                                                                         r.contacts.top, r.contacts.ground};
-                                    }));
-  if (sweep.keep.has(Keep::at_rest)) add(columns, kAtRest);
-  if (sweep.keep.has(Keep::extremes)) add(columns, kExtremes);
-  if (sweep.keep.has(Keep::state_hash))
-    columns.push_back(member_column("state_hash", "", "XXH3-128 of all rows", ColumnType::byte,
-                                    sizeof(Digest), [](const MemberResult& r) { return r.state_hash; }));
+Column input_column(const Sweep& sweep, std::size_t key, const WorkPart& part, std::int64_t first_row,
+                    std::int64_t count) {
+  const std::string& pointer = sweep.vary[key].pointer;
+  const std::string name = input_name(pointer);
+  Column column{.name = name, .unit = unit_of(name), .long_name = pointer, .values = {}};
+  std::visit(
+      [&]<class Value>(Value) {
+        std::vector<Value> values;
+        for (std::int64_t row = first_row; row < first_row + count; ++row)
+          values.push_back(std::get<Value>(value_of(sweep, key, part.member(row))));
+        column.values = std::move(values);
+      },
+      value_of(sweep, key, 0));
+  return column;
+}
+
+std::vector<Table> ensemble_tables(const Sweep& sweep, const WorkPart& part, std::int64_t first_row,
+                                   std::span<const MemberResult> results) {
+  Table inputs{.name = "inputs"};
   for (std::size_t key = 0; key < sweep.vary.size(); ++key)
-    columns.push_back(input_column(sweep.vary[key], key));
-  return columns;
-}
-
-hid_t file_type(ColumnType type) {
-  return std::array{H5T_IEEE_F64LE, H5T_STD_I64LE, H5T_STD_U64LE, H5T_STD_U8LE}.at(
-      static_cast<std::size_t>(type));
-}
-
-hid_t memory_type(ColumnType type) {
-  return std::array{H5T_NATIVE_DOUBLE, H5T_NATIVE_INT64, H5T_NATIVE_UINT64, H5T_NATIVE_UINT8}.at(
-      static_cast<std::size_t>(type));
+    inputs.columns.push_back(
+        input_column(sweep, key, part, first_row, static_cast<std::int64_t>(results.size())));
+  return {members_table(sweep.keep, results), std::move(inputs)};
 }
 
 }  // namespace hyrax

@@ -2,9 +2,9 @@
 
 #include <hdf5_hl.h>
 
-#include <cassert>
+#include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -55,23 +55,6 @@ std::optional<EnsembleHead> read_head(hid_t file) {
   return is_good ? std::optional(head) : std::nullopt;
 }
 
-std::vector<hsize_t> shape_of(const EnsembleColumn& column, std::int64_t rows) {
-  std::vector<hsize_t> shape{static_cast<hsize_t>(rows)};
-  if (column.width > 1) shape.push_back(column.width);
-  return shape;
-}
-
-// Datasets of all columns; empty if one is missing or has another shape.
-std::vector<h5::Handle> open_datasets(hid_t file, const std::vector<EnsembleColumn>& columns,
-                                      std::int64_t rows) {
-  std::vector<h5::Handle> datasets;
-  for (const EnsembleColumn& column : columns) {
-    datasets.emplace_back(H5Dopen2(file, column.path().c_str(), H5P_DEFAULT), H5Dclose);
-    if (!datasets.back().is_open() || h5::shape_of(datasets.back()) != shape_of(column, rows)) return {};
-  }
-  return datasets;
-}
-
 // A dimension without values, as netCDF marks it: it takes no room in the file.
 h5::Handle create_dimension(hid_t file, const char* name, std::size_t length) {
   h5::Handle scale = h5::create_dataset(file, name, H5T_IEEE_F32BE, {length});
@@ -81,15 +64,15 @@ h5::Handle create_dimension(hid_t file, const char* name, std::size_t length) {
 }
 
 // The axes of all columns, which netCDF readers such as xarray need to open the groups.
-[[nodiscard]] bool attach_axes(hid_t file, const std::vector<EnsembleColumn>& columns,
-                               const std::vector<h5::Handle>& datasets, std::int64_t rows) {
-  const h5::Handle members = create_dimension(file, "member", static_cast<std::size_t>(rows));
-  bool is_written = members.is_open();
-  for (std::size_t each = 0; is_written && each < columns.size(); ++each) {
+[[nodiscard]] bool attach_axes(hid_t file, const Table& table, const std::vector<h5::Handle>& datasets,
+                               hid_t members) {
+  bool is_written = true;
+  for (std::size_t each = 0; is_written && each < datasets.size(); ++each) {
+    const Column& column = table.columns[each];
     is_written = H5DSattach_scale(datasets[each], members, 0) >= 0;
-    if (columns[each].width == 1) continue;
-    const char* const name = columns[each].type == ColumnType::byte ? "digest_byte" : "wall";
-    const h5::Handle values = create_dimension(file, name, columns[each].width);
+    if (column.width == 1) continue;
+    const char* const name = std::holds_alternative<Codes>(column.values) ? "digest_byte" : "wall";
+    const h5::Handle values = create_dimension(file, name, column.width);
     is_written = is_written && values.is_open() && H5DSattach_scale(datasets[each], values, 1) >= 0;
   }
   return is_written;
@@ -98,19 +81,34 @@ h5::Handle create_dimension(hid_t file, const char* name, std::size_t length) {
 [[nodiscard]] bool write_empty(hid_t file, const EnsembleHead& head, const Sweep& sweep) {
   h5::write_attribute(file, kRowsDone, std::int64_t{0});
   write_head(file, head);
-  for (const char* const name : {"members", "inputs"})
-    if (!h5::create_group(file, name).is_open()) return false;
-  const std::int64_t rows = head.part.rows(head.members);
-  const std::vector<EnsembleColumn> columns = columns_of(sweep);
-  std::vector<h5::Handle> datasets;
-  for (const EnsembleColumn& column : columns) {
-    datasets.push_back(h5::create_dataset_in_place(file, column.path().c_str(), file_type(column.type),
-                                                   shape_of(column, rows)));
-    if (!datasets.back().is_open()) return false;
-    if (!column.unit.empty()) h5::write_attribute(datasets.back(), "units", column.unit);
-    h5::write_attribute(datasets.back(), "long_name", column.long_name);
+  const auto rows = static_cast<hsize_t>(head.part.rows(head.members));
+  const h5::Handle members = create_dimension(file, "member", rows);
+  for (const Table& table : ensemble_tables(sweep, head.part, 0, {})) {
+    const h5::Handle group = h5::create_group(file, table.name.c_str());
+    h5::ColumnWriter writer(group, h5::create_columns(group, table.columns, rows), 0);
+    if (!group.is_open() || !writer.finish(table.columns, nullptr) ||
+        !attach_axes(file, table, writer.datasets(), members))
+      return false;
   }
-  return attach_axes(file, columns, datasets, rows);
+  return members.is_open();
+}
+
+// The datasets of each table; empty if one is missing or has another shape.
+std::vector<std::vector<h5::Handle>> open_tables(hid_t file, const std::vector<Table>& tables,
+                                                 std::int64_t rows) {
+  std::vector<std::vector<h5::Handle>> datasets;
+  for (const Table& table : tables) {
+    const h5::Handle group(H5Gopen2(file, table.name.c_str(), H5P_DEFAULT), H5Gclose);
+    datasets.push_back(h5::open_columns(group, table.columns, static_cast<hsize_t>(rows)));
+    if (datasets.back().size() != table.columns.size()) return {};
+  }
+  return datasets;
+}
+
+std::span<const std::byte> bytes_of(const Column& column) {
+  std::span<const std::byte> bytes;
+  with_numbers(column, [&](const auto& values) { bytes = std::as_bytes(std::span(values)); });
+  return bytes;
 }
 
 }  // namespace
@@ -124,43 +122,32 @@ void create_ensemble(const std::string& path, const EnsembleHead& head, const Sw
 }
 
 EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep)
-    : path_(path), columns_(columns_of(sweep)) {
-  read_isolated(path_, [&] { open(head); });
-  open(head);
+    : path_(path) {
+  read_isolated(path_, [&] { open(head, sweep); });
+  open(head, sweep);
 }
 
-void EnsembleWriter::open(const EnsembleHead& head) {
+void EnsembleWriter::open(const EnsembleHead& head, const Sweep& sweep) {
   file_ = h5::open_file_to_write(path_);
   const auto found = file_.is_open() ? read_head(file_) : std::nullopt;
   if (!found) refuse(path_, "is no sweep's file that can be continued; `--force` starts over");
   if (*found != head) refuse(path_, "is of another sweep, part or physics model; `--force` starts over");
   const std::int64_t rows = head.part.rows(head.members);
-  datasets_ = open_datasets(file_, columns_, rows);
+  auto datasets = open_tables(file_, ensemble_tables(sweep, head.part, 0, {}), rows);
   done_ = h5::Handle(H5Aopen(file_, kRowsDone, H5P_DEFAULT), H5Aclose);
   rows_done_ = h5::read_integer_attribute(file_, kRowsDone).value_or(done_.is_open() ? -1 : rows);
-  if (rows_done_ < 0 || rows_done_ > rows || datasets_.size() != columns_.size())
+  if (rows_done_ < 0 || rows_done_ > rows || datasets.empty())
     refuse(path_, "is damaged; `--force` starts over");
-}
-
-void EnsembleWriter::write(const EnsembleRows& rows) {
-  assert(rows.first_row == rows_done_);
-  std::vector<std::vector<std::byte>> columns;
-  for (const EnsembleColumn& column : columns_) {
-    columns.emplace_back(column.row_bytes() * static_cast<std::size_t>(rows.count));
-    column.fill(rows, columns.back().data());
-  }
-  write(columns, rows.count);
+  for (std::vector<h5::Handle>& each : datasets)
+    groups_.emplace_back(file_, std::move(each), static_cast<hsize_t>(rows_done_));
 }
 
 // The rows are in the file before it says so.
-void EnsembleWriter::write(const std::vector<std::vector<std::byte>>& columns, std::int64_t count) {
+void EnsembleWriter::write(const std::vector<Table>& rows) {
   errno = 0;
-  for (std::size_t column = 0; column < columns_.size(); ++column)
-    if (h5::write_rows(datasets_[column], memory_type(columns_[column].type),
-                       static_cast<hsize_t>(rows_done_), static_cast<hsize_t>(count),
-                       columns[column].data()) < 0)
-      fail();
-  rows_done_ += count;
+  for (std::size_t table = 0; table < rows.size(); ++table)
+    if (!groups_[table].append(rows[table].columns)) fail();
+  rows_done_ += static_cast<std::int64_t>(row_count(rows.front()));
   if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0 || H5Awrite(done_, H5T_NATIVE_INT64, &rows_done_) < 0 ||
       H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0)
     fail();
@@ -168,7 +155,7 @@ void EnsembleWriter::write(const std::vector<std::vector<std::byte>>& columns, s
 
 void EnsembleWriter::finish() {
   errno = 0;
-  datasets_.clear();
+  groups_.clear();
   if (done_.is_open() && (done_.close() < 0 || H5Adelete(file_, kRowsDone) < 0)) fail();
   if (file_.close() < 0) fail();
 }
@@ -185,30 +172,28 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
       refuse(path, fmt::format("is not complete: {} of {} members are done; continue it with --resume", *done,
                                rows()));
     sweep_ = parse_sweep(head_.sweep_text, path + ": sweep", SweepCheck::first_member).sweep;
-    columns_ = columns_of(sweep_);
-    datasets_ = open_datasets(file_, columns_, rows());
-    if (datasets_.size() != columns_.size())
-      refuse(path, "is damaged: a column is missing, or has another length");
+    tables_ = ensemble_tables(sweep_, head_.part, 0, {});
+    datasets_ = open_tables(file_, tables_, rows());
+    if (datasets_.empty()) refuse(path, "is damaged: a column is missing, or has another length");
   };
   read_isolated(path, open);
   open();
 }
 
-void EnsembleReader::read(std::size_t column, std::int64_t first_row, std::int64_t count,
-                          std::byte* to) const {
-  const EnsembleColumn& what = columns_[column];
-  if (h5::read_rows(datasets_[column], memory_type(what.type), static_cast<hsize_t>(first_row),
-                    static_cast<hsize_t>(count), to) < 0)
+Column EnsembleReader::read(std::size_t table, std::size_t column, std::int64_t first_row,
+                            std::int64_t count) const {
+  Column read = tables_[table].columns[column];
+  if (h5::read_rows(datasets_[table][column], static_cast<hsize_t>(first_row), static_cast<hsize_t>(count),
+                    read) < 0)
     throw Failure(ExitCode::cannot_access, path_ + ": cannot be read: the HDF5 library fails");
-  if (what.group != "inputs") return;
-  std::vector<std::byte> said(static_cast<std::size_t>(count) * what.row_bytes());
-  what.fill({sweep_, head_.part, first_row, count, {}}, said.data());
-  for (std::int64_t row = 0; row < count; ++row) {
-    const std::size_t at = static_cast<std::size_t>(row) * what.row_bytes();
-    if (std::memcmp(said.data() + at, to + at, what.row_bytes()) != 0)
-      refuse(path_, fmt::format("{}: the input of member {} is not the sweep's: the file was changed",
-                                what.path(), head_.part.member(first_row + row)));
-  }
+  if (tables_[table].name != "inputs") return read;
+  const Column said = input_column(sweep_, column, head_.part, first_row, count);
+  const auto bytes = bytes_of(read);
+  const auto differing = std::ranges::mismatch(bytes, bytes_of(said)).in1 - bytes.begin();
+  if (const auto row = differing / static_cast<std::ptrdiff_t>(sizeof(double)); row < count)
+    refuse(path_, fmt::format("inputs/{}: the input of member {} is not the sweep's: the file was changed",
+                              read.name, head_.part.member(first_row + row)));
+  return read;
 }
 
 }  // namespace hyrax

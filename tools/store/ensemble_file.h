@@ -4,50 +4,27 @@
 // Attributes of `/`: format, sweep (its base inside), members, physics; of a part also part and parts.
 #pragma once
 
-#include <hdf5.h>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "sim/ensemble/ensemble.h"
+#include "sim/result/table.h"
 #include "sim/scenario/sweep.h"
 #include "tools/store/hdf5.h"
 
 namespace hyrax {
 
-enum class ColumnType : std::uint8_t { real, integer, seed, byte };
-
-/// Rows of a part that are written at once, with their results (which columns of inputs do not need).
-struct EnsembleRows {
-  const Sweep& sweep;
-  WorkPart part;
-  std::int64_t first_row = 0;
-  std::int64_t count = 0;
-  std::span<const MemberResult> results;
-};
-
-struct EnsembleColumn {
-  std::string group;  ///< "members" or "inputs".
-  std::string name;
-  std::string unit;  ///< Empty if there is none.
-  std::string long_name;
-  ColumnType type = ColumnType::real;
-  std::size_t width = 1;  ///< Values of a row; a column of more has two dimensions.
-  /// Writes the rows' values, in the memory type and row after row.
-  std::function<void(const EnsembleRows& rows, std::byte* to)> fill;
-
-  [[nodiscard]] std::string path() const { return group + "/" + name; }
-  [[nodiscard]] std::size_t row_bytes() const { return width * (type == ColumnType::byte ? 1 : 8); }
-};
-
-/// What the sweep keeps and, after it, what it varies.
-[[nodiscard]] std::vector<EnsembleColumn> columns_of(const Sweep& sweep);
-
-[[nodiscard]] hid_t file_type(ColumnType type);
-[[nodiscard]] hid_t memory_type(ColumnType type);
+/// A varied key in rows of a part: a column of the group /inputs.
+[[nodiscard]] Column input_column(const Sweep& sweep, std::size_t key, const WorkPart& part,
+                                  std::int64_t first_row, std::int64_t count);
+/// The results of a part's rows from `first_row` on, as the groups /members, which has what the sweep keeps,
+/// and /inputs, which has what it varies.
+[[nodiscard]] std::vector<Table> ensemble_tables(const Sweep& sweep, const WorkPart& part,
+                                                 std::int64_t first_row,
+                                                 std::span<const MemberResult> results);
 
 inline constexpr std::string_view kEnsembleFormat = "hyrax-ensemble/1";
 
@@ -76,22 +53,19 @@ class EnsembleWriter {
 
   /// Rows that are written.
   [[nodiscard]] std::int64_t rows_done() const { return rows_done_; }
-  /// Writes the next rows. ERRORS: Failure(cannot_access).
-  void write(const EnsembleRows& rows);
-  /// Writes the next rows of all columns from their bytes, as EnsembleReader::read gives them.
-  void write(const std::vector<std::vector<std::byte>>& columns, std::int64_t count);
+  /// Writes the next rows, as ensemble_tables gives them. ERRORS: Failure(cannot_access).
+  void write(const std::vector<Table>& rows);
   /// Marks the file as complete and closes it. REQUIRES: all rows are written. ERRORS:
   /// Failure(cannot_access).
   void finish();
 
  private:
-  void open(const EnsembleHead& head);
+  void open(const EnsembleHead& head, const Sweep& sweep);
   [[noreturn]] void fail() const;
 
   std::string path_;
-  std::vector<EnsembleColumn> columns_;
   h5::Handle file_;
-  std::vector<h5::Handle> datasets_;
+  std::vector<h5::ColumnWriter> groups_;
   h5::Handle done_;  // The attribute that holds rows_done_; not open in a complete file.
   std::int64_t rows_done_ = 0;
 };
@@ -106,19 +80,21 @@ class EnsembleReader {
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const EnsembleHead& head() const { return head_; }
   [[nodiscard]] const Sweep& sweep() const { return sweep_; }
-  [[nodiscard]] const std::vector<EnsembleColumn>& columns() const { return columns_; }
+  /// The groups, without rows.
+  [[nodiscard]] const std::vector<Table>& tables() const { return tables_; }
   [[nodiscard]] std::int64_t rows() const { return head_.part.rows(head_.members); }
-  /// Rows of a column, in its memory type.
+  /// Rows of a column.
   /// ERRORS: Failure(cannot_access); Failure(bad_input) if an input is not what the sweep says.
-  void read(std::size_t column, std::int64_t first_row, std::int64_t count, std::byte* to) const;
+  [[nodiscard]] Column read(std::size_t table, std::size_t column, std::int64_t first_row,
+                            std::int64_t count) const;
 
  private:
   std::string path_;
   EnsembleHead head_;
   Sweep sweep_;
-  std::vector<EnsembleColumn> columns_;
+  std::vector<Table> tables_;
   h5::Handle file_;
-  std::vector<h5::Handle> datasets_;
+  std::vector<std::vector<h5::Handle>> datasets_;  // Of each table.
 };
 
 }  // namespace hyrax

@@ -117,13 +117,6 @@ Handle create_dataset(hid_t parent, const char* name, hid_t type, const std::vec
   return create_with(dataset_list(), parent, name, type, shape);
 }
 
-Handle create_dataset_in_place(hid_t parent, const char* name, hid_t type,
-                               const std::vector<hsize_t>& shape) {
-  const Handle creation = dataset_list();
-  H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
-  return create_with(creation, parent, name, type, shape);
-}
-
 std::vector<hsize_t> shape_of(hid_t dataset) {
   const Handle space(H5Dget_space(dataset), H5Sclose);
   const int dimensions = H5Sget_simple_extent_ndims(space);
@@ -288,6 +281,10 @@ ColumnData data_of(const std::vector<std::int64_t>& values) {
   return {H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), values.size()};
 }
 
+ColumnData data_of(const std::vector<std::uint64_t>& values) {
+  return {H5T_STD_U64LE, H5T_NATIVE_UINT64, values.data(), values.size()};
+}
+
 ColumnData data_of(std::vector<std::int64_t>&& values) {
   ColumnData column = data_of(values);
   column.integers = std::move(values);
@@ -332,7 +329,40 @@ ColumnData data_of(const Column& column) {
   return std::visit([](const auto& values) { return data_of(values); }, column.values);
 }
 
+std::vector<hsize_t> shape_of(const Column& column, hsize_t rows) {
+  return column.width == 1 ? std::vector{rows} : std::vector<hsize_t>{rows, column.width};
+}
+
 }  // namespace
+
+herr_t read_rows(hid_t dataset, hsize_t first, hsize_t count, Column& column) {
+  const hid_t type = data_of(column).memory_type;
+  herr_t result = -1;
+  with_numbers(column, [&](auto& values) {
+    values.resize(count * column.width);
+    result = count == 0 ? 0 : read_rows(dataset, type, first, count, values.data());
+  });
+  return result;
+}
+
+std::vector<Handle> create_columns(hid_t group, const std::vector<Column>& columns, hsize_t rows) {
+  const Handle creation = dataset_list();
+  H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
+  std::vector<Handle> datasets;
+  for (const Column& column : columns)
+    datasets.push_back(
+        create_with(creation, group, column.name.c_str(), data_of(column).type, shape_of(column, rows)));
+  return datasets;
+}
+
+std::vector<Handle> open_columns(hid_t group, const std::vector<Column>& columns, hsize_t rows) {
+  std::vector<Handle> datasets;
+  for (const Column& column : columns) {
+    datasets.emplace_back(H5Dopen2(group, column.name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!datasets.back().is_open() || shape_of(datasets.back()) != shape_of(column, rows)) return {};
+  }
+  return datasets;
+}
 
 ColumnWriter::ColumnWriter(hid_t group, const std::vector<Column>& columns, hsize_t rows, hsize_t chunk)
     : group_(group) {
@@ -349,7 +379,7 @@ bool ColumnWriter::append(const std::vector<Column>& columns) {
   hsize_t count = 0;
   for (std::size_t index = 0; index < columns.size() && is_written_; ++index) {
     const ColumnData data = data_of(columns[index]);
-    count = data.count;
+    count = data.count / columns[index].width;
     const void* const values = data.padded.empty() ? data.data : data.padded.data();
     if (count > 0) is_written_ = write_rows(datasets_[index], data.memory_type, written_, count, values) >= 0;
   }
@@ -369,7 +399,7 @@ bool ColumnWriter::finish(const std::vector<Column>& columns, const char* axis) 
   }
   for (std::size_t index = 0; index < columns.size(); ++index) {
     const auto* const named = std::get_if<Codes>(&columns[index].values);
-    if (named == nullptr) continue;
+    if (named == nullptr || named->names.names.empty()) continue;
     const auto& [names, are_bits] = named->names;
     std::vector<std::uint8_t> codes(names.size());
     for (std::size_t code = 0; code < codes.size(); ++code)

@@ -63,16 +63,15 @@ class Handle {
 /// A dataset of fixed length, stored contiguously.
 [[nodiscard]] Handle create_dataset(hid_t parent, const char* name, hid_t type,
                                     const std::vector<hsize_t>& shape);
-/// The same, with its room in the file taken at once, so that writing to it changes no other part of the
-/// file.
-[[nodiscard]] Handle create_dataset_in_place(hid_t parent, const char* name, hid_t type,
-                                             const std::vector<hsize_t>& shape);
 /// Writes rows `first` .. `first + count - 1` of a dataset of one or two dimensions, and extends one that
 /// grows if needed. Returns a negative value on failure.
 [[nodiscard]] herr_t write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count,
                                 const void* data);
 /// Reads them. Returns a negative value on failure.
 [[nodiscard]] herr_t read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* data);
+/// Reads them as values of the type that the column has: numbers, or codes. Returns a negative value on
+/// failure.
+[[nodiscard]] herr_t read_rows(hid_t dataset, hsize_t first, hsize_t count, Column& column);
 /// Sizes of a dataset's dimensions.
 [[nodiscard]] std::vector<hsize_t> shape_of(hid_t dataset);
 
@@ -88,14 +87,24 @@ class Handle {
 void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t> values,
                  std::span<const std::string_view> meanings);
 
+/// Datasets of a group, one for each column, of so many rows, whose room in the file is taken at once:
+/// writing to them changes no other part of the file.
+[[nodiscard]] std::vector<Handle> create_columns(hid_t group, const std::vector<Column>& columns,
+                                                 hsize_t rows);
+/// Opens them; empty if one is missing or has another shape.
+[[nodiscard]] std::vector<Handle> open_columns(hid_t group, const std::vector<Column>& columns, hsize_t rows);
+
 /// Datasets of a group, one for each column of a table whose chunks come one after another. Text is
 /// fixed-length UTF-8, padded with zeros; a bool is 0 or 1; codes without names are bytes. REQUIRES: no
 /// column of tables.
 class ColumnWriter {
  public:
-  /// @param columns names and types; their values are not written.
+  /// @param columns names and types; their values are not written. REQUIRES: columns of width 1.
   /// @param chunk more than 0: the datasets grow, stored in chunks of as many rows; else they have `rows`.
   ColumnWriter(hid_t group, const std::vector<Column>& columns, hsize_t rows, hsize_t chunk = 0);
+  /// Continues datasets of which rows were written.
+  ColumnWriter(hid_t group, std::vector<Handle> datasets, hsize_t written)
+      : group_(group), datasets_(std::move(datasets)), written_(written) {}
 
   /// Each returns false if the file could not be written.
   [[nodiscard]] bool append(const std::vector<Column>& columns);

@@ -100,22 +100,14 @@ class StudyReader {
     return column;
   }
 
-  template <class Value>
-  [[nodiscard]] static bool read_numbers(hid_t dataset, hid_t type, hsize_t count, Column& column) {
-    std::vector<Value> values(count);
-    const bool is_read =
-        count == 0 || H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0;
-    column.values = std::move(values);
-    return is_read;
-  }
-
   [[nodiscard]] static bool read_values(hid_t dataset, hsize_t count, Column& column) {
     const h5::Handle type(H5Dget_type(dataset), H5Tclose);
     switch (H5Tget_class(type)) {
       case H5T_FLOAT:
-        return read_numbers<double>(dataset, H5T_NATIVE_DOUBLE, count, column);
+        return h5::read_rows(dataset, 0, count, column) >= 0;
       case H5T_INTEGER:
-        return read_numbers<std::int64_t>(dataset, H5T_NATIVE_INT64, count, column);
+        column.values = std::vector<std::int64_t>();
+        return h5::read_rows(dataset, 0, count, column) >= 0;
       case H5T_STRING:
         return H5Tis_variable_str(type) == 0 && read_texts(dataset, type, count, column);
       default:

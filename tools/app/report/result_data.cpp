@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "sim/core/core.h"
 #include "sim/ensemble/member_numbers.h"
@@ -66,22 +65,10 @@ Json study_result(const std::string& path) {
   return json;
 }
 
-double number_at(ColumnType type, const std::byte* from) {
-  const auto as = [from]<class Value>(Value value) {
-    std::memcpy(&value, from, sizeof value);
-    return static_cast<double>(value);
-  };
-  if (type == ColumnType::real) return as(double{});
-  return type == ColumnType::seed ? as(std::uint64_t{}) : as(std::int64_t{});
-}
-
-// The columns of inputs are the last ones, in the order of the varied keys.
-MemberRole role_of(const EnsembleReader& reader, std::size_t index) {
-  const std::vector<VariedKey>& vary = reader.sweep().vary;
-  const std::size_t results = reader.columns().size() - vary.size();
-  if (index < results) return MemberRole::result;
-  return std::holds_alternative<GridAxis>(vary[index - results].variation) ? MemberRole::grid
-                                                                           : MemberRole::input;
+MemberRole role_of(const EnsembleReader& reader, std::size_t table, std::size_t column) {
+  if (reader.tables()[table].name == "members") return MemberRole::result;
+  return std::holds_alternative<GridAxis>(reader.sweep().vary[column].variation) ? MemberRole::grid
+                                                                                 : MemberRole::input;
 }
 
 // Every row is read, or of a very long file every K-th.
@@ -91,25 +78,25 @@ std::int64_t rows_between_read(const EnsembleReader& reader) {
 }
 
 // All numbers of a column: one, or of contacts one a wall.
-void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, std::size_t index) {
-  const EnsembleColumn& column = reader.columns()[index];
-  if (column.type == ColumnType::byte) return;
-  const MemberRole role = role_of(reader, index);
+void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, std::size_t table,
+                 std::size_t index) {
+  const Column& column = reader.tables()[table].columns[index];
+  if (std::holds_alternative<Codes>(column.values)) return;
+  const MemberRole role = role_of(reader, table, index);
   const std::size_t first = all.size();
   const std::int64_t between = rows_between_read(reader);
   for (std::size_t part = 0; part < column.width; ++part)
     all.emplace_back(column.width == 1 ? column.name : column.name + "." + std::string(kWallNames.at(part)),
                      column.unit, column.long_name, role, (reader.rows() + between - 1) / between);
   const std::int64_t rows_at_once = between == 1 ? 1 << 16 : 1;
-  std::vector<std::byte> bytes;
   for (const auto take : {&MemberNumbers::add, &MemberNumbers::bin}) {
     if (take == &MemberNumbers::bin && role != MemberRole::result) continue;
     for (std::int64_t row = 0; row < reader.rows(); row += std::max(rows_at_once, between)) {
-      const std::int64_t count = std::min(rows_at_once, reader.rows() - row);
-      bytes.resize(static_cast<std::size_t>(count) * column.row_bytes());
-      reader.read(index, row, count, bytes.data());
-      for (std::size_t value = 0; value < static_cast<std::size_t>(count) * column.width; ++value)
-        (all[first + value % column.width].*take)(number_at(column.type, bytes.data() + 8 * value));
+      const Column rows = reader.read(table, index, row, std::min(rows_at_once, reader.rows() - row));
+      with_numbers(rows, [&](const auto& values) {
+        for (std::size_t value = 0; value < values.size(); ++value)
+          (all[first + value % column.width].*take)(static_cast<double>(values[value]));
+      });
     }
   }
 }
@@ -185,7 +172,9 @@ Json sweep_result(const Core& core, const std::string& path) {
   const EnsembleReader reader(path);
   const Sweep& sweep = reader.sweep();
   std::vector<MemberNumbers> numbers;
-  for (std::size_t index = 0; index < reader.columns().size(); ++index) add_numbers(numbers, reader, index);
+  for (std::size_t table = 0; table < reader.tables().size(); ++table)
+    for (std::size_t column = 0; column < reader.tables()[table].columns.size(); ++column)
+      add_numbers(numbers, reader, table, column);
   std::string varied;
   for (const VariedKey& key : sweep.vary) varied += (varied.empty() ? "" : ", ") + key.pointer;
   ShownResult result{

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <memory>
 
@@ -54,24 +53,33 @@ std::string missing_path(const std::string& known_path, const WorkPart& known, s
                                  : known_path.substr(0, at) + name + known_path.substr(at + mark.size());
 }
 
+// Puts a part's rows where they belong among `count` rows of all parts.
+void put_rows(const Column& rows, const WorkPart& part, std::int64_t count, Column& all) {
+  std::vector<std::size_t> places;
+  for (std::size_t row = 0; row < length(rows); ++row)
+    places.push_back(static_cast<std::size_t>(part.member(static_cast<std::int64_t>(row))) * rows.width);
+  with_numbers(all, [&](auto& to) {
+    to.resize(static_cast<std::size_t>(count) * rows.width);
+    with_numbers(rows, [&](const auto& from) {
+      for (std::size_t row = 0; row < places.size(); ++row)
+        std::copy_n(from.data() + row * rows.width, rows.width, to.data() + places[row]);
+    });
+  });
+}
+
 // Rows `first` .. of the merged file, a multiple of the parts: each part gives the same number, or one less.
 class Interleaver {
  public:
   explicit Interleaver(const Parts& parts) : parts_(parts) {}
 
-  [[nodiscard]] std::vector<std::byte> column(std::size_t column, std::int64_t first, std::int64_t count) {
+  [[nodiscard]] Column column(std::size_t table, std::size_t column, std::int64_t first, std::int64_t count) {
     const auto stride = static_cast<std::int64_t>(parts_.size());
-    const std::size_t width = parts_.begin()->second->columns()[column].row_bytes();
-    std::vector<std::byte> merged(static_cast<std::size_t>(count) * width);
+    Column merged = parts_.begin()->second->tables()[table].columns[column];
     for (const auto& [index, part] : parts_) {
       const std::int64_t part_first = first / stride;
       const std::int64_t part_count = WorkPart{index, stride}.rows(first + count) - part_first;
-      if (part_count <= 0) continue;
-      buffer_.resize(static_cast<std::size_t>(part_count) * width);
-      part->read(column, part_first, part_count, buffer_.data());
-      for (std::int64_t row = 0; row < part_count; ++row)
-        std::memcpy(merged.data() + static_cast<std::size_t>(row * stride + index) * width,
-                    buffer_.data() + static_cast<std::size_t>(row) * width, width);
+      if (part_count > 0)
+        put_rows(part->read(table, column, part_first, part_count), WorkPart{index, stride}, count, merged);
     }
     return merged;
   }
@@ -85,7 +93,6 @@ class Interleaver {
 
  private:
   const Parts& parts_;
-  std::vector<std::byte> buffer_;
 };
 
 void write_merged(const Parts& parts, const EnsembleHead& head, const std::string& output) {
@@ -97,10 +104,11 @@ void write_merged(const Parts& parts, const EnsembleHead& head, const std::strin
   Progress progress("members", head.members);
   while (writer.rows_done() < head.members) {
     const std::int64_t count = std::min(interleaver.rows_at_once(), head.members - writer.rows_done());
-    std::vector<std::vector<std::byte>> columns;
-    for (std::size_t column = 0; column < first_part.columns().size(); ++column)
-      columns.push_back(interleaver.column(column, writer.rows_done(), count));
-    writer.write(columns, count);
+    std::vector<Table> rows = first_part.tables();
+    for (std::size_t table = 0; table < rows.size(); ++table)
+      for (std::size_t column = 0; column < rows[table].columns.size(); ++column)
+        rows[table].columns[column] = interleaver.column(table, column, writer.rows_done(), count);
+    writer.write(rows);
     progress.show(writer.rows_done());
   }
   writer.finish();

@@ -147,8 +147,7 @@ SweepOutcome compute_sweep(const Core& core, const Sweep& sweep, const SweepJob&
     ChunkPool pool(core, sweep, job.head.part, writer.rows_done(), outcome.rows, job.threads);
     Progress progress("members", outcome.rows - outcome.rows_resumed);
     while (const auto chunk = pool.take()) {
-      writer.write({sweep, job.head.part, writer.rows_done(),
-                    static_cast<std::int64_t>(chunk->results.size()), chunk->results});
+      writer.write(ensemble_tables(sweep, job.head.part, writer.rows_done(), chunk->results));
       partial.note_done(writer.rows_done());
       outcome.tally += chunk->tally;
       progress.show(writer.rows_done() - outcome.rows_resumed);
