@@ -411,6 +411,8 @@ def computed():
         (STUDIES, "one step adds a = {} G dt", [drag]), (STUDIES, "below {} Hz the visible bounce ends", [round(rates[0], 1)]),
         ("sim/README.md", "vy constant ({} px/s at {} Hz)", [round(-restitution * drag * gravity * dt / (1 + kept), 3), 60]),
         ("sim/ensemble/README.md", "leaves at most {} |vx| dt", [round(1 / (1 - drag * friction), 2)]),
+        (SWEEPS, '"few bounces, far right:", ((file["members/contacts"][:, {}] <',
+         [re.search(r'"contacts with ([a-z, ]+)"', text_of("tools/store/ensemble_columns.cpp"))[1].split(", ").index("ground")]),
         (CORE, "; {} of the energy remains", [restitution**2]),
         (DRIFT, "k = -ln({}) / dt", [drag]), (DRIFT, "k = {} 1/s", [round(60 * rate, 7)]),
         (DRIFT, "takes {} % of the speed", [round(100 * (1 - drag), 9)]),

@@ -218,20 +218,20 @@ class Interrupted(FilesTest):
         self.assertTrue((self.folder / "out.h5").read_bytes() == whole, f"HYRAX_SEED={SEED}")
         self.assertEqual(self.names(), ["out.h5", "sweep.h5", "sweep.json"])
 
-    def partial(self, sweep):
+    def partial(self, sweep, *part, name="out.h5"):
         """The partial file that a signal leaves of it, and what the signal prints; on a busy machine it may come too late."""
         self.write("sweep.json", sweep)
         for _ in range(TRIES):
-            process = self.begin("sweep", "sweep.json", "-o", "out.h5", "--threads=1", env=NO_CLUSTER)
-            while process.is_running and self.blocks("out.h5.partial") <= BLOCKS_WITHOUT_ROWS:
+            process = self.begin("sweep", "sweep.json", "-o", "out.h5", *part, "--threads=1", env=NO_CLUSTER)
+            while process.is_running and self.blocks(f"{name}.partial") <= BLOCKS_WITHOUT_ROWS:
                 time.sleep(0.001)
             process.send(signal.SIGINT)
             outcome = process.wait()
-            if not (self.folder / "out.h5").exists():
+            if not (self.folder / name).exists():
                 break
-            os.remove(self.folder / "out.h5")
+            os.remove(self.folder / name)
         self.assertEqual(outcome.exit_code, -signal.SIGINT)
-        self.assertEqual(self.names(), ["out.h5.partial", "sweep.json"])
+        self.assertEqual(self.names(), [f"{name}.partial", "sweep.json"])
         return outcome.err
 
     def blocks(self, name):
@@ -243,11 +243,13 @@ class Interrupted(FilesTest):
     def test_a_signal_says_what_is_left_and_a_resumed_file_of_many_columns_is_the_same(self):
         flings = [{"step": step, "fling": {"vx_px_per_s": 1, "vy_px_per_s": -3.5}} for step in range(1, 290, 20)]
         vary = {f"/events/{each}/fling/vx_px_per_s": {"uniform": [-500, 500]} for each in range(12)}
-        sweep = document(base=base(events=flings), members=33_000, vary=vary, keep=ALL)
-        said = self.partial(sweep)
-        self.sweep("sweep.json", "--resume", "-o", "out.h5")
-        self.assertTrue((self.folder / "out.h5").read_bytes() == self.whole(sweep))
-        self.assertRegex(said, r"^out.h5.partial: \d+ of 33000 members are done, [\d.]+ [KM]iB; the same command with "
+        sweep = document(base=base(events=flings), members=66_000, vary=vary, keep=ALL)
+        name = "out.part-0-of-2.h5"
+        said = self.partial(sweep, "--part=0/2", name=name)
+        for arguments in (("--resume", "-o", "out.h5"), ("-o", "whole.h5")):
+            self.sweep("sweep.json", "--part=0/2", *arguments)
+        self.assertTrue((self.folder / name).read_bytes() == (self.folder / "whole.part-0-of-2.h5").read_bytes())
+        self.assertRegex(said, rf"^{name}.partial: \d+ of 33000 members are done, [\d.]+ [KM]iB; the same command with "
                                r"`--resume` continues\n$")
 
     def test_the_progress_of_a_resumed_sweep_is_of_what_is_left(self):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""hyrax-compare without a header: the project's core against the accepted one. Nothing is compiled."""
+"""hyrax-compare without a candidate: the project's core against the accepted one; and a header that cannot be compiled."""
 
 import json
 import os
@@ -25,6 +25,11 @@ class SameTest(ProgramTest):
     def test_the_accepted_core_needs_no_card(self):
         self.assertEqual(self.compare(), (AGREED, "sim/physics/physics.h is the accepted core, golden/core/physics.h: "
                                                   "nothing to compare\n", ""))
+
+    def test_a_header_that_is_not_there_has_a_line(self):
+        self.write("broken.h", "// A core.\n#include \"none.h\"\n")
+        self.assertEqual(self.compare("broken.h"),
+                         (BAD_INPUT, "", "broken.h: does not compile: broken.h:2: none.h: No such file or directory\n"))
 
     def test_everything_is_the_same(self):
         for path, name in (("recorded/caught-in-flight", "recorded/caught"), ("flings/stop-in-flight", "recorded/stop"),

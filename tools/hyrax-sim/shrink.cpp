@@ -40,8 +40,10 @@ struct ShrinkRequest {
 // the original: copies of its golden file and of the accepted core are where it would look for them.
 class UserCommand {
  public:
-  UserCommand(std::string command, double limit_s, const std::string& original)
-      : file_(fs::path(original).filename()), command_(std::move(command)), limit_s_(limit_s) {
+  UserCommand(std::string command, std::optional<double> limit_s, const std::string& original)
+      : file_(fs::path(original).filename()),
+        command_(std::move(command)),
+        limit_s_(limit_s.value_or(kLimit_s)) {
     if (command_.find("{}") == std::string::npos)
       refuse_input("hyrax-sim shrink: --fails: no {} for the scenario's file (found " + command_ +
                    "); as in 'hyrax-sim run {} -o out.h5'");
@@ -88,7 +90,7 @@ struct ShrinkOutcome {
 };
 
 ShrinkOutcome shrink_by_command(const Core& core, const ShrinkRequest& request, const Scenario& scenario) {
-  const UserCommand command(request.fails, request.limit_s.value_or(kLimit_s), request.files.front());
+  const UserCommand command(request.fails, request.limit_s, request.files.front());
   const ChildEnd wanted = command.run(scenario);
   if (!wanted.is_timed_out && wanted.exit_code == 0)
     refuse_input(request.files.front() +

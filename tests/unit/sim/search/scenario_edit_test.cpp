@@ -22,7 +22,9 @@ Digest hash_of(const Scenario& scenario) { return replay(shipped_core(), scenari
 
 TEST(ScenarioEdit, PlainPlaysTheSame) {
   Scenario scenario = eventful_fling();
+  scenario.schema = "../schema.json";
   EXPECT_EQ(hash_of(plain(scenario)), hash_of(scenario));
+  EXPECT_EQ(plain(scenario).schema, std::nullopt) << "a path from another folder";
   scenario = fling_at(60.0, 0);
   scenario.length = 1.5;
   EXPECT_EQ(plain(scenario).length, (std::variant<std::monostate, std::int64_t, double>{std::int64_t{90}}));

@@ -135,6 +135,14 @@ Result studied(const std::vector<std::string>& names, std::shared_ptr<const Step
   throw std::logic_error("no study needs");
 }
 
+TEST(NeedsStudy, OfSeveralInputsOfAKindTheMostNeededCounts) {
+  ScenarioNeeds needs;
+  for (const Need need : {Need::below, Need::needed, Need::not_exercised, Need::below})
+    needs.parts.push_back({.part = "fling, step 1", .model_part = {}, .need = need});
+  const auto fling = std::ranges::find(coverage_columns(), "fling") - coverage_columns().begin();
+  EXPECT_EQ(coverage_of(needs)[static_cast<std::size_t>(fling)], Need::needed);
+}
+
 TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
   const Result result = studied(std::vector<std::string>(5, "flings/first-fling"));
   EXPECT_EQ(row_count(result.tables[3]), 0u);
