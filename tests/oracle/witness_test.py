@@ -106,6 +106,38 @@ class Documents(unittest.TestCase):
             sprite.update(1 / 60, 500, 400)
             self.assertEqual({**names, **bound}, {"dt": 1 / 60, "x": sprite.x, "y": sprite.y, "vx": sprite.vx, "vy": sprite.vy}, wall)
 
+    def test_the_exact_motions(self):
+        v_n, s_n, y_n, moved, phi1, speed, phi2, kappa, same_kappa, eta = (
+            re.sub(r"(?<=[\w)]) (?=[A-Za-z(])", "*", formula.replace("²", "^2")) for formula in stated(
+                "sim/reference/README.md", r"v_n = (.*?) S_n = (.*?) y_n = (.*?) This is", r"displacement = (.*?) phi1\(z\) = (.*?) speed = (.*?) phi2\(z\) = (.*?) phi1 and",
+                r"kappa = (.*?) = (.*?) = [\d.]+ y' = kappa v \+ eta eta = (.*?) = [\d.]+ px/s"))
+        a, h, v_0, y_0 = 0.999, 1 / 60, -700.0, 300.0
+        v, y, k = v_0, y_0, -math.log(a) / h
+
+        def first(z):
+            return value(phi1, z=z, e=math.e)
+
+        def second(z):
+            return value(phi2, z=z, phi1=first)
+
+        def flown(v, t, gravity):
+            """Displacement and speed by the document."""
+            return [value(each, v=v, t=t, G=gravity, z=-k * t, phi1=first, phi2=second) for each in (moved, speed)]
+        for n in range(1, 8):
+            v = a * (v + 1200 * h)
+            y += h * v
+            names = {"a": a, "n": n, "v_0": v_0, "y_0": y_0, "G": 1200, "h": h}
+            names["S_n"] = value(s_n, **names)
+            ends, t = 1200 / k, n * h
+            law = {"a": a, "L": k * h, "phi1": first(-k * h), "phi2": second(-k * h), "G": 1200, "h": h}
+            law["kappa"] = value(kappa, **law)
+            way, last = flown(v_0, t, law["kappa"] * 1200)
+            for found, wanted in ((value(v_n, **names), v), (value(y_n, **names), y), (law["kappa"], value(same_kappa, **law)),
+                                  (flown(v_0, t, 1200)[1], ends + (v_0 - ends) * math.exp(-k * t)),
+                                  (flown(v_0, t, 1200)[0], ends * t - (v_0 - ends) * math.expm1(-k * t) / k),
+                                  (last, v), (y_0 + law["kappa"] * way + value(eta, **law) * t, y)):
+                self.assertAlmostEqual(found, wanted, delta=1e-6)
+
     def test_the_state_hash(self):
         order, fields, block, kind, seed, of_blocks = stated(
             "golden/README.md", r"A row is 41 bytes: (\w+)-endian binary64 ([\w, ]*?), and the contact byte\.",
