@@ -96,23 +96,6 @@ class Measurer {
   std::vector<std::size_t> set_up_works_;  // As many as SpeedError::set_ups.
 };
 
-void mark_pareto(SpeedError& study) {
-  for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
-    std::vector<std::size_t> at;
-    std::vector<Cost> costs;
-    std::vector<double> errors;
-    for (std::size_t point = 0; point < study.points.size(); ++point) {
-      const WorkPoint& p = study.points[point];
-      if (p.problem != problem || !is_ranked(study, p)) continue;
-      at.push_back(point);
-      costs.push_back(p.cost);
-      errors.push_back(std::max(p.errors.position_px, rounding_px(p.errors)));  // All exact ones are equal.
-    }
-    const std::vector<bool> is_front = pareto_front(costs, errors);
-    for (std::size_t i = 0; i < at.size(); ++i) study.points[at[i]].is_pareto = is_front[i];
-  }
-}
-
 void fit_orders(SpeedError& study) {
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
     for (std::size_t method = 0; method < study.methods.size(); ++method) {
@@ -220,6 +203,23 @@ PowerFit fitted_power(const std::vector<double>& dt_s, const std::vector<double>
 bool is_ranked(const SpeedError& study, const WorkPoint& point) {
   return point.cost.is_measured() && point.rate_hz >= kRowRate_hz &&
          !study.methods[point.method].is_reference();
+}
+
+void mark_pareto(SpeedError& study) {
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
+    std::vector<std::size_t> at;
+    std::vector<Cost> costs;
+    std::vector<double> errors;
+    for (std::size_t point = 0; point < study.points.size(); ++point) {
+      const WorkPoint& p = study.points[point];
+      if (p.problem != problem || !is_ranked(study, p)) continue;
+      at.push_back(point);
+      costs.push_back(p.cost);
+      errors.push_back(std::max(p.errors.position_px, rounding_px(p.errors)));  // All exact ones are equal.
+    }
+    const std::vector<bool> is_front = pareto_front(costs, errors);
+    for (std::size_t i = 0; i < at.size(); ++i) study.points[at[i]].is_pareto = is_front[i];
+  }
 }
 
 std::vector<bool> pareto_front(const std::vector<Cost>& costs, const std::vector<double>& errors) {

@@ -185,6 +185,9 @@ inline constexpr double kOrderApart = 0.1;
 /// Order of errors (> 0) against dt. REQUIRES: two points or more, in the order of dt.
 [[nodiscard]] PowerFit fitted_power(const std::vector<double>& dt_s, const std::vector<double>& errors);
 
+/// Sets WorkPoint::is_pareto of all points; errors that are no more than rounding are equal.
+void mark_pareto(SpeedError& study);
+
 /// The points than which no other that is as accurate is cheaper beyond the noise. Never one of a NaN or of a
 /// cost that is not measured. REQUIRES: as many errors as costs, which are of one measurement.
 [[nodiscard]] std::vector<bool> pareto_front(const std::vector<Cost>& costs,

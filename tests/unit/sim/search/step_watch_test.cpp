@@ -93,6 +93,16 @@ TEST(StepWatch, FindsARowThatBreaksAnInvariant) {
   }
 }
 
+TEST(StepWatch, ASpriteThatDoesNotFitInOneDirectionIsWatchedInTheOther) {
+  Scenario wide = fling_at(60.0, 60);
+  wide.sprite.width_px = wide.window.width_px + 1;
+  EXPECT_TRUE(of(watched(wide), Invariant::in_bounds).is_checked);
+  const auto below = [&wide](Row& row) { row.y_px = wide.window.height_px; };
+  EXPECT_FALSE(of(watched(wide, kInFlight, below), Invariant::in_bounds).holds);
+  wide.sprite.height_px = wide.window.height_px + 1;
+  EXPECT_FALSE(of(watched(wide), Invariant::in_bounds).is_checked);
+}
+
 // Each wall met in one frame, its row changed by an ulp in one speed.
 TEST(StepWatch, FindsASpeedThatNoBounceLeaves) {
   struct Throw {

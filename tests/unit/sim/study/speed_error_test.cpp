@@ -94,6 +94,24 @@ TEST(ParetoFront, KeepsWhatIsBeatenWithinTheNoiseOnly) {
   EXPECT_EQ(pareto_front(costs, {2.0, 1.0}), (std::vector<bool>{true, false})) << "not measured";
 }
 
+TEST(ParetoFront, LastBitsDoNotDecideBetweenExactMethods) {
+  SpeedError study = some_study();
+  study.points.resize(2);
+  for (WorkPoint& point : study.points) {
+    point = study.points.front();
+    point.rate_hz = 60.0;
+  }
+  for (const double error_px : {0.25 * rounding_px(study.points[1].errors), 0.5}) {
+    study.points[0].cost = steady_costs({1.0}).front();
+    study.points[1].cost = steady_costs({2.0}).front();
+    study.points[0].errors.position_px = 2.0 * error_px;
+    study.points[1].errors.position_px = error_px;
+    mark_pareto(study);
+    EXPECT_TRUE(study.points[0].is_pareto);
+    EXPECT_EQ(study.points[1].is_pareto, error_px == 0.5) << "as exact, and dearer";
+  }
+}
+
 TEST(SpeedErrorRules, HoldOfTheRealMethods) {
   EXPECT_EQ(broken_rules(some_study()), std::vector<std::string>{});
 }
