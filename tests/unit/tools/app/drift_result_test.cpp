@@ -34,11 +34,11 @@ TEST(DriftRows, OfALongFlightAreEvenlyApart) {
   const DriftRun run =
       measure_drift(shipped_core(), fling_at(10'000.0, 9'000), {.gsl = {}, .keeps_rows = true});
   ASSERT_GT(run.rows.size(), kRowsDrawnMax / 2);
-  ASSERT_EQ(run.whole_rows.size(), run.rows.size());
-  for (std::size_t row = 1; row < run.rows.size(); ++row) {
+  for (std::size_t row = 1; row < run.rows.size(); ++row)
     EXPECT_EQ(run.rows[row].errors.step - run.rows[row - 1].errors.step, 4);
+  ASSERT_GT(run.whole_rows.size(), kRowsDrawnMax / 2);
+  for (std::size_t row = 1; row < run.whole_rows.size(); ++row)
     EXPECT_NEAR(run.whole_rows[row].t_s - run.whole_rows[row - 1].t_s, 4e-4, 1e-9);
-  }
 }
 
 TEST(DriftResult, OfRunsAreThoseApproved) {
