@@ -59,6 +59,10 @@ inline constexpr std::array<RowField, 7> kRowFields = {{
     {"vy", [](const Row& row) { return row.vy_px_per_s; }},
     {"contact", [](const Row& row) { return static_cast<double>(row.contact); }},
 }};
+/// Whether it is the name of the last one, whose values are bytes of flags.
+[[nodiscard]] constexpr bool is_contact_field(std::string_view field) {
+  return field == kRowFields.back().name;
+}
 
 /// The quantities of a contact, in the order in which a difference is looked for.
 struct ContactField {

@@ -32,7 +32,8 @@ struct CodeNames {
   }
 };
 
-/// Codes with names: text and JSON have the name, HDF5 the code and the list.
+/// Codes with names: text and JSON have the name, HDF5 the code and the list. Without names: bytes, for HDF5
+/// only.
 struct Codes {
   using value_type = std::string_view;
   CodeNames names = {};
@@ -42,7 +43,7 @@ struct Codes {
   [[nodiscard]] std::string_view operator[](std::size_t row) const { return names.of(codes[row]); }
 };
 
-/// One quantity, one value a row.
+/// One quantity, `width` values a row.
 struct Column {                // NOLINT(misc-no-recursion): copied with the tables in its cells.
   std::string name = {};       ///< snake_case, without its unit.
   std::string unit = {};       ///< "px", "px/s", "1" for a pure number; empty for text.
@@ -57,7 +58,7 @@ struct Column {                // NOLINT(misc-no-recursion): copied with the tab
   bool is_each_rounded = false;
   /// In JSON, where it is not NAME_UNIT; "OBJECT/KEY" is a member of an object, "-" is none.
   std::string key = {};
-  /// Values of a row, one row after the other. More than one are for HDF5 only.
+  /// Values in each row; `values` has row after row. Text, CSV and JSON have 1 only.
   std::size_t width = 1;
 };
 
@@ -82,7 +83,8 @@ struct Table {            // NOLINT(misc-no-recursion)
   return std::visit([](const auto& values) { return values.size(); }, column.values) / column.width;
 }
 
-/// Calls a function with the vector of a column's numbers or codes; not for a column of others.
+/// Calls a function with the column's vector of numbers, or of codes. REQUIRES: the column has numbers or
+/// codes.
 void with_numbers(auto& column, const auto& take) {
   std::visit(
       [&](auto& values) {
@@ -92,6 +94,8 @@ void with_numbers(auto& column, const auto& take) {
         else if constexpr (std::is_arithmetic_v<typename Values::value_type> &&
                            !std::is_same_v<Values, std::vector<bool>>)
           take(values);
+        else
+          assert(false);
       },
       column.values);
 }
@@ -122,7 +126,7 @@ template <class Records, class Get>
 }
 
 /// A column of one row: a number, a bool, a text or a Table. A missing number is a NaN, or as in Column; an
-/// integer keeps its type.
+/// integer becomes a std::int64_t.
 template <class Value>
 [[nodiscard]] Column column_of_one(const std::string& name, const std::string& unit, const Value& value) {
   if constexpr (std::is_same_v<Value, std::optional<double>>)

@@ -73,7 +73,6 @@ class KeepSet {
  public:
   void add(Keep keep) { set_.set(static_cast<std::size_t>(keep)); }
   [[nodiscard]] bool has(Keep keep) const { return set_.test(static_cast<std::size_t>(keep)); }
-  [[nodiscard]] bool is_empty() const { return set_.none(); }
 
  private:
   std::bitset<kKeepNames.size()> set_;

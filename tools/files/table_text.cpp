@@ -39,6 +39,7 @@ std::string head_of(const Column& column) {
 // The text of a cell: field(value) of a column's value in a row.
 template <class Field>
 auto cell(const Column& column, std::size_t row, const Field& field) {
+  assert(column.width == 1);
   return std::visit(
       [&](const auto& values) {
         using Value = typename std::decay_t<decltype(values)>::value_type;

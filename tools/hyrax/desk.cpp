@@ -18,7 +18,6 @@ std::int32_t nearest(double offset_px) {
 }  // namespace
 
 Size sprite_at(int dpi) {
-  constexpr int kUsualDpi = 96;
   const int side_px = std::max((kUsualSprite_px * dpi + kUsualDpi / 2) / kUsualDpi, 1);
   return {side_px, side_px};
 }

@@ -23,7 +23,8 @@ struct Desk {
   bool operator==(const Desk&) const = default;
 };
 
-inline constexpr int kUsualSprite_px = 128;  ///< Side of the sprite at 96 dpi, which is 100 %.
+inline constexpr int kUsualDpi = 96;         ///< 100 %.
+inline constexpr int kUsualSprite_px = 128;  ///< Side of the sprite at it.
 
 /// The size of the sprite at a scaling.
 [[nodiscard]] Size sprite_at(int dpi);

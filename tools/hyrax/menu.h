@@ -28,7 +28,7 @@ struct MenuState {
 };
 
 struct MenuEntry {
-  Choice choice = Choice::none;  ///< None: a line between entries.
+  Choice choice = Choice::none;  ///< None: a separator.
   std::string text;              ///< An & precedes the letter that chooses it.
   bool is_enabled = true;
 };

@@ -3,11 +3,6 @@
 #include <shellscalingapi.h>
 
 namespace hyrax {
-namespace {
-
-constexpr int kUsualDpi = 96;
-
-}  // namespace
 
 std::optional<Desk> desk_of(HMONITOR monitor) {
   MONITORINFO info{};
@@ -24,7 +19,8 @@ std::optional<Desk> desk_of(HMONITOR monitor) {
 }
 
 Monitor monitor_under(ScreenPoint point) {
-  constexpr Desk kNoScreen{{0, 0}, {1024, 768}, {128, 128}};  // No window can be created then.
+  constexpr Desk kNoScreen{
+      {0, 0}, {1024, 768}, {kUsualSprite_px, kUsualSprite_px}};  // No window can be created then.
   const HMONITOR handle = MonitorFromPoint({point.x_px, point.y_px}, MONITOR_DEFAULTTONEAREST);
   return {handle, desk_of(handle).value_or(kNoScreen)};
 }

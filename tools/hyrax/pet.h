@@ -112,7 +112,8 @@ struct FrameTimes {
 /// How the hyrax is drawn.
 enum class Pose { fly, held, stand, sleep };
 
-/// The number of its picture in hyrax.rc for that width: the smallest one that is not scaled up.
+/// The number of its picture in hyrax.rc for that width: the smallest one that is not scaled up, or that of
+/// 200 %.
 [[nodiscard]] int picture_of(Pose pose, int width_px);
 
 /// Turns events on a screen into inputs and frames of a session. Independent of the system: points are in px

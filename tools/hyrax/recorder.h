@@ -1,8 +1,10 @@
 // The recordings that menu and command line start and end.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "tools/hyrax/pet.h"
 
@@ -13,10 +15,10 @@ namespace hyrax {
 /// REQUIRES: save, while the pet's session is recording; start and start_new, while it is not.
 class Recorder {
  public:
-  /// What it needs of the system.
+  /// Functions of the system.
   struct System {
     std::function<void(const std::string& sentence)> notify;       ///< Shows a sentence to the user.
-    std::function<std::string(const std::string& name)> new_path;  ///< Of a file that does not exist.
+    std::function<std::string(const std::string& name)> new_path;  ///< Of a file that is not there.
   };
 
   /// Refers to the pet.

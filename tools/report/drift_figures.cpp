@@ -234,7 +234,7 @@ Figure restitution_figure(const DriftRun& run) {
                             spread.largest());
   Figure figure = figure_of(run, kSuffixes[3], subtitle);
   const Look dashed{.width_px = 1.5, .dash = Dash::long_dashes};
-  figure.legend = {{"0.6, the paper's", dashed}};
+  figure.legend = {{fmt::format("{:g}, of the reference", run.model.restitution), dashed}};
 
   std::array<Series, kWalls.size()> dots;
   double low = run.model.restitution, high = low;

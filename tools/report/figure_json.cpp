@@ -235,6 +235,7 @@ Json value_json(const Table&) {
 }
 
 Json column_json(const Column& column, std::size_t rows_max) {
+  assert(column.width == 1);
   Json::Array values;
   std::visit(
       [&](const auto& all) {

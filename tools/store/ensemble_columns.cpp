@@ -81,6 +81,7 @@ Column input_column(const Sweep& sweep, std::size_t key, const WorkPart& part, s
   std::visit(
       [&]<class Value>(Value) {
         std::vector<Value> values;
+        values.reserve(static_cast<std::size_t>(count));
         for (std::int64_t row = first_row; row < first_row + count; ++row)
           values.push_back(std::get<Value>(value_of(sweep, key, part.member(row))));
         column.values = std::move(values);

@@ -3,7 +3,9 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
+#include <optional>
 #include <span>
 
 #include <fmt/format.h>
@@ -85,7 +87,7 @@ h5::Handle create_dimension(hid_t file, const char* name, std::size_t length) {
   const h5::Handle members = create_dimension(file, "member", rows);
   for (const Table& table : ensemble_tables(sweep, head.part, 0, {})) {
     const h5::Handle group = h5::create_group(file, table.name.c_str());
-    h5::ColumnWriter writer(group, h5::create_columns(group, table.columns, rows), 0);
+    h5::ColumnWriter writer(h5::create_columns(group, table.columns, rows), 0);
     if (!group.is_open() || !writer.finish(table.columns, nullptr) ||
         !attach_axes(file, table, writer.datasets(), members))
       return false;
@@ -138,12 +140,14 @@ void EnsembleWriter::open(const EnsembleHead& head, const Sweep& sweep) {
   rows_done_ = h5::read_integer_attribute(file_, kRowsDone).value_or(done_.is_open() ? -1 : rows);
   if (rows_done_ < 0 || rows_done_ > rows || datasets.empty())
     refuse(path_, "is damaged; `--force` starts over");
+  groups_.clear();
   for (std::vector<h5::Handle>& each : datasets)
-    groups_.emplace_back(file_, std::move(each), static_cast<hsize_t>(rows_done_));
+    groups_.emplace_back(std::move(each), static_cast<hsize_t>(rows_done_));
 }
 
 // The rows are in the file before it says so.
 void EnsembleWriter::write(const std::vector<Table>& rows) {
+  assert(rows.size() == groups_.size());
   errno = 0;
   for (std::size_t table = 0; table < rows.size(); ++table)
     if (!groups_[table].append(rows[table].columns)) fail();

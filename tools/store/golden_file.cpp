@@ -20,7 +20,7 @@ struct KeyframeColumn {
   void (*set)(Keyframe&, double);
 };
 
-// 0, which is another value, if it cannot be a count, as in a damaged file.
+// 0 if it cannot be a count, as in a damaged file: it then differs from the stored value, which is refused.
 std::int64_t count_of(double value, double max) {
   return value >= 0.0 && value <= max ? static_cast<std::int64_t>(value) : 0;
 }

@@ -336,11 +336,11 @@ std::vector<hsize_t> shape_of(const Column& column, hsize_t rows) {
 }  // namespace
 
 herr_t read_rows(hid_t dataset, hsize_t first, hsize_t count, Column& column) {
-  const hid_t type = data_of(column).memory_type;
+  const ColumnData data = data_of(column);
   herr_t result = -1;
   with_numbers(column, [&](auto& values) {
     values.resize(count * column.width);
-    result = count == 0 ? 0 : read_rows(dataset, type, first, count, values.data());
+    result = count == 0 ? 0 : read_rows(dataset, data.memory_type, first, count, values.data());
   });
   return result;
 }
@@ -367,6 +367,7 @@ std::vector<Handle> open_columns(hid_t group, const std::vector<Column>& columns
 ColumnWriter::ColumnWriter(hid_t group, const std::vector<Column>& columns, hsize_t rows, hsize_t chunk)
     : group_(group) {
   for (const Column& column : columns) {
+    assert(column.width == 1);
     const ColumnData data = data_of(column);
     const char* const name = column.name.c_str();
     datasets_.push_back(chunk > 0 ? create_growing_dataset(group, name, data.type, chunk)

@@ -69,7 +69,7 @@ class Handle {
                                 const void* data);
 /// Reads them. Returns a negative value on failure.
 [[nodiscard]] herr_t read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* data);
-/// Reads them as values of the type that the column has: numbers, or codes. Returns a negative value on
+/// Reads rows as values of the type that the column has: numbers, or codes. Returns a negative value on
 /// failure.
 [[nodiscard]] herr_t read_rows(hid_t dataset, hsize_t first, hsize_t count, Column& column);
 /// Sizes of a dataset's dimensions.
@@ -87,11 +87,11 @@ class Handle {
 void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t> values,
                  std::span<const std::string_view> meanings);
 
-/// Datasets of a group, one for each column, of so many rows, whose room in the file is taken at once:
-/// writing to them changes no other part of the file.
+/// Creates a dataset for each column, with `rows` rows. Their space is allocated at once, so that writing
+/// rows changes no other part of the file.
 [[nodiscard]] std::vector<Handle> create_columns(hid_t group, const std::vector<Column>& columns,
                                                  hsize_t rows);
-/// Opens them; empty if one is missing or has another shape.
+/// Opens the columns' datasets; empty if one is missing or has another shape.
 [[nodiscard]] std::vector<Handle> open_columns(hid_t group, const std::vector<Column>& columns, hsize_t rows);
 
 /// Datasets of a group, one for each column of a table whose chunks come one after another. Text is
@@ -102,9 +102,9 @@ class ColumnWriter {
   /// @param columns names and types; their values are not written. REQUIRES: columns of width 1.
   /// @param chunk more than 0: the datasets grow, stored in chunks of as many rows; else they have `rows`.
   ColumnWriter(hid_t group, const std::vector<Column>& columns, hsize_t rows, hsize_t chunk = 0);
-  /// Continues datasets of which rows were written.
-  ColumnWriter(hid_t group, std::vector<Handle> datasets, hsize_t written)
-      : group_(group), datasets_(std::move(datasets)), written_(written) {}
+  /// Continues datasets of which rows were written. REQUIRES: it is finished without an axis.
+  ColumnWriter(std::vector<Handle> datasets, hsize_t written)
+      : datasets_(std::move(datasets)), written_(written) {}
 
   /// Each returns false if the file could not be written.
   [[nodiscard]] bool append(const std::vector<Column>& columns);
@@ -116,7 +116,7 @@ class ColumnWriter {
   [[nodiscard]] const std::vector<Handle>& datasets() const { return datasets_; }
 
  private:
-  hid_t group_;
+  hid_t group_ = H5I_INVALID_HID;
   std::vector<Handle> datasets_;
   hsize_t written_ = 0;
   bool is_written_ = true;

@@ -39,8 +39,8 @@ struct KeptEnergy {
 [[nodiscard]] std::vector<KeptEnergy> kept_energies(const Core& core, const std::vector<double>& rates_hz,
                                                     std::int64_t throws);
 
-/// What the study says of them. A rule: by exact impacts no throw changes its energy by more than 1e-9 of it.
-/// REQUIRES: not empty; of a method, those of one rate stand together.
+/// Tables, figures and verdict of the study. A rule: by exact impacts no throw changes its energy by more
+/// than 1e-9 of it. REQUIRES: not empty; of a method, those of one rate stand together.
 [[nodiscard]] Result bounces_result(const std::vector<KeptEnergy>& kept);
 
 }  // namespace hyrax

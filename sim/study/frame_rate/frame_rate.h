@@ -103,8 +103,8 @@ inline constexpr Bounds kDrawnBounds = kDesktop;
 /// drawn one by either method.
 [[nodiscard]] std::vector<Figure> frame_rate_figures(const FrameRateStudy& study);
 
-/// What the study says of them. Broken: the paper's method is not the core's, or drag and friction by time
-/// spread less in no more than half of the flings, beyond the interval.
+/// Tables, figures and verdict of the study. Broken: the paper's method is not the core's, or drag and
+/// friction by time spread less in no more than half of the flings, beyond the interval.
 [[nodiscard]] Result frame_rate_result(const FrameRateStudy& study);
 
 }  // namespace hyrax

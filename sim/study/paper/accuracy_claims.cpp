@@ -266,11 +266,11 @@ Claim missed_collisions(const Core& core, const ClaimStarts& starts) {
   }
   const Share missed = missed_impacts(core, *model, starts, kLongFrame_s),
               at_60_hz = missed_impacts(core, *model, starts, kSixtieth_s);
-  claim.number = missed.of == 0 ? 0.0 : missed.part();
-  claim.range = {missed.low(), missed.high()};
-  claim.verdict = missed.of == 0 || at_60_hz.of == 0 ? ClaimVerdict::not_measured
-                                                     : holds_if(missed.low() > at_60_hz.high());
   claim.remark = fmt::format("of {} impacts; at 60 Hz {} of {}", missed.of, at_60_hz.count, at_60_hz.of);
+  if (missed.of == 0 || at_60_hz.of == 0) return claim;
+  claim.number = missed.part();
+  claim.range = {missed.low(), missed.high()};
+  claim.verdict = holds_if(missed.low() > at_60_hz.high());
   return claim;
 }
 

@@ -75,6 +75,10 @@ Claim against_explicit(const Core& core, const ClaimStarts& starts, bool is_list
               .expected = "> 0.95, in flight less than half",
               .remark = kDiffersFromListing};
   if (!is_listing) return claim;
+  if (core.constants->gravity_px_per_s2 == 0.0) {
+    claim.remark = kNoGravity;
+    return claim;
+  }
   const double in_flight =
       flight_drift(core, StepOrder::paper) / flight_drift(core, StepOrder::position_first);
   const std::vector<double> paper = bouncing_drifts(core, StepOrder::paper, starts, kLong_s),

@@ -74,9 +74,9 @@ std::vector<Claim> order_claims(const Core& core) {
   const std::int64_t differing = steps_that_differ_from_listing(core, 20'000);
   return {{"4.3-damps-gain", "applying gravity before drag allows the drag to damp the newly gained speed",
            "speed gained in a step from rest, as a part of G dt", "< 1",
-           undamped > 0.0 ? gained / undamped : kNotGiven, "1",
-           undamped > 0.0 ? holds_if(gained < undamped) : ClaimVerdict::not_measured,
-           undamped > 0.0 ? "" : "this core has no gravity"},
+           undamped != 0.0 ? gained / undamped : kNotGiven, "1",
+           undamped != 0.0 ? holds_if(gained / undamped < 1.0) : ClaimVerdict::not_measured,
+           undamped != 0.0 ? "" : kNoGravity},
           after_position(core),
           order_alters(core),
           {"6-exactly",

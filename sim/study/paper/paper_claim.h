@@ -24,6 +24,9 @@ inline constexpr std::array<std::string_view, 4> kClaimVerdictNames = {"holds", 
   return kClaimVerdictNames[static_cast<std::size_t>(verdict)];
 }
 
+/// A remark, where nothing is measured without gravity.
+inline constexpr char kNoGravity[] = "this core has no gravity";
+
 struct Claim {
   std::string id;             ///< Section and a word, as "2.3-energy"; the key in files of expected verdicts.
   std::string sentence;       ///< Of the paper, shortened.
@@ -67,8 +70,8 @@ struct ClaimStarts {
 /// All of these, by section.
 [[nodiscard]] std::vector<Claim> paper_claims(const Core& core, double step_s);
 
-/// What the study says of them. Broken: a verdict that is not the expected one. ERRORS: RequestRefused that
-/// names every unknown claim and verdict.
+/// Tables, figures and verdict of the study. Broken: a verdict that is not the expected one. ERRORS:
+/// RequestRefused that names every unknown claim and verdict.
 [[nodiscard]] Result paper_result(const std::vector<Claim>& claims,
                                   const std::optional<ExpectedVerdicts>& expected);
 

@@ -51,7 +51,7 @@ Claim infinite_bounce(const Core& core) {
               "the rest threshold eliminates the infinite bounce phenomenon",
               "frame rate above which drops from twelve heights end at zero speed",
               "20",
-              0.0,
+              kNotGiven,
               "Hz",
               ClaimVerdict::does_not_hold};
   if (end_at_zero_speed(core, 20.0) && end_at_zero_speed(core, 60.0)) {
@@ -132,7 +132,7 @@ CornerThrows corner_throws(const Core& core, double least_px_per_s, double most_
   return throws;
 }
 
-// Of throws none of which crossed both walls nothing is measured.
+// Without a throw that crosses both walls, the claim is not measured.
 Claim if_crossed(const CornerThrows& throws, Claim claim, const std::string& none_outside) {
   claim.remark = "of " + std::to_string(throws.crossed);
   if (throws.crossed > 0 && throws.outside == 0) claim.remark += none_outside;

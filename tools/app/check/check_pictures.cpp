@@ -82,8 +82,12 @@ std::vector<GroupPicture> write_pictures(const Core& core, const CheckReport& re
     GroupPicture& picture = pictures.emplace_back();
     const PairVerdict* const scenario = drawable(report.groups()[group]);
     if (scenario == nullptr) {
-      picture.missing = report.groups()[group].max_px > 0.0 ? "no picture: long runs keep no rows"
-                                                            : "no picture: no position differs";
+      const bool keeps_no_rows = report.groups()[group].max_px > 0.0 ||
+                                 std::ranges::any_of(report.groups()[group].scenarios, [](const auto* each) {
+                                   return each->comparison.has_unknown_rows;
+                                 });
+      picture.missing =
+          keeps_no_rows ? "no picture: long runs keep no rows" : "no picture: no position differs";
       continue;
     }
     try {

@@ -45,10 +45,9 @@ std::string energy_text(const EnergyDifference& energy) {
 
 std::string worst_text(std::string_view field, const WorstDifference& worst) {
   const std::string ulps = ulps_text(ulps_of(field, worst.a, worst.b));
-  const bool is_contact = field == kRowFields.back().name;
   const std::string distance =
-      is_contact ? field_value_text(field, worst.a) + " and " + field_value_text(field, worst.b)
-                 : fmt::format("{:.6g}{}", worst.abs(), unit_of(field));
+      is_contact_field(field) ? field_value_text(field, worst.a) + " and " + field_value_text(field, worst.b)
+                              : fmt::format("{:.6g}{}", worst.abs(), unit_of(field));
   return fmt::format("  worst {:<8}{} at step {}{}\n", field, distance, worst.step,
                      ulps.empty() ? "" : ", " + ulps);
 }

@@ -35,7 +35,7 @@ std::string divergence_text(const Divergence& first) {
                       value_text(first.field, first.actual));
   if (const std::string ulps = ulps_text(first.ulps); !ulps.empty())
     text += fmt::format("  distance   {}\n", ulps);
-  else if (first.field != kRowFields.back().name && first.expected && first.actual &&
+  else if (!is_contact_field(first.field) && first.expected && first.actual &&
            std::isfinite(*first.expected - *first.actual))
     text += fmt::format("  distance   {}{}\n", rounded(std::abs(*first.actual - *first.expected), 3),
                         unit_of(first.field));
@@ -95,7 +95,7 @@ std::string ulps_text(const std::optional<std::uint64_t>& ulps) {
 }
 
 std::string field_value_text(std::string_view field, double value) {
-  if (field == kRowFields.back().name) return contact_names(static_cast<std::uint8_t>(value));
+  if (is_contact_field(field)) return contact_names(static_cast<std::uint8_t>(value));
   return fmt::format("{}  ({})", value, hex_float(value));
 }
 
