@@ -235,99 +235,6 @@ NO_SOURCE = {
     "tools/hyrax/help.txt": "5",
 }
 BENCHMARKS, SWEEPS = "tests/benchmarks/README.md", "sim/ensemble/README.md"
-# What a document promises in words, and the test that would fail if it were not so.
-PROVED = {
-    "README.md": (("the origin is top left, y points down", "AgreesWithTheListingAtEveryEdge"), ("identical results under `-O3 -march=native` too", "serves_an_outside_project")),
-    FORMAT: (
-        ("Settled: row 0 is the first anchor; a row whose x or y is more than", "PlaysRandomFlingsByTheFrameRule"),
-        ("All bounds are inclusive.", "SaysOfEachRuleWhetherItHoldsBothBoundsIncluded"),
-        ("every row is inside the bounds of its frame (or, with `false`, one is not)", "SaysOfEachRuleWhetherItHoldsBothBoundsIncluded"),
-        ("at the number at the latest, or within the range", "SaysOfEachRuleWhetherItHoldsBothBoundsIncluded"),
-        ("no flight arc has a larger one", "DetectsEachOfThem"),
-        ("The origin is the top left corner of the window, x points right, y points down. `x, y` is the top left corner of the sprite",
-         "AgreesWithTheListingAtEveryEdge"),
-        ("(2) apply the events of this frame in file order; (3) unless the sprite is held, call `update(dt, ...)` once with the current sizes; (4) record row i + 1",
-         "PlaysRandomFlingsByTheFrameRule"),
-        ("and holds the sprite: frames pass, without step and with contact 0, until `release`", "StopsAndHoldsAGrabbedSpriteUntilItsRelease"),
-        ("sets the velocity and lets go, before the step of this frame", "StopsAndHoldsAGrabbedSpriteUntilItsRelease"),
-        ("must not decrease. `grab` while held and `release` while not held are errors. All other events are allowed while held.", "AreWhatTheReaderSays"),
-        ("the first frame that starts at t >= at_s", "PicksTheFirstOfManyFramesThatStartAtTheSameTime"),
-        ("Beyond the end is an error. With jitter,", "WalksJitteredFramesUpToItsLimit"),
-        ("and the last one are stored. Contacts are stored for every K", "RecordsEveryFewRowsAndTheLastOne"),
-        ("`steps` may be left out; if given, it must equal the length", "OfATraceIsItsLength"),
-        ("the file name without `.json`, which must then be such a name", "NeedsANameWhereItsOwnIsNone"),
-        ("an unknown or duplicate key, a wrong type", "AreWhatTheReaderSays"),
-        ("may be kept beside scenarios", "test_a_schema_beside_scenarios_is_none"),
-        ("A jitter value is used up all the same", "PlaysEveryKindOfInputByTheFrameRule")),
-    FILES: (
-        ("+0 and -0 differ, and NaN always fails. It never writes into golden/", "test_golden_files_are_unchanged_for_every_verdict"),
-        ("or in the `golden` beside that `scenarios`", "IsBesideTheScenariosFolder"), ("`--list` prints them and plays nothing", "test_list_plays_nothing"),
-        ("takes only the paths that contain TEXT", "test_filter_takes_the_paths_that_contain_a_text"),
-        ("those that did not agree when they were last checked", "test_last_failed_takes_those_that_did_not_agree"),
-        ("`run` compares as well, unless `--set` was given. It writes its output even if", "test_a_difference_is_exit_1_and_the_output_is_written_all_the_same"),
-        ("`rounding` | every row has the same contact byte;", "AnotherRestBitIsMoreThanRoundingAndNoOtherWall"),
-        ("`contacts` | a contact moved, appeared or vanished", "AreMovesAndWhatVanishedAndAppeared"),
-        ("`values` | the same walls at the same steps, first and last, but more than", "AnotherWallIsFound"),
-        ("`shape` | another length, another scenario, or missing data", "OfAnotherLengthDiffersInShape"),
-        ("a value agrees if any of them is met. Contacts must always agree.", "IsInclusiveAndMetWhereAnyOfThemIs"),
-        ("of its own and sets no class", "ThePhysicsModelsNameSetsNoClass"),
-        ("are compared at the same time, all else at the same step", "test_other_clocks_are_compared_at_the_same_time"),
-        ("if one scenario fails or is refused, nothing is written", "test_one_that_fails_keeps_all_from_being_written"),
-        ("allows (default: `rounding`)", "test_rounding_is_the_default"),
-        ("new scenarios and scenarios whose own text changed need no `--accept`", "test_a_new_scenario_and_a_changed_one_need_no_class"),
-        ("a range keeps its width, with the new value in its middle", "test_ranges_keep_their_width_and_nothing_else_changes"),
-        ("needs no reason. Nothing is removed where a folder has no scenario left", "test_nothing_is_removed_where_scenarios_may_be_unseen"),
-        ("files that `bless` did not write stay, and of a link only the link is removed", "test_of_a_link_only_the_link_is_removed"),
-        ("one of its inputs, is in a golden folder, or is a scenario", "test_inputs_and_golden_folders_are_protected"),
-        ("the apex (the first of the highest rows)", "TheApexIsTheFirstOfTheHighestRows"),
-        ("(the last row up to that time)", "ARowIsShownUntilTheNext"), ("leaves the old file as it was", "LeavesTheOldFileUntilTheNewOneIsComplete"),
-        ("velocity after gravity and drag, as it met the wall in the first step", "PlaysRandomFlingsByTheFrameRule"),
-        ("in order of the first; in a corner x before y", "PlaysRandomFlingsByTheFrameRule")),
-    SWEEPS: (
-        ("`--resume` continues, to the same bytes, and `--force` starts over; without either the sweep is refused",
-         "test_what_is_left_is_neither_discarded_nor_another_file_unsaid"),
-        ("plays every member i with i mod N = I into", "PartsHoldEveryMemberOnce"),
-        ("A sweep with an invalid member is refused", "AMemberBeyondThemIsNamedUpToTheMillionth"),
-        ("byte for byte, and names parts that are missing", "test_missing_parts_are_named"),
-        ("NaN if it has not settled", "test_random_sweeps_equal_the_runs_of_their_members"),
-        ("those if left out", "test_members_default_to_the_combinations_of_the_grids")),
-    CORE: (
-        ("`GRAVITY` | 1200 px/s² | downward acceleration", "AgreesWithTheListingAtEveryEdge"),
-        ("`AIR_DRAG` | 0.999 | factor of the velocity, per frame", "AgreesWithTheListingAtEveryEdge"),
-        ("`RESTITUTION` | 0.6 | speed after a bounce / speed before it", "AgreesWithTheListingAtEveryEdge"),
-        ("`GROUND_FRICTION` | 0.8 | factor of vx, per frame with ground contact", "AgreesWithTheListingAtEveryEdge"),
-        ("`REST_THRESHOLD` | 5 px/s | below it a ground contact sets vy to 0", "AgreesWithTheListingAtEveryEdge"),
-        ("position (x, y) in px and velocity (vx, vy) in px/s; x points right, y down", "AgreesWithTheListingAtEveryEdge"),
-        ("`-ffp-contract=off`, which forbids fused multiply-adds", "serves_an_outside_project"),
-        ("that is stopped and resumed, or that skips what repeats exactly, gives the same bits as a plain run", "ContinuesWithTheSameBitsFromEveryRow")),
-    CARD: (
-        ("largest minus smallest x where a fling lands", "IsTheOneApproved"), ("Only flings that settle on every display with both cores", "IsTheOneApproved"),
-        ("pairs of samples, base and candidate in changing order, and the ratio of each pair", "IsOfTheCandidateOverTheBaseWhicheverIsTimedFirst"),
-        ("The exit code is 0 whatever differs: the card measures, it does not judge.", "IsTheOneApproved"),
-        ("null is what was not measured", "RowsAreObjectsAndAMissingNumberIsNull")),
-    STUDIES: (("if one of the rules of the study is broken; never about times", "test_another_verdict_breaks_the_gate_and_is_named"),
-              ("one group per table, one dataset per column, with `units` and `long_name`", "test_study_files")),
-    HYRAX: (
-        ("An ordinary end joins all parts into one file. Existing files of the user are never overwritten by a part.", "ContinuesInPartsAndEndsAsOneFile"),
-        ("However the program ends, at most the last second is lost, and the file replays.", "ARecordingIsSavedTwiceASecond")),
-    "tools/hyrax/help.txt": (("FILE must not exist; after", "RefusesANameThatExists"), ("per frame; FILE must not exist", "HasEachNumberUnderItsName"),
-                             ("with --replay: no window, only the exit code", "OfOtherValuesAndTogetherWithOthersAreRefused")),
-    "tools/hyrax-sim/bless.cpp": (("(default: rounding)", "test_rounding_is_the_default"),
-                                  ("(default: the `golden` beside `scenarios`)", "IsBesideTheScenariosFolder"),
-                                  ("agrees (default: scenarios)", "test_a_core_is_accepted_with_a_library_that_agrees_only")),
-    "tools/hyrax-sim/check.cpp": (("(default: the `golden` beside `scenarios`)", "test_golden_names_another_folder"),
-                                  ("(default: scenarios)", "test_the_default_is_scenarios_and_golden_of_this_folder")),
-    "tools/hyrax-sim/run.cpp": (("(default: the `golden` beside `scenarios`)", "test_golden_names_another_folder"),),
-    "tools/hyrax-sim/fuzz.cpp": (("as 60s, 5m or 2h (default: 60s)", "test_a_time_ends_it"),
-                                 ("play only the runs k with k mod N = I, 0 <= I < N", "test_parts_are_a_partition")),
-    "tools/hyrax-sim/new.cpp": (("default for PresentMon's: ms)", "test_another_column_and_unit"),
-                                ("(default: PresentMon's, MsBetweenPresents or FrameTime)", "test_both_versions_of_presentmon_whatever_the_case")),
-    "tools/app/drift/drift_run.cpp": (("(default: rk8pd)", "test_a_coarser_stepper_is_reported_but_changes_no_verdict"),),
-    "tools/hyrax-replay/help.txt": (("(default: the `golden` beside `scenarios`)", "test_golden_names_another_folder"),
-                                    ("HASH, two blanks, SCENARIO", "test_it_reproduces_the_hash_of_every_golden_file"),
-                                    ("Default: the folders `scenarios` and `golden` of the current folder.",
-                                     "test_the_default_is_scenarios_and_golden_of_this_folder")),
-}
 # Document and its words; the output, of a command or a benchmark, that these numbers are from, line by line.
 SAID_AGAIN = (
     ("README.md", "Needs g++ {} or clang {},", ("tests/README.md", "| x86-64 | g++ {} |"), ("tests/README.md", "| x86-64 | clang {},")),
@@ -451,16 +358,6 @@ class Facts(unittest.TestCase):
                     text = text[:place.start()] + re.sub(r"\d", "-", place[0]) + text[place.end():]
             numbers = re.findall(r"(?<![\w./-])\d[\w.:,']*\b(?:(?<=e)-\d+)?", text)
             self.assertEqual(" ".join(numbers), NO_SOURCE.get(path, ""), path)
-
-    def test_every_promise_is_made_and_has_its_test(self):
-        names = set(re.findall(r"(?:def |TEST(?:_F)?\(\w+, |install\.)(\w+)", "".join(
-            path.read_text(encoding="utf-8") for path in (SOURCE / "tests").rglob("*") if path.suffix in (".py", ".cpp") or path.name == "CMakeLists.txt")))
-        for document, promises in PROVED.items():
-            text = " ".join(text_of(document).split())
-            for words, test in promises:
-                with self.subTest(document=document, words=words):
-                    self.assertIn(words, text)
-                    self.assertTrue(test in names, f"no test {test}")
 
     def test_what_is_said_again_is_what_was_printed(self):
         for document, words, *printed in SAID_AGAIN:
