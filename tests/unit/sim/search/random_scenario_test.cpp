@@ -1,6 +1,7 @@
 // Random scenarios: valid, reproducible, of every feature; and no rule broken by the shipped core.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 

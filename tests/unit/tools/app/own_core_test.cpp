@@ -1,4 +1,4 @@
-// What is said of a core of one's own, and of a core beside the accepted one.
+// Texts about a user's own core, and about a core that differs from the accepted one.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -29,11 +29,11 @@ Core own_core(bool has_constants) {
   return core;
 }
 
-std::string said(const std::string& what, const std::string& text) {
+std::string section(const std::string& what, const std::string& text) {
   return "# " + what + "\n" + text + "\n";
 }
 
-std::string runs_said() {
+std::string run_texts() {
   const TempFolder folder;
   const Core core = own_core(false);
   ScenarioRun run =
@@ -41,8 +41,8 @@ std::string runs_said() {
   run.output = "run.csv";
   testing::internal::CaptureStdout();
   print_run(core, run, {});
-  return said("a run", testing::internal::GetCapturedStdout()) +
-         said("its entry", to_text(run_json(core, run), 1));
+  return section("a run", testing::internal::GetCapturedStdout()) +
+         section("its entry", to_text(run_json(core, run), 1));
 }
 
 std::string refusals() {
@@ -59,7 +59,7 @@ std::string refusals() {
   }
   text += refusal_of([] { require_own_core(own_core(true), "run.h5", "hyrax-physics/1"); }) + "\n";
   require_own_core(shipped_core(), "run.h5", "hyrax-physics/7");
-  return said("refused", text);
+  return section("refused", text);
 }
 
 std::string of_another_class() {
@@ -71,8 +71,8 @@ std::string of_another_class() {
   const Core core = shipped_core();
   const CoreCheck check(core, folder.at(""), {"accept it", "write them"});
   EXPECT_EQ(check.verdict().exit_code, ExitCode::bad_input);
-  return said("accepted before", bytes_of(folder.at("core/accepted.txt"))) +
-         said("another class", core_text(check.verdict()));
+  return section("accepted before", bytes_of(folder.at("core/accepted.txt"))) +
+         section("another class", core_text(check.verdict()));
 }
 
 // What each change of the accepted core's files is called.
@@ -104,7 +104,7 @@ std::string damages() {
     std::filesystem::remove(path);
     std::filesystem::create_symlink("/dev/null", path);
   });
-  return said("damaged", text);
+  return section("damaged", text);
 }
 
 std::string verdicts() {
@@ -114,7 +114,7 @@ std::string verdicts() {
   for (const CoreStatus status : {CoreStatus::none, CoreStatus::accepted, CoreStatus::proved_equal,
                                   CoreStatus::changed, CoreStatus::not_proved}) {
     verdict.status = status;
-    text += said("status", core_text(verdict) + core_text(verdict, false, true));
+    text += section("status", core_text(verdict) + core_text(verdict, false, true));
   }
   verdict.status = CoreStatus::changed;
   verdict.changes = {
@@ -125,15 +125,16 @@ std::string verdicts() {
   verdict.unnoticed = {{"vx > 1", scenario, "after 5 s 3 px apart", 7},
                        {"vx > 2", scenario, "the same", 7},
                        {"vx > 3", std::nullopt, "", 300'000}};
-  text += said("unnoticed", core_text(verdict));
+  text += section("unnoticed", core_text(verdict));
   scenario.name = "unnoticed-2";
   verdict.unnoticed.push_back({"vx > 4", scenario, "after 5 s 4 px/s apart", 9});
-  return text + said("more unnoticed", core_text(verdict)) + said("as JSON", to_text(core_json(verdict), 2));
+  return text + section("more unnoticed", core_text(verdict)) +
+         section("as JSON", to_text(core_json(verdict), 2));
 }
 
-TEST(OwnCore, IsToldAsWasApproved) {
+TEST(OwnCore, TextsAreThoseApproved) {
   expect_approved("tests/unit/tools/app/own_core.txt",
-                  runs_said() + refusals() + of_another_class() + damages() + verdicts());
+                  run_texts() + refusals() + of_another_class() + damages() + verdicts());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What menu and recorder do, and what they tell the user.
+// What menu and recorder do, and the notes they show.
 #include "tools/hyrax/menu.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ class ChosenFromMenu : public testing::Test {
     EXPECT_EQ(scenario.expect->state_hash, hex(summary.state_hash));
     return summary.steps;
   }
-  // Saves are another thread's.
+  // Another thread saves.
   static void wait_until(const std::function<bool()>& is_done) {
     for (int tries = 0; tries < 10'000 && !is_done(); ++tries)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -138,7 +138,7 @@ TEST_F(ChosenFromMenu, ARecordingIsSavedWhenItIsDueAndBeforeTheSleep) {
   EXPECT_TRUE(notes.empty());
 }
 
-TEST_F(ChosenFromMenu, AFailureToSaveIsSaidOnce) {
+TEST_F(ChosenFromMenu, AFailureToSaveIsReportedOnce) {
   std::filesystem::create_directory(path("gone"));
   recorder.start(path("gone/fling.json"), ticks);
   std::filesystem::remove(path("gone"));

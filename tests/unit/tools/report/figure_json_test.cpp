@@ -81,7 +81,7 @@ TEST(ResultPage, OfTwoResultsIsTheOneApproved) {
 
 }  // namespace
 
-// In place of the pages' templates, of which an everyday build has none.
+// Replaces the page templates, which an everyday build lacks.
 std::string_view page_template(PageKind kind) {
   switch (kind) {
     case PageKind::runs:

@@ -1,4 +1,4 @@
-// Pictures that a person has looked at, to the last line of their SVG.
+// Pictures, compared with approved ones to the last line of their SVG.
 #include <gtest/gtest.h>
 
 #include "sim/core/shipped_core.h"
