@@ -139,11 +139,11 @@ test('a long run is played in pieces, which say how far it is', async () => {
   const run = { record: '', blocks: '', rows: Object.fromEntries(data.rowFields.map(field => [field, base64([0])])) };
   for (const [steps, reaches, took, ends, shares] of [[100_000, 100_000, 1, [20_000, 60_000, 100_000], [0.2, 0.6, 1]], [100_000, 30_000, 1, [20_000, 60_000], [0.2]],
     [40_000, 40_000, 61, [20_000, 30_000, 35_000, 37_500, 38_750, 39_750, 40_000], [0.5, 0.75, 0.875, 0.9375, 0.96875, 0.99375, 1]]]) {
-    const played = [], told = [];
+    const played = [], reports = [];
     const playTo = end => (played.push(end), frame(performance.now() + took), Math.min(end, reaches));
     const core = { load: () => steps, playTo, finish: () => ({}), rows: () => rows, contacts() {}, errors() {}, contactErrors() {}, causes() {} };
-    const { milliseconds } = await replay.replay(core, run, share => (told.push(share), Promise.resolve().then(later)));
-    assert.deepEqual([played, told, milliseconds], [ends, shares, took * ends.length]);
+    const { milliseconds } = await replay.replay(core, run, share => (reports.push(share), Promise.resolve().then(later)));
+    assert.deepEqual([played, reports, milliseconds], [ends, shares, took * ends.length]);
   }
 });
 
@@ -201,7 +201,7 @@ test('a fling is written with each number and input', () => {
     start: { x_px: 1, y_px: 2, vx_px_per_s: 3, vy_px_per_s: 4 }, clock: { dt_s: [0.016, 0.017, -0] }, expect: { state_hash: 'abc' } });
 });
 
-test('a moment stays in the run, and tells each change once', () => {
+test('a moment stays in the run, and reports each change once', () => {
   const moment = new Moment(rows), seen = [];
   moment.listen(({ index }) => seen.push(index));
   for (const index of [0, 1.4, 1, 99, 4, -3]) moment.show(index);
@@ -283,7 +283,7 @@ test('contacts have the speeds of their wall and the errors of their arc', () =>
   assert.deepEqual(lists.contactsOf({}).rows, []);
 });
 
-test('a hand’s way is one line, and each size is told', () => {
+test('a hand’s way is one line, and each size is written out', () => {
   const place = frame => ({ kind: 'place', frame });
   assert.deepEqual(lists.inputsOf([place(1), place(2), place(3), place(5), { kind: 'release', frame: 6 }, place(7), ...inputs]).map(({ frame, text }) => `${frame} ${text}`),
     ['1 place', '5 place', '6 release', '7 place', '1 grab', '4 resize, window 200 × 130 px, sprite 20 × 30 px', '6 resize, window 210 × 140 px', '7 resize, sprite 21 × 31 px']);
@@ -321,7 +321,7 @@ test('a figure as a table has each point of each series, cells and lists', () =>
   assert.equal(read({ list_columns: [{ title: 'h' }, { title: '' }], list_rows: [[{ text: 'a', detail: 'b' }, { text: 'c' }]] }), 'h,column 2\na (b),c\n');
 });
 
-test('a judgement, an expectation and a list that was cut are told in words', () => {
+test('a judgement, an expectation and a list that was cut are written as sentences', () => {
   const judged = broken => judgementOf({ judgement: 'all hold', verdict: { broken } });
   assert.deepEqual([[], ['a'], ['a', 'b']].map(judged), ['all hold', '1 rule does not hold', '2 rules do not hold']);
   assert.deepEqual([true, false].map(holds => Object.values(lists.expectationOf({ holds, text: 'x' })).join(' ')), ['good holds x', 'bad does not hold x']);
@@ -332,7 +332,9 @@ test('a judgement, an expectation and a list that was cut are told in words', ()
 test('the pages have each element that their scripts use, under its heading', () => {
   const runs = textOf('runs.html').replace('{{STAGE}}', textOf('stage.html')), html = runs + textOf('sweeps.html');
   const scripts = readdirSync(page).filter(name => name.endsWith('.js')).map(textOf).join('');
-  const missing = [...scripts.matchAll(/(?:element|on)\('([\w-]+)'/g)].map(([, id]) => id).filter(id => !html.includes(`id="${id}"`) && !scripts.includes(`id: '${id}'`));
+  const ids = [...new Set([...scripts.matchAll(/(?:element|on)\('([\w-]+)'/g)].map(([, id]) => id))];
+  assert.ok(ids.length > 30);
+  const missing = ids.filter(id => !html.includes(`id="${id}"`) && !scripts.includes(`id: '${id}'`));
   assert.deepEqual(missing, []);
   assert.deepEqual([...runs.matchAll(/ id="([\w-]+)"[^>]*>([A-Z][^<]*)</g)].map(([, id, text]) => `${id}: ${text.trim()}`), ['run-picker: Run', 'verdict-heading: Verdict', 'stage-heading: Replay', 'mode-replay: Replay', 'mode-fling: Fling it yourself',
     'again: Again', 'slow: A bounce in slow motion', 'restart: Start over', 'download-scenario: Download scenario', 'charts-heading: Charts', 'contacts-heading: Contacts', 'inputs-heading: Inputs', 'model-heading: Modelled and left out', 'made-heading: How it was made']);
@@ -344,6 +346,7 @@ test('what is good is green and what is bad is red, and each tint is its colour'
   assert.deepEqual([colors(/good/, /bad/), colors(/bad/, /good/)].map(all => [...new Set(all)].join(' ')), ['good-tint card green', 'bad-tint card vermilion bad']);
   for (const [selector, body] of rules) if (selector.startsWith('.tint-')) assert.equal(body.trim(), `color: var(--${selector.slice(6)});`);
   const tints = ['series.js', 'fling.js'].flatMap(name => [...textOf(name).matchAll(/'(blue|orange|green|purple|vermilion|ink|path|sky-blue|faint)'/g)].map(([, tint]) => tint));
+  assert.ok(tints.length > 5);
   assert.deepEqual(tints.filter(tint => !css.includes(`.tint-${tint} `)), []);
 });
 

@@ -83,7 +83,7 @@ test('each list of a run is at its place, and leads to its step', async () => {
   assert.deepEqual([element('description').hidden, element('inputs').hidden], [true, true]);
 });
 
-test('beside another run it opens on the second around their largest distance', async () => {
+test('beside another run it opens on the second around their largest distance', async t => {
   const far = filed({ x: rows.x.map((x, i) => x + (i < 16 ? i : i === 16 ? 98 : i === 20 ? 99.5 : i === 30 ? 100 : 0)) });
   const golden = { agrees: false, class: 'values', first_divergence: { step: 10, field: 'x' } };
   await opened([run('a', { golden })], { against: { rows: far } });
@@ -99,9 +99,9 @@ test('beside another run it opens on the second around their largest distance', 
     assert.deepEqual([text('stage-note'), row(), element('play').attributes['aria-label']], [note, 5, 'Play']);
   }
   const { matchMedia } = globalThis;
+  t.after(() => (globalThis.matchMedia = matchMedia));
   globalThis.matchMedia = query => ({ ...matchMedia(), matches: query === '(prefers-reduced-motion: reduce)' });
   await opened([run('a', { golden })], { against: { rows: far } });
-  globalThis.matchMedia = matchMedia;
   assert.deepEqual([row(), element('play').attributes['aria-label']], [20, 'Play']);
 });
 
@@ -114,22 +114,22 @@ test('the charts mark where the replay differs first, or else the run from the g
   }
 });
 
-test('what is not all shown, or is not replayed, is said', async () => {
-  const many = count(201), long = Object.fromEntries(Object.entries(rows).map(([name, values]) => [name, count(5001).map(i => values[i % 41])])), told = [];
-  const core = { requireSame: (...which) => told.push(which.join()), load: () => (told.push(text('verdict')), 400), rows: () => ({ ...long, step: count(5001) }),
+test('what is not all shown, or is not replayed, is said', async t => {
+  const many = count(201), long = Object.fromEntries(Object.entries(rows).map(([name, values]) => [name, count(5001).map(i => values[i % 41])])), reports = [];
+  const core = { requireSame: (...which) => reports.push(which.join()), load: () => (reports.push(text('verdict')), 400), rows: () => ({ ...long, step: count(5001) }),
     finish: () => ({ ...checked, every: 1, contacts: { left: 0, right: 1500, top: 0, ground: 0 } }), contacts: () => Object.fromEntries(Object.keys(contacts).map(name => [name, many])) };
   await opened([run('a', { inputs: many.map(frame => ({ kind: 'stop', frame })) })], { core });
-  assert.deepEqual([told, text('charts-note')], [['ab,hyrax-sim 1', 'Replaying …'], 'Of many rows to a pixel, the smallest and the largest value are drawn.']);
+  assert.deepEqual([reports, text('charts-note')], [['ab,hyrax-sim 1', 'Replaying …'], 'Of many rows to a pixel, the smallest and the largest value are drawn.']);
   assert.deepEqual(['contacts', 'inputs-list'].map(id => element(id).querySelectorAll('.quiet').at(-1).textContent), ['The first 200 of 1,500.', 'The first 200 of 201.']);
   await opened([run('a'), run('b')], { core: { load: core.load } });
-  assert.equal(told.at(-1), 'Replaying a: 100 %');
+  assert.equal(reports.at(-1), 'Replaying a: 100 %');
+  t.after(() => Object.assign(report, { core: 'paper', core_fingerprint: 'ab' }));
   report.core_fingerprint = null;
   report.core = 'moon.h';
   const own = await import(new URL('runs.js?own', page));
   await opened([run('a')], { show: own.showRuns });
   assert.deepEqual([data().replay, element('mode-fling').disabled], ['none', true]);
   assert.match(text('verdict'), /not replayedthis page holds no copy of the core moon\.h/);
-  Object.assign(report, { core: 'paper', core_fingerprint: 'ab' });
 });
 
 test('a page of another width is drawn anew', async () => {
