@@ -73,7 +73,8 @@ CORES = {"none": flings.Laws(), "gravity_stronger": flings.Laws(gravity=1250.0)}
 # Cores, and the claims that each flips. Every claim except those of NEVER_FLIPPED is flipped by one of them.
 FLIPS = {
     "gravity_by_one_ulp": {"5-gravity": "does not hold"},
-    "gravity_none": {"1-axes": "does not hold", "2.3-energy": "holds", "2.4-explicit": "does not hold"},
+    "gravity_none": {"1-axes": "does not hold", "2.3-energy": "holds", "2.2-terminal": "not measured",
+                     "2.4-explicit": "not measured"},
     "drag_before_gravity": {"2.1-gravity": "does not hold", "2.3-energy": "not measured",
                             "3-x-first": "not measured",
                             "4.3-damps-gain": "does not hold", "4.3-order-alters": "not measured",
