@@ -55,14 +55,13 @@ std::string missing_path(const std::string& known_path, const WorkPart& known, s
 
 // Puts a part's rows where they belong among `count` rows of all parts.
 void put_rows(const Column& rows, const WorkPart& part, std::int64_t count, Column& all) {
-  std::vector<std::size_t> places;
-  for (std::size_t row = 0; row < length(rows); ++row)
-    places.push_back(static_cast<std::size_t>(part.member(static_cast<std::int64_t>(row))) * rows.width);
+  const auto part_rows = static_cast<std::int64_t>(length(rows));
   with_numbers(all, [&](auto& to) {
     to.resize(static_cast<std::size_t>(count) * rows.width);
     with_numbers(rows, [&](const auto& from) {
-      for (std::size_t row = 0; row < places.size(); ++row)
-        std::copy_n(from.data() + row * rows.width, rows.width, to.data() + places[row]);
+      for (std::int64_t row = 0; row < part_rows; ++row)
+        std::copy_n(from.data() + static_cast<std::size_t>(row) * rows.width, rows.width,
+                    to.data() + static_cast<std::size_t>(part.member(row)) * rows.width);
     });
   });
 }
