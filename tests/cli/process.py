@@ -120,6 +120,16 @@ class Process:
         with contextlib.suppress(ProcessLookupError):
             (os.kill if self._keeps_children else os.killpg)(self.id, signal.SIGKILL)
         self._popen.wait()
+        if not self._keeps_children:
+            self._wait_for_the_rest()
+
+    def _wait_for_the_rest(self):
+        # A killed process holds its locks until it has ended; one that nobody reaps stays in the session.
+        give_up_s = time.monotonic() + 1
+        with contextlib.suppress(ProcessLookupError):
+            while time.monotonic() < give_up_s:
+                os.killpg(self.id, 0)
+                time.sleep(0.001)
 
     def _read_until_end(self, give_up_s):
         """Reads what is printed until the program has ended, even if another process keeps its outputs open."""

@@ -3,10 +3,13 @@
 
 import contextlib
 import os
+import pathlib
 import pty
 import random
 import re
 import resource
+import select
+import shutil
 import signal
 import time
 
@@ -217,6 +220,22 @@ class Interrupted(FilesTest):
         self.sweep("sweep.json", "--resume", "-o", "out.h5")
         self.assertTrue((self.folder / "out.h5").read_bytes() == whole, f"HYRAX_SEED={SEED}")
         self.assertEqual(self.names(), ["out.h5", "sweep.h5", "sweep.json"])
+
+    def test_a_killed_sweep_leaves_nobody_who_holds_its_file(self):
+        """Not the child process either that looks whether the file is damaged; this one it would read for a second."""
+        self.write("sweep.json", document())
+        shutil.copyfile(SOURCE / "tests/robustness/fuzz/found/trajectory/endless-heap.h5", self.folder / "out.h5.partial")
+        with Process(PROGRAM, "sweep", "sweep.json", "--resume", "-o", "out.h5", cwd=self.folder, env=NO_CLUSTER,
+                     keeps_children=True) as process:
+            children = pathlib.Path(f"/proc/{process.id}/task/{process.id}/children")
+            while process.is_running and not children.read_text():
+                time.sleep(0.001)
+            child = os.pidfd_open(int(children.read_text()))
+            self.addCleanup(os.close, child)
+            process.send(signal.SIGKILL)
+            self.assertEqual(process.wait().exit_code, -signal.SIGKILL)
+        self.assertEqual(select.select([child], [], [], 0.5)[0], [child])
+        self.sweep("sweep.json", "--force", "-o", "out.h5")
 
     def partial(self, sweep, *part, name="out.h5"):
         """The partial file that a signal leaves of it, and what the signal prints; on a busy machine it may come too late."""

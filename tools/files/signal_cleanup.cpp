@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstring>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -69,6 +70,16 @@ void spare_group_on_signal(int group) { replace_one(killed_groups, group, 0); }
 void say_on_signal(const char* text) {
   said_last = text;
   handle_signals();
+}
+
+pid_t fork_until_end() {
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);  // It had ended before.
+  }
+  return child;
 }
 
 void clean_up_for_signal() noexcept {

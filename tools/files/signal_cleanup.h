@@ -1,7 +1,9 @@
-// What a signal that ends the program must not leave behind, and what it says.
+// What the end of this program must not leave behind, and what a signal prints.
 #pragma once
 
 #include <string>
+
+#include <sys/types.h>
 
 namespace hyrax {
 
@@ -20,6 +22,10 @@ void spare_group_on_signal(int group);
 /// Until say_on_signal(nullptr), those signals print this text on standard error before they end the program.
 /// It must stay unchanged until the next call. Only the thread that calls may take signals.
 void say_on_signal(const char* text);
+
+/// fork(), but the child process is killed when this one ends, even by SIGKILL: a copy would keep what this
+/// one has open and locked. As fork, -1 with errno if there is none.
+[[nodiscard]] pid_t fork_until_end();
 
 /// Removes all that a signal would. For a handler that ends the program: allocates nothing.
 void clean_up_for_signal() noexcept;

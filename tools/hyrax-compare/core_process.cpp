@@ -7,12 +7,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "sim/card/compared_core.h"
 #include "tools/files/failure.h"
+#include "tools/files/signal_cleanup.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -78,11 +78,10 @@ std::string in_core_process(const BeforeAfter<std::string>& headers, unsigned li
   const SharedWatch shared;
   PlayWatch& watch = shared.watch();
   const std::string name = "outcome";
-  const pid_t child = fork();
+  const pid_t child = fork_until_end();
   if (child < 0) throw cannot_start();
   if (child == 0) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
     alarm(limit_s);
     // What a core prints is no part of the card.
     if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0)

@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "tools/files/failure.h"
+#include "tools/files/signal_cleanup.h"
 
 namespace hyrax {
 namespace {
@@ -107,7 +108,7 @@ bool is_child = false;
 
 // What a child process that reads files of so many bytes ended with. ERRORS: no child process, or no status.
 int status_of_child(const std::string& path, std::uint64_t bytes, const std::function<void()>& read) {
-  const pid_t child = fork();
+  const pid_t child = fork_until_end();
   if (child < 0)
     throw Failure(ExitCode::cannot_access, path + ": cannot be read: cannot create a child process");
   if (child == 0) {
