@@ -242,6 +242,17 @@ class Documents(CauseTest):
         self.assertTrue((self.folder / "green.md").read_text().startswith("## hyrax-sim check: agreed\n\n3 checked: 3 agreed"))
         self.assertEqual([name for name in self.names() if name.startswith("green")], ["green.md"])
 
+    def test_a_picture_has_the_paths_of_diffs_picture(self):
+        self.altered("gravity_stronger", "--summary", "check.md")
+        name = re.search(r"<title>scenarios/(.*)\.json</title>", (self.folder / "check-1.svg").read_text())[1]
+        self.altered("gravity_stronger", f"scenarios/{name}.json", "-o", "now.h5", command=("run",))
+        self.expect(DISAGREED, "diff", f"golden/{name}.h5", "now.h5", "--figure", "diff.svg")
+        checked, compared = (dict(re.findall(r'<g data-series="([^"]*)"><title>[^<]*</title>\n(<path .*)', (self.folder / svg).read_text()))
+                             for svg in ("check-1.svg", "diff.svg"))
+        self.assertEqual([checked["golden file"], checked["this program"]],
+                         [compared[f"{os.path.basename(name)}.h5"], compared["now.h5"]])
+        self.assertNotEqual(checked["golden file"], checked["this program"])
+
     def test_a_picture_that_cannot_be_drawn_changes_no_verdict(self):
         (self.folder / "check-1.svg").mkdir()
         outcome = run(ALTERED, "check", "--summary", "check.md", cwd=self.folder,

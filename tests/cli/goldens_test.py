@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 """The folder golden/: one golden file per scenario, digests with the same hash, small files."""
 
+import pathlib
+import re
+import tempfile
 import unittest
 
 import h5py
 import numpy
 
-from process import succeed
+from process import run, succeed
 from program import PROGRAM, SOURCE
 
 BYTES_MAX = 10_000_000
@@ -52,6 +55,21 @@ class Goldens(unittest.TestCase):
             for step, speed in list(zip(contacts["step"], speeds, strict=True))[:20]:
                 self.assertRegex(text, rf"\n  {step}( .. \d+)? \w+ at {decimal(speed)} px/s\n", golden)
         self.assertGreater(compared, 80)
+
+    def test_only_a_disagreement_is_bad_for_git_bisect(self):
+        """Each command of the README with a tools/check that ends so; a commit that cannot be judged is skipped."""
+        text = (SOURCE / "golden/README.md").read_text(encoding="utf-8")
+        commands = re.findall(r"^git bisect run (sh -c '[^']*')$", text, re.MULTILINE)
+        self.assertEqual(len(commands), 2)
+        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+            (pathlib.Path(folder) / "project/tools").mkdir(parents=True)
+            script = pathlib.Path(folder) / "project/tools/check"
+            for exit_code, of_bits, of_contacts in ((0, 0, 0), (1, 1, 1), *((code, 125, 125) for code in (2, 3, 4, 5))):
+                moved = """echo '"class": "contacts"'\n""" if exit_code == 1 else ""
+                script.write_text(f"#!/bin/sh\n{moved}exit {exit_code}\n")
+                script.chmod(0o755)
+                self.assertEqual([run("sh", "-c", command, cwd=script.parents[1]).exit_code for command in commands],
+                                 [of_bits, of_contacts], exit_code)
 
     def test_every_path_of_the_step_is_taken_by_two_scenarios(self):
         scenarios = sorted(f"scenarios/{name}.json" for name in names("scenarios", ".json"))
