@@ -527,6 +527,14 @@ class Facts(unittest.TestCase):
         csv = [f"{name}_{unit.replace('/', '_per_')}" for name, unit in columns]
         self.assertIn(f"`{','.join(['step', *csv, 'contact'])}`", text_of(FILES))
 
+    def test_errors_of_contacts_are_what_their_columns_are(self):
+        columns = text_of("sim/reference/drift_columns.h")
+        rows = re.findall(r"^\| ([a-z ]+) \| (.*) \|$", text_of(DRIFT).partition("| column | meaning |")[2].partition("\n\n")[0], re.MULTILINE)
+        self.assertEqual([head for head, _ in rows], ["time error", "overshoot", "energy jump", "restitution"])
+        for head, meaning in rows:
+            described, = re.findall(rf'"([^"]*)",[^"]*"",\s*DriftShown\("{head}"', columns)
+            self.assertTrue(meaning.startswith(described.partition(",")[0]), (meaning, described))
+
     def test_displays_are_those_of_the_scenarios(self):
         scenarios = [json.loads(path.read_text(encoding="utf-8")) for path in (SOURCE / "scenarios/displays").glob("*.json")]
         sizes = [tuple(each["window"].values()) for each in scenarios if each["window"]["width_px"] > 200]

@@ -106,6 +106,16 @@ class Documents(unittest.TestCase):
             sprite.update(1 / 60, 500, 400)
             self.assertEqual({**names, **bound}, {"dt": 1 / 60, "x": sprite.x, "y": sprite.y, "vx": sprite.vx, "vy": sprite.vy}, wall)
 
+    def test_the_speed_at_a_wall(self):
+        formulas = stated("golden/README.md", r"after gravity and drag: by the paper's step `(.*?)`, `(.*?)` of the row before")
+        with h5py.File(SOURCE / "golden/flings/first-fling.h5") as file:
+            rows, contacts = ({name: file[group][name][:] for name in file[group]} for group in ("trajectory", "contacts"))
+        self.assertGreater(len(contacts["step"]), 5)
+        for place, step in enumerate(contacts["step"]):
+            names = {"AIR_DRAG": 0.999, "GRAVITY": 1200, "dt": rows["dt"][step], "vx": rows["vx"][step - 1], "vy": rows["vy"][step - 1]}
+            self.assertEqual([contacts["vx_before"][place], contacts["vy_before"][place]],
+                             [value(re.sub(r"(?<=[A-Z]) (?=[a-z(])", " * ", each), **names) for each in formulas])
+
     def test_the_exact_motions(self):
         v_n, s_n, y_n, moved, phi1, speed, phi2, kappa, same_kappa, eta = (
             re.sub(r"(?<=[\w)]) (?=[A-Za-z(])", "*", formula.replace("²", "^2")) for formula in stated(
