@@ -67,6 +67,13 @@ class Options(unittest.TestCase):
                     known = set(re.findall(r"--[a-z][a-z-]+", text_of(script))) | (of_programs if re.search("run|check|compare", script) else set())
                     self.assertLessEqual(set(re.findall(r"(?<=\s)--[a-z][a-z-]+", line)), known)
 
+    def test_every_variable_for_cmake_in_a_document_is_one_that_it_reads(self):
+        options = re.findall(r"option\((\w+)", text_of("CMakeLists.txt") + text_of("tools/CMakeLists.txt"))
+        known = {"CMAKE_PREFIX_PATH", "NDEBUG", *options,
+                 *(path.name.replace("-config.cmake", "_DIR") for path in (SOURCE / "tools/cmake").glob("*-config.cmake"))}
+        for document in DOCUMENTS:
+            self.assertLessEqual(set(re.findall(r"(?<=\s)-D(\w+)", document.read_text(encoding="utf-8"))), known, document)
+
     def test_every_option_of_a_help_text_is_parsed_and_every_one_that_is_parsed_is_in_it(self):
         for program, sources in (("hyrax", ("options.cpp",)), ("hyrax-replay", ("main.cpp", "check.cpp"))):
             parsed = set(re.findall('"(--[a-z]+)"', "".join(text_of(f"tools/{program}/{source}") for source in sources)))

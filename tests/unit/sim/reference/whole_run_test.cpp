@@ -70,16 +70,22 @@ TEST(WholeRun, OfAFlingEndsFromWherePhysicsWouldPutIt) {
   EXPECT_NEAR(whole_of(scenario).energy_end_px, 7.495 * 7.495 / 2.0 / 1200.0, 1e-4) << "residual speed";
 }
 
+// Of the run, and of a fling within it that begins in the same way.
 TEST(WholeRun, NamesTheFirstContactThatIsNotTheExactImpacts) {
-  Columns rows = rows_of(fling());
-  EXPECT_FALSE(whole_of(fling(), rows).contacts_differ_from);
-  std::size_t second = 0;
-  for (int contacts = 0; contacts < 2; ++second)
-    if (rows.contact[second] != 0) ++contacts;
-  --second;
-  ASSERT_EQ(rows.contact[second], static_cast<std::uint8_t>(Wall::ground));
-  rows.contact[second] = static_cast<std::uint8_t>(Wall::left);
-  EXPECT_EQ(whole_of(fling(), rows).contacts_differ_from, static_cast<std::int64_t>(second));
+  for (const std::int64_t begin : {0, 300}) {
+    Scenario scenario = fling();
+    if (begin > 0)
+      scenario.events = {{begin, Place{scenario.start}}, {begin, Fling{scenario.start_velocity}}};
+    Columns rows = rows_of(scenario);
+    EXPECT_FALSE(whole_of(scenario, rows).contacts_differ_from) << begin;
+    auto second = static_cast<std::size_t>(begin) + 1;
+    for (int contacts = 0; contacts < 2; ++second)
+      if (rows.contact[second] != 0) ++contacts;
+    --second;
+    ASSERT_EQ(rows.contact[second], static_cast<std::uint8_t>(Wall::ground));
+    rows.contact[second] = static_cast<std::uint8_t>(Wall::left);
+    EXPECT_EQ(whole_of(scenario, rows).contacts_differ_from, static_cast<std::int64_t>(second)) << begin;
+  }
 }
 
 TEST(WholeRun, GetsTheInputsOfTheRun) {
