@@ -22,6 +22,7 @@ extern "C" {
 #include <sys/pidfd.h>  // Debian 12's declares C functions without saying so.
 }
 
+#include "tools/files/failure.h"
 #include "tools/files/signal_cleanup.h"
 
 extern char** environ;
@@ -29,10 +30,14 @@ extern char** environ;
 namespace hyrax {
 namespace {
 
+Failure cannot_start(const std::string& program, int error_number) {
+  return {ExitCode::cannot_access, program + ": cannot be started: " + std::strerror(error_number)};
+}
+
 class Descriptor {
  public:
   Descriptor(int number, const std::string& program) : number_(number) {
-    if (number_ < 0) throw CannotStart(program, errno);
+    if (number_ < 0) throw cannot_start(program, errno);
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -50,7 +55,7 @@ class MemoryFile : public Descriptor {
       : Descriptor(memfd_create("hyrax-child", MFD_CLOEXEC), program) {
     for (std::size_t at = 0; at < text.size();) {
       const ssize_t count = pwrite(number(), text.data() + at, text.size() - at, static_cast<off_t>(at));
-      if (count < 0 && errno != EINTR) throw CannotStart(program, errno);
+      if (count < 0 && errno != EINTR) throw cannot_start(program, errno);
       if (count > 0) at += static_cast<std::size_t>(count);
     }
   }
@@ -60,7 +65,7 @@ class MemoryFile : public Descriptor {
 class Capture {
  public:
   Capture(const std::string& program, std::size_t bytes_max) : bytes_max_(bytes_max) {
-    if (pipe2(ends_, O_CLOEXEC) != 0) throw CannotStart(program, errno);
+    if (pipe2(ends_, O_CLOEXEC) != 0) throw cannot_start(program, errno);
     fcntl(ends_[0], F_SETFL, O_NONBLOCK);
   }
   Capture(const Capture&) = delete;
@@ -129,7 +134,7 @@ pid_t start(const std::vector<std::string>& arguments, const SpawnSettings& sett
   if (const int error =
           posix_spawnp(&child, words[0], settings.files(), settings.attributes(), words.data(), environ);
       error != 0)
-    throw CannotStart(arguments.front(), error);
+    throw cannot_start(arguments.front(), error);
   return child;
 }
 
@@ -167,17 +172,11 @@ std::string rest_of(Capture& capture) {
 int reap(pid_t child, const std::string& program) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw CannotStart(program, errno);
+    if (errno != EINTR) throw cannot_start(program, errno);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 }  // namespace
-
-CannotStart::CannotStart(const std::string& program, int error_number)
-    : Failure(ExitCode::cannot_access, program + ": cannot be started: " + std::strerror(error_number)),
-      error_number_(error_number) {}
-
-bool CannotStart::is_missing() const { return error_number_ == ENOENT; }
 
 ChildEnd run_child(const std::vector<std::string>& arguments, std::string_view input,
                    std::optional<double> limit_s, std::size_t out_bytes_max) {

@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/files/failure.h"
-
 namespace hyrax {
 
 /// How a program ended.
@@ -19,16 +17,6 @@ struct ChildEnd {
   std::string err;  ///< ... and on standard error.
 };
 
-/// "PROGRAM: cannot be started: REASON", an exit code of cannot_access, and the reason as errno has it.
-class CannotStart : public Failure {
- public:
-  CannotStart(const std::string& program, int error_number);
-  [[nodiscard]] bool is_missing() const;  ///< There is no such program.
-
- private:
-  int error_number_;
-};
-
 /// Starts a program and waits for its end. After `limit_s` it and what it started are killed; what it left
 /// running when it ended is killed, too, and all of it if a signal ends this process. The input is a file in
 /// memory, and all output is read: neither side waits for the other, however long they are.
@@ -36,7 +24,7 @@ class CannotStart : public Failure {
 /// @param input what the program reads.
 /// @param limit_s no limit if empty.
 /// @param out_bytes_max of its output so many bytes are kept, the first ones; of its messages the first 64
-/// KiB. ERRORS: CannotStart.
+/// KiB. ERRORS: Failure(cannot_access) "PROGRAM: cannot be started: REASON".
 [[nodiscard]] ChildEnd run_child(const std::vector<std::string>& arguments, std::string_view input,
                                  std::optional<double> limit_s, std::size_t out_bytes_max = 64 << 20);
 
