@@ -43,6 +43,12 @@ class SameTest(ProgramTest):
         self.assertEqual(self.compare("broken.h"),
                          (BAD_INPUT, "", "broken.h: does not compile: broken.h:2: none.h: No such file or directory\n"))
 
+    def test_the_page_is_not_written_into_the_golden_folder(self):
+        shutil.copytree(SOURCE / "golden/core", self.folder / "accepted/core")
+        exit_code, _, err = self.compare("--golden", "accepted", "--report", "accepted/card.html")
+        self.assertEqual(exit_code, BAD_INPUT)
+        self.assertIn("--report: is a golden file or in a golden folder (found accepted/card.html)", err)
+
     def test_the_page_has_the_command_and_both_cores(self):
         self.write_library()
         exit_code, _, err = self.compare(*self.of_library, "--report", "card.html")
