@@ -10,6 +10,7 @@
 
 #include "compile_command.h"
 #include "tools/files/child_process.h"
+#include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
 

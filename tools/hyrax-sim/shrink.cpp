@@ -9,6 +9,7 @@
 #include "tools/app/search/broken_rule.h"
 #include "tools/files/atomic_file.h"
 #include "tools/files/child_process.h"
+#include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/json.h"
 #include "tools/files/path.h"
