@@ -20,7 +20,7 @@ from traced import SHIPPED, SHIPPED_CORE, traced
 
 EDITS = [edit for edit in ALL if "HYRAX_ALL_EDITS" in os.environ or edit.name in EVERYDAY]
 CORES = {edit.name: traced(edit.apply(SHIPPED)) for edit in (
-    *EDITS, *(edit for edit in SINGLE if edit.name in ("half_moves", "AIR_DRAG_0.998")),
+    *EDITS, *(edit for edit in ALL if edit.name in ("half_moves", "AIR_DRAG_0.998", "static_variable")),
     at_ground("narrow", "m_vx > 500.0 && m_vx < 501.0"), when("1200_high", "screenHeight == 1200"),
     when("dt_of_0", "dt == 0.0 && m_vx > 123456.0"), when("dt_of_-0", "dt == 0.0 && m_vx > 123456.0 && std::signbit(dt)"))}
 CHANGED = CORES["GRAVITY_1250.0+REST_THRESHOLD_7.0"]
@@ -139,6 +139,20 @@ class Unnoticed(unittest.TestCase):
             outcome = CORES[f"dt_of_{dt_s}"].run("check", "--core")
             self.assertIn(f'"clock": {{ "dt_s": {dt_s} }}', outcome.out)
             self.assertRegex(outcome.out, r"after 0 s [\d,]+ px/s apart in this one")
+
+
+class Contacts(unittest.TestCase):
+    """By the step's comparisons, or by the rows."""
+
+    def test_half_moves_move_none(self):
+        groups = CORES["half_moves"].run("check", "--json", "scenarios/flings").json["groups"]
+        self.assertTrue(groups)
+        for group in groups:
+            self.assertIn(group["class"], ("rounding", "values"))
+            self.assertEqual(group["contacts_moved"], 0)
+
+    def test_of_a_step_that_is_not_complete_are_from_the_rows(self):
+        self.assertRegex(CORES["static_variable"].run("info").out, r"\ncontacts +from the rows\n")
 
 
 class Library(unittest.TestCase):
