@@ -53,8 +53,7 @@ class TwoWriters(ProgramTest):
         self.assertIn(".out.h5.part", self.names(), "the part file of a running process must not be removed by others")
 
     def test_concurrent_blessings_leave_a_complete_one(self):
-        start = {"x_px": 0, "y_px": 500, "vx_px_per_s": 100, "vy_px_per_s": -400}
-        self.write("scenarios/same.json", fling(name="same", start=start))
+        self.write("scenarios/same.json", fling(name="same"))
         for _ in range(4):
             for process in [self.begin("bless", "scenarios", "--reason", "x") for _ in range(3)]:
                 self.assert_done(process)
