@@ -82,12 +82,6 @@ class Place(Unwritable):
                                   says="no/such/report.xml: cannot be written: No such file or directory")
             self.assertIn(wanted, outcome.out)
 
-    def test_a_folder_in_the_place_of_golden_rows(self):
-        (self.folder / "golden/fling.h5").unlink()
-        (self.folder / "golden/fling.h5/inside").mkdir(parents=True)
-        self.before = self.state_of(".")
-        self.bless_fails("golden/fling.h5: cannot be written: Is a directory")
-
     def set_modes(self, folders, files):
         for path in [self.folder, *self.folder.rglob("*")]:
             path.chmod(folders if path.is_dir() else files)
@@ -152,18 +146,6 @@ class Place(Unwritable):
                      "2 golden files: unreferenced: no scenario: golden/aa, golden/zz\n",
                      "1 checked: 0 agreed, 1 disagreed, 0 without golden file, 0 failed; 2 unreferenced; 1 folder failed"):
             self.assertIn(text, out)
-
-
-class FullDisk(Unwritable):
-    """golden/ on a disk that has room for the digest, and not for the rows."""
-
-    def test_bless_leaves_both_files_as_they_were(self):
-        done = self.in_private_mount("-o size=44k", "cp golden/fling.* disk",
-                                     'code=0; "$1" bless scenarios --golden disk --reason x || code=$?',
-                                     "cmp golden/fling.h5 disk/fling.h5", "cmp golden/fling.txt disk/fling.txt", "echo",
-                                     "echo exit $code: $(ls -A disk)")
-        self.assertIn("exit 3: fling.h5 fling.txt\n", done.out, done.err)
-        self.assertIn("cannot be written: No space left on device", done.err)
 
 
 if __name__ == "__main__":
