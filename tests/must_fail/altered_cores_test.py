@@ -52,23 +52,19 @@ class OneCore(unittest.TestCase):
             self.assertEqual("hyrax::shipped_core()" in symbols, has_it, control)
 
 
-class List(StudyControl):
-    """Names and how one is chosen."""
+class EveryCore(StudyControl):
+    """What each core changes, and which test detects it."""
 
-    def test_it_is_long_enough_and_says_what_each_changes(self):
+    def test_the_list_is_long_enough_and_says_what_each_changes(self):
         cores = altered_cores()
         self.assertGreaterEqual(len(cores), 60)
         self.assertEqual(next(iter(cores)), "none")
-        self.assertEqual(len({change for change in cores.values()}), len(cores), "two descriptions are the same")
+        self.assertEqual(len(set(cores.values())), len(cores), "two descriptions are the same")
 
     def test_an_unknown_name_is_refused(self):
         outcome = run_altered("gravity_sideways", "check")
         self.assertEqual(outcome.exit_code, 2)
         self.assertIn("unknown altered core (found gravity_sideways)", outcome.err)
-
-
-class EveryCore(StudyControl):
-    """What each core changes, and which test detects it."""
 
     def red(self, core):
         """The invariants of hard-cases that this core breaks, without the expected failures of the scenarios."""

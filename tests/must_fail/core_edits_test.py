@@ -225,7 +225,7 @@ class CoreEdits(unittest.TestCase):
 
     def test_there_are_enough_of_every_kind(self):
         self.assertEqual(len({edit.name for edit in ALL}), len(ALL))
-        for edits, count in ((SINGLE, 40), (CONDITIONAL, 15), (EQUAL, 20), (PAIRS, 10)):
+        for edits, count in ((SINGLE, 30), (CONDITIONAL, 15), (EQUAL, 20), (PAIRS, 10)):
             self.assertGreaterEqual(len(edits), count)
         self.assertLessEqual(set(EVERYDAY), {edit.name for edit in ALL})
 
