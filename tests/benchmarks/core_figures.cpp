@@ -27,10 +27,6 @@ std::vector<State> random_throws(std::size_t count) {
   return throws;
 }
 
-void step_all_naively(const std::vector<State>& throws) {
-  for (const State& start : throws) step_naively(start, 600);
-}
-
 // The longest chain of dependent operations of a step in flight: one add, one multiply on vy.
 double bare_recurrence(std::int64_t steps) {
   double vy = 1.0;
@@ -68,7 +64,7 @@ Figure fling_figure() {
       keep(body);
     }
   };
-  const auto timings = time_side_by_side({[&] { step_all_naively(throws); }, step}, kRounds);
+  const auto timings = time_side_by_side({[&] { step_all_naively(throws, 600); }, step}, kRounds);
 #ifdef __clang__
   constexpr double kGoal = 3.1;
 #else
@@ -92,23 +88,13 @@ Figure floor_figure() {
                Goal::at_most, 100.0);
 }
 
-Scenario scene(std::int64_t steps) {
-  Scenario scenario;
-  scenario.window = {1920, 1080};
-  scenario.sprite = {128, 128};
-  scenario.start = {100.0, 100.0};
-  scenario.start_velocity = {900.0, -1200.0};
-  scenario.clock.base = FixedRate{60.0};
-  scenario.length = steps;
-  return scenario;
-}
+constexpr State kThrown{100.0, 100.0, 900.0, -1200.0};
 
 Figure soak_figure() {
   constexpr std::int64_t kSteps = 10'000'000;
-  const Scenario scenario = scene(kSteps);
+  const Scenario scenario = desktop_fling(kThrown, kSteps);
   const auto timings = time_side_by_side(
-      {[&] { step_naively(start_state(scenario), kSteps); }, [&] { keep(replay(shipped_core(), scenario)); }},
-      5);
+      {[&] { step_naively(kThrown, kSteps); }, [&] { keep(replay(shipped_core(), scenario)); }}, 5);
   return ratio("a soak of 1e7 steps, hash included, times faster than naive", timings[0], timings[1],
                Goal::at_least, 1000.0);
 }
@@ -116,7 +102,7 @@ Figure soak_figure() {
 // The sprite is thrown again every ten seconds, so that it keeps flying and bouncing.
 Figure hash_figure() {
   constexpr std::int64_t kThrows = 1000;
-  Scenario scenario = scene(600 * kThrows);
+  Scenario scenario = desktop_fling(kThrown, 600 * kThrows);
   const std::vector<State> throws = random_throws(kThrows);
   for (std::int64_t index = 0; index < kThrows; ++index) {
     const State& start = throws[static_cast<std::size_t>(index)];
@@ -125,7 +111,7 @@ Figure hash_figure() {
   }
   const auto timings =
       time_side_by_side({[&] { keep(replay(shipped_core(), scenario, {}, {.skips_repetition = false})); },
-                         [&] { step_all_naively(throws); }},
+                         [&] { step_all_naively(throws, 600); }},
                         kRounds);
   return ratio("replay with the state hash of every row, of naive stepping", timings[0], timings[1],
                Goal::at_most, 140.0, 100.0);

@@ -20,10 +20,7 @@ constexpr int kRounds = 15;
 // Throws all over a desktop.
 Sweep throws(std::int64_t steps, std::initializer_list<Keep> keep) {
   Sweep sweep;
-  sweep.base.window = {1920, 1080};
-  sweep.base.sprite = {128, 128};
-  sweep.base.clock.base = FixedRate{60.0};
-  sweep.base.length = steps;
+  sweep.base = desktop_fling({}, steps);
   sweep.members = kMembers;
   sweep.seed = 2026;
   sweep.vary = {{"/start/vx_px_per_s", ScenarioNumberKind::real, UniformDraw{-2000.0, 2000.0}},
@@ -47,10 +44,6 @@ std::vector<State> starts_of(const Sweep& sweep) {
   for (std::int64_t member = 0; member < sweep.members; ++member)
     starts.push_back(start_state(members.scenario(member)));
   return starts;
-}
-
-void step_all_naively(const std::vector<State>& starts, std::int64_t steps) {
-  for (const State& start : starts) step_naively(start, steps);
 }
 
 // As people write it, with the standard library's generator.

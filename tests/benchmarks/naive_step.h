@@ -3,6 +3,7 @@
 
 #include "sim/motion/state.h"
 #include "sim/physics/physics.h"
+#include "sim/scenario/scenario.h"
 #include "tests/benchmarks/stopwatch.h"
 
 namespace hyrax::bench {
@@ -22,6 +23,15 @@ inline void step_naively(const State& start, std::int64_t steps, Size window = k
   physics body = body_at(start);
   for (std::int64_t step = 0; step < steps; ++step) naive_step(body, kDt_s, window);
   keep(body);
+}
+
+inline void step_all_naively(const std::vector<State>& starts, std::int64_t steps) {
+  for (const State& start : starts) step_naively(start, steps);
+}
+
+/// A fling on the desktop at 60 Hz.
+[[nodiscard]] inline Scenario desktop_fling(const State& start, std::int64_t steps) {
+  return scenario_from(start, kDesktop, {kSprite_px, kSprite_px}, 60.0, steps);
 }
 
 }  // namespace hyrax::bench

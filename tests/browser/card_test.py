@@ -6,8 +6,8 @@ import shutil
 
 import browser
 import program
-from process import run, succeed
-from program import AGREED, BAD_INPUT, SOURCE
+from process import succeed
+from program import SOURCE
 
 BUILD = pathlib.Path(os.environ["HYRAX_BUILD"])
 NAME = "<img src=x onerror=alert(2)>.h"
@@ -30,14 +30,9 @@ class CardTest(browser.BrowserTest):
         shipped = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
         self.write(NAME, shipped.replace("GROUND_FRICTION = 0.8;", "GROUND_FRICTION = 0.7;"))
 
-    def compare(self, exit_code, *arguments):
-        """Runs hyrax-compare on the candidate."""
-        outcome = run(BUILD / "bin/hyrax-compare", NAME, "--scenarios", "library", "--flings", "20", *arguments, cwd=self.folder)
-        self.assertEqual(outcome.exit_code, exit_code, outcome)
-        return outcome
-
     def test_shows_every_line_and_figure(self):
-        text = self.compare(AGREED, "--report", "card.html").out
+        text = succeed(BUILD / "bin/hyrax-compare", NAME, "--scenarios", "library", "--flings", "20", "--report", "card.html",
+                       cwd=self.folder).out
         (page,) = self.open({"file": str(self.folder / "card.html"), "actions": [
             ["evaluate", "document.body.innerText"], ["evaluate", "document.querySelectorAll('figure > .picture').length"]]})
         shown, figures = page["values"]
@@ -45,13 +40,6 @@ class CardTest(browser.BrowserTest):
         for line in text.splitlines()[2:]:
             self.assertIn(" ".join(line[18:].split()), " ".join(shown.split()))
         self.assertIn(NAME, shown)
-
-    def test_never_writes_over_what_it_reads(self):
-        before = (self.folder / NAME).read_text(encoding="utf-8")
-        for page in (NAME, "library/flings/first-fling.json", "card.txt"):
-            self.compare(BAD_INPUT, "--report", page)
-        self.assertEqual((self.folder / NAME).read_text(encoding="utf-8"), before)
-        self.assertFalse((self.folder / "card.txt").exists())
 
 
 if __name__ == "__main__":

@@ -181,16 +181,6 @@ class Evaluated(CompareTest):
 class Text(CompareTest):
     """The card as people read it."""
 
-    def test_the_text_is_one_screen_and_has_every_line(self):
-        self.library()
-        header = self.header("friction_wrong", candidates.COMPARED["friction_wrong"])
-        text = self.compare(AGREED, header, "--scenarios", "library", "--flings", FLINGS).out
-        self.assertIn("  step            changed\n                  line 19   constant: GROUND_FRICTION 0.8 -> 0.7\n", text)
-        for line in ("bits", "contacts", "landing", "displays", "rest", "energy", "exact motion", "speed", "invariants",
-                     "paper's claims", "recordings", "consequence", "(seed 1)"):
-            self.assertIn(line, text)
-        self.assertLessEqual(len(text.splitlines()), 40)
-
     @unittest.skipUnless(IS_ALL, "nightly")
     def test_the_readme_shows_the_card_of_this_program(self):
         """All but the line that depends on the machine. HYRAX_COMPARE_UPDATE=1 writes it again."""
@@ -203,9 +193,7 @@ class Text(CompareTest):
             path.write_text(readme.replace(shown, text), encoding="utf-8")
             return
 
-        def measured(card):
-            return [line for line in card.splitlines() if "ns a step" not in line]
-        self.assertEqual(measured(text), measured(shown))
+        self.assertEqual(*([line for line in card.splitlines() if "ns a step" not in line] for card in (text, shown)))
 
     @unittest.skipUnless(IS_ALL, "nightly")
     def test_what_has_no_scenarios_is_not_measured(self):
@@ -229,14 +217,9 @@ class Consequence(CompareTest):
         self.assertRegex(card["consequence"], r"[1-9]\d* of 500 random runs")
 
     @unittest.skipUnless(IS_ALL, "nightly")
-    def test_it_names_what_weighs_most(self):
-        for name, beginning in (("not_a_number", "The sprite vanishes in "), ("friction_none", f"{FLINGS} of {FLINGS} flings"),
-                                ("friction_wrong", "A fling lands "), ("drag_by_time", "The same fling on displays of "),
-                                ("swept_walls", "The sprite no longer settles in "),
-                                ("rest_threshold_8", "Most flings look the same; in hard/window-of-no-size.json "),
-                                ("fused", "None that can be seen: no sprite is more than ")):
-            with self.subTest(name):
-                self.assertTrue(self.card(name)["consequence"].startswith(beginning), self.card(name)["consequence"])
+    def test_a_sprite_that_vanishes_comes_first(self):
+        consequence = self.card("not_a_number")["consequence"]
+        self.assertTrue(consequence.startswith("The sprite vanishes in "), consequence)
 
     @unittest.skipUnless(IS_ALL, "nightly")
     def test_two_headers_may_define_the_same_function_differently(self):
@@ -256,13 +239,6 @@ class Step(CompareTest):
         """The line of the card, and its lines of changes."""
         step = self.card(name, edits)["step"]
         return step["status"], step["why"], step["changes"]
-
-    def test_a_change_is_said_in_the_headers_words(self):
-        status, why, changes = self.step("other", [("GRAVITY = 1200.0", "GRAVITY = 1250.0"), ("m_vx *= AIR_DRAG", "m_vx *= 0.998")])
-        self.assertEqual((status, why), ("changed", None))
-        self.assertEqual([change["kind"] for change in changes], ["constant", "altered"])
-        self.assertEqual((changes[0]["detail"], changes[0]["from"], changes[0]["to"]), ("GRAVITY 1200 -> 1250", 1200, 1250))
-        self.assertEqual(SHIPPED.splitlines()[changes[1]["line"] - 1].strip(), "m_vx *= AIR_DRAG;")
 
     def test_what_is_not_proved_is_not_called_so(self):
         # No scenario or fling of these comes there.
@@ -360,9 +336,6 @@ class Refused(CompareTest):
         base = self.header("static_counter", candidates.REFUSED["static_counter"][0])
         outcome = self.compare(BAD_INPUT, self.header("same", []), base)
         self.assertRegex(outcome.err, "^static_counter.h: refused: does not repeat")
-        base = self.header("flushes_to_zero", candidates.REFUSED["flushes_to_zero"][0])
-        outcome = self.compare(BAD_INPUT, self.header("same", []), base)
-        self.assertRegex(outcome.err, "^flushes_to_zero.h: refused: changes how the processor computes")
 
     def test_a_header_that_does_not_compile_gets_a_sentence(self):
         for edit, reason in ((("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAGG;"), r"broken\.h:\d+: 'AIR_DRAGG' was not declared.*"),

@@ -2,7 +2,6 @@
 closed forms of flight. Shares no code with the program.
 """
 
-import fractions
 import math
 import types
 import unittest.mock
@@ -17,75 +16,26 @@ RATES = [24, 25, 30, 48, 50, 60, 72, 75, 90, 100, 120, 144, 165, 200, 240, 360, 
 RIGHT_PX, BOTTOM_PX = 1920.0 - 128.0, 1080.0 - 128.0
 
 
-class Stepped(replay.Sprite):
-    """A step with walls that are noted as they are met: the contact is that of its comparisons."""
-
-    __slots__ = ("met",)
+class PositionFirst(replay.Sprite):
+    """The position moves with the speed of the frame before. Contacts are noted as walls are met."""
 
     def update(self, dt_s, right_px, bottom_px):
-        self.met = 0
-        self.step(dt_s, right_px, bottom_px)
-        return self.met | (REST if self.met & GROUND and self.vy == 0.0 else 0)
-
-    def meet(self, right_px, bottom_px):
-        """The walls of the listing."""
-        self.meet_in_x(right_px)
-        self.meet_in_y(bottom_px)
-
-    def meet_in_x(self, right_px):
+        contact = 0
+        self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
+        self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
         if self.x < 0.0 or self.x > right_px:
-            self.met |= LEFT if self.x < 0.0 else RIGHT
+            contact = LEFT if self.x < 0.0 else RIGHT
             self.x = 0.0 if self.x < 0.0 else right_px
             self.vx = -self.vx * 0.6
-
-    def meet_in_y(self, bottom_px):
         if self.y < 0.0:
-            self.met |= TOP
+            contact |= TOP
             self.y, self.vy = 0.0, -self.vy * 0.6
         elif self.y > bottom_px:
-            self.met |= GROUND
+            contact |= GROUND
             self.y, self.vy, self.vx = bottom_px, -self.vy * 0.6, self.vx * 0.8
             if abs(self.vy) < 5.0:
                 self.vy = 0.0
-
-
-class DragByTime(Stepped):
-    def step(self, dt_s, right_px, bottom_px):
-        drag = math.pow(0.999, 60.0 * dt_s)
-        self.vx, self.vy = self.vx * drag, (self.vy + G * dt_s) * drag
-        self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
-        self.meet(right_px, bottom_px)
-
-
-class PositionFirst(Stepped):
-    def step(self, dt_s, right_px, bottom_px):
-        self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
-        self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
-        self.meet(right_px, bottom_px)
-
-
-class Fused(Stepped):
-    def step(self, dt_s, right_px, bottom_px):
-        exact = fractions.Fraction
-        self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
-        self.x = float(exact(self.vx) * exact(dt_s) + exact(self.x))
-        self.y = float(exact(self.vy) * exact(dt_s) + exact(self.y))
-        self.meet(right_px, bottom_px)
-
-
-class ImpactSolved(Stepped):
-    """A frame that passes a side wall ends where the sprite is after the impact, and keeps its speed there."""
-
-    def step(self, dt_s, right_px, bottom_px):
-        self.vx, self.vy = self.vx * 0.999, (self.vy + G * dt_s) * 0.999
-        self.x, self.y = self.x + self.vx * dt_s, self.y + self.vy * dt_s
-        if self.x < 0.0:
-            self.met |= LEFT
-            self.x, self.vx = -self.x * 0.6, -self.vx * 0.6
-        elif self.x > right_px:
-            self.met |= RIGHT
-            self.x, self.vx = right_px - (self.x - right_px) * 0.6, -self.vx * 0.6
-        self.meet_in_y(bottom_px)
+        return contact | (REST if contact & GROUND and self.vy == 0.0 else 0)
 
 
 # Candidates by name: constants of the oracle, or another step.
@@ -96,12 +46,8 @@ CORES = {
     "bounce_softer": (replay.Sprite, {"RESTITUTION": 0.55}),
     "friction_wrong": (replay.Sprite, {"GROUND_FRICTION": 0.7}),
     "friction_none": (replay.Sprite, {"GROUND_FRICTION": 1.0}),
-    "rest_threshold_8": (replay.Sprite, {"REST_THRESHOLD_PX_PER_S": 8.0}),
     "no_rest_rule": (replay.Sprite, {"REST_THRESHOLD_PX_PER_S": 0.0}),
-    "drag_by_time": (DragByTime, {}),
     "position_first": (PositionFirst, {}),
-    "fused": (Fused, {}),
-    "impact_solved": (ImpactSolved, {}),
 }
 
 

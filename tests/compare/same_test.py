@@ -107,6 +107,7 @@ class SameTest(ProgramTest):
                 (["a.h", "--seed", "x"], BAD_INPUT, "--seed: must be a whole number 0 .. 9223372036854775807 (found x)"),
                 (["a.h", "--flings", "0"], BAD_INPUT, "--flings: must be a whole number 1 .. 100000 (found 0)"),
                 (["a.h", "--limit", "86401"], BAD_INPUT, "--limit: must be a whole number 1 .. 86400 (found 86401)"),
+                (["a.h", "--report", "card.txt"], BAD_INPUT, "--report: unknown suffix (found card.txt); allowed: .html"),
                 (["missing.h"], CANNOT_ACCESS, "missing.h: cannot be read"),
                 (["missing.h", "--scenarios", "nowhere"], CANNOT_ACCESS, "nowhere: cannot be read")):
             with self.subTest(arguments):

@@ -1,13 +1,12 @@
 #!/usr/bin/python3
 """No run is played twice: counts the updates of a program."""
 
-import json
 import os
 import re
 
 from altered import ALTERED
 from process import run
-from program import ProgramTest, main
+from program import ProgramTest, fling, main
 
 STEPS = 3000
 
@@ -24,14 +23,8 @@ class Replays(ProgramTest):
 
     def scenario(self):
         """A run that never repeats, which bounds an error against the reference."""
-        path = self.folder / "fling.json"
-        path.write_text(json.dumps({
-            "format": "hyrax-scenario/1", "name": "fling", "window": {"width_px": 1920, "height_px": 1080},
-            "sprite": {"width_px": 128, "height_px": 128},
-            "start": {"x_px": 300, "y_px": 500, "vx_px_per_s": 2400, "vy_px_per_s": -700},
-            "clock": {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 7}},
-            "steps": STEPS, "expect": {"implementation_px_max": 1e-3}}))
-        return path
+        return self.write("fling.json", fling(steps=STEPS, expect={"implementation_px_max": 1e-3}, clock={
+            "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 7}}))
 
     def test_a_run_is_played_once_for_all_outputs(self):
         for options in ((), ("--figure", "fling.svg"), ("--drift",), ("--drift", "--rows", "--figure", "fling.svg"),

@@ -33,31 +33,11 @@ def _copied_library():
 LIBRARY = _copied_library()
 
 
-@functools.cache
 def settings():
     """The build's own: {name: list of words}."""
     text = (pathlib.Path(os.environ["HYRAX_BUILD"]) / "sim/hyrax_core_record/settings.cmake").read_text(encoding="utf-8")
     return {name: [word for word in value.split(";") if word]
             for name, value in re.findall(r"^set\((\w+) \[==\[(.*)\]==\]\)$", text, re.MULTILINE)}
-
-
-def build(source, program, *options):
-    """Compiles a source file with the build's compiler and flags, not optimised: the bits are the same."""
-    given = settings()
-    succeed(*given["compiler"], *given["flags"], *(f"-D{name}" for name in given.get("definitions", ())),
-            f"-I{given['root'][0]}", "-w", "-O0", "-g0", *options, source, *given["libraries"], "-o", program)
-
-
-def in_namespaces(headers, once, each):
-    """C++ that includes headers side by side: `core_0`, `core_1`, ...
-
-    once: included before, as all standard headers of theirs are; each: what includes HYRAX_CORE_HEADER.
-    """
-    texts = "".join(header.read_text(encoding="utf-8") for header in headers)
-    included = [*sorted(set(re.findall(r"^#include (<\w+>)", texts, re.MULTILINE))), '"sim/physics/strict_arithmetic.h"', *once]
-    return "".join([*(f"#include {name}\n" for name in included), *(
-        f'#define HYRAX_CORE_HEADER "{header}"\nnamespace core_{number} {{\n#include {each}\n}}\n#undef HYRAX_CORE_HEADER\n'
-        for number, header in enumerate(headers))])
 
 
 class TracedCore:
@@ -102,12 +82,20 @@ def trace():
         if not _UNTRACED:
             return
         program, source = (pathlib.Path(_FOLDER.name) / name for name in ("record_steps", "record_steps.cpp"))
-        hosts = ("<cstdlib>", '"sim/trace/host/explorer.h"', '"sim/trace/host/number_functions.h"')
-        text = in_namespaces([core.header for core in _UNTRACED], hosts, '"sim/trace/host/programs/record_step.cpp"')
+        headers = "".join(core.header.read_text(encoding="utf-8") for core in _UNTRACED)
+        included = [*sorted(set(re.findall(r"^#include (<\w+>)", headers, re.MULTILINE))), '"sim/physics/strict_arithmetic.h"',
+                    "<cstdlib>", '"sim/trace/host/explorer.h"', '"sim/trace/host/number_functions.h"']
+        text = "".join(f"#include {name}\n" for name in included)  # Before the namespaces.
+        for number, core in enumerate(_UNTRACED):
+            text += (f'#define HYRAX_CORE_HEADER "{core.header}"\nnamespace core_{number} {{\n'
+                     '#include "sim/trace/host/programs/record_step.cpp"\n}\n#undef HYRAX_CORE_HEADER\n')
         mains = ", ".join(f"core_{number}::main" for number in range(len(_UNTRACED)))
         source.write_text(f"{text}int main(int count, char** words) {{\n  int (*const mains[])(int, char**) = {{{mains}}};\n"
                           "  return mains[std::atoi(words[1])](count - 1, words + 1);\n}\n", encoding="utf-8")
-        build(source, program, "-DHYRAX_CORE_PRELUDE=<cmath>", "-DHYRAX_TRACES_BOOL")
+        given = settings()  # Not optimised: the bits are the same.
+        succeed(*given["compiler"], *given["flags"], *(f"-D{name}" for name in given.get("definitions", ())),
+                f"-I{given['root'][0]}", "-w", "-O0", "-g0", "-DHYRAX_CORE_PRELUDE=<cmath>", "-DHYRAX_TRACES_BOOL", source,
+                *given["libraries"], "-o", program)
         for number, core in enumerate(_UNTRACED):
             succeed(program, str(number), core.step, core.why_file)
         _UNTRACED.clear()

@@ -2,10 +2,11 @@
 
 import os
 
+from playing import refusal
 from preloading import environment_for
 from process import run
 from result import Result, hindrance_of
-from rows import NOT_STRICT, PROJECT, THIS_BUILD
+from rows import PROJECT, THIS_BUILD
 
 MANY = 8
 TIMEOUT_S = 600
@@ -31,14 +32,6 @@ def agreement(name, outcome):
     return line(name, f"{counts['agreed']} of {counts['checked']} agree", is_bad, outcome.out)
 
 
-def refusal(name, outcome, sentence):
-    """The line of a check that must be refused."""
-    is_refused = outcome.exit_code == NOT_STRICT and not outcome.out and sentence in outcome.err
-    if is_refused:
-        return line(name, f"refused at start, exit code 5: {sentence}", False)
-    return line(name, f"NOT REFUSED: exit code {outcome.exit_code}", True, outcome.err)
-
-
 def lines_of(program, golden, folder):
     """All lines of hyrax-sim."""
     alone, together = check(program, golden, {}, 1), check(program, golden, {})
@@ -52,8 +45,9 @@ def lines_of(program, golden, folder):
         if hindrance := hindrance_of(variant, f"hyrax-sim check, {variant.name}", runs_on="this machine"):
             yield hindrance
             continue
-        outcome = check(program, golden, environment_for(variant, folder))
+        environment = environment_for(variant, folder)
         if variant.must.kind == "starts":
-            yield refusal(variant.name, outcome, variant.must.sentence)
+            verdict, is_good, details = refusal(lambda given=environment: check(program, golden, given), variant.must)
+            yield line(variant.name, verdict, not is_good, details)
         else:
-            yield agreement(variant.name, outcome)
+            yield agreement(variant.name, check(program, golden, environment))

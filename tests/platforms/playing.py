@@ -32,9 +32,9 @@ def play(start, row, scenarios, is_reversed=False):
     return f"{len(chosen)} of {len(chosen)} agree{left_out}", True, ""
 
 
-def refusal(start, scenarios, must):
-    """Whether the program refuses at its start with that sentence, before it plays anything."""
-    outcome = start(*scenarios)
+def refusal(start, must):
+    """(verdict, whether the program refuses at its start with that sentence, before it plays anything, stderr)."""
+    outcome = start()
     is_refused = outcome.exit_code == NOT_STRICT and not outcome.out
     if is_refused and must.sentence in outcome.err and outcome.err.count("\n") == 1:
         return f"refused at start, exit code 5: {must.sentence}", True, ""
@@ -44,7 +44,7 @@ def refusal(start, scenarios, must):
 def judge(start, row, scenarios, must, is_reversed=False):
     """(verdict, is_bad, details) of one run; `start` runs the program with its arguments."""
     if must.kind == "starts":
-        verdict, is_good, details = refusal(start, scenarios, must)
+        verdict, is_good, details = refusal(lambda: start(*scenarios), must)
         return verdict, not is_good, details
     verdict, agrees, details = play(start, row, scenarios, is_reversed)
     if must.kind == "differs":

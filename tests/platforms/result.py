@@ -1,4 +1,4 @@
-"""What became of a row."""
+"""What became of a row, and the table of all."""
 
 import dataclasses
 
@@ -26,3 +26,14 @@ def hindrance_of(row, name, built_by="", flags="", runs_on=""):
         return Result(name, built_by, flags, runs_on, f"skipped: needs {' '.join(packages)}", IN_CI,
                       "with CI=true, what is missing is a failure")
     return None
+
+
+def to_markdown(results):
+    """All results, one a line."""
+    rows = [("platform", "built by", "flags", "run by", "state hashes"), *(
+        (result.name, result.built_by, f"`{result.flags}`" if result.flags else "", result.runs_on, result.verdict)
+        for result in results)]
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    head, *lines = ("| " + " | ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)) + " |" for row in rows)
+    rule = "|" + "|".join("-" * (width + 2) for width in widths) + "|"
+    return "\n".join([head, rule, *lines]) + "\n"

@@ -149,13 +149,6 @@ class Fates(unittest.TestCase):
         self.assertEqual(exit_code, 0, said)
         self.assertIn("Score: none", said)
 
-    def test_a_reason_of_a_mutant_that_is_caught_is_a_fault(self):
-        name = SURVIVOR.replace("<=", ">")
-        reasons = [{"reason": "For the test.", "mutants": {"sim/compare/sign.cpp": [name]}}]
-        exit_code, said = self.run_tool("--only", "number > 0", reasons=reasons)
-        self.assertEqual(exit_code, 1)
-        self.assertIn("is said to be equivalent, and is caught", said)
-
     def test_a_test_that_fails_without_a_change_catches_nothing(self):
         exit_code, said = self.run_tool("--only", "number <= 0", HYRAX_TEST_IS_RED="1")
         self.assertEqual(exit_code, 3, said)

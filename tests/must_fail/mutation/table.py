@@ -1,12 +1,8 @@
-"""The fates of mutants: the score with its interval, and tables in Markdown that read well on a terminal, too."""
+"""The fates of mutants: the score with its interval, and tables in Markdown, with the names that reasons.json needs."""
 
 import collections
 import math
-import os
-import re
 
-_LONG = 60
-_AROUND = 24
 _FATES = ("caught", "unit test", "survived", "equivalent", "refused", "not tried")
 _Z_95 = 1.959963984540054  # Two-sided 95 % of the normal distribution.
 
@@ -29,25 +25,6 @@ def fate_of(mutant, verdict, reasons):
     if reason.is_caught_by_unit_test:
         return "unit test" if verdict.fate == "caught" and verdict.caught_by != "check" else verdict.fate
     return "equivalent" if verdict.fate == "survived" else verdict.fate
-
-
-def _cut(line, first, last):
-    """The part of a long line around its positions `first` to `last`."""
-    first, last = max(first - _AROUND, 0), min(last + _AROUND, len(line))
-    return ("..." if first > 0 else "") + line[first:last] + ("..." if last < len(line) else "")
-
-
-def _short(name):
-    """A mutant's name; long lines are cut to the part around the change."""
-    name, number = re.fullmatch(r"(.*?)( \[\d+\])?", name).groups(default="")
-    place, _, change = name.partition(": ")
-    before, arrow, after = change.partition(" -> ")
-    if not arrow:
-        return (name if len(name) <= 2 * _LONG else name[:2 * _LONG] + "...") + number
-    same = len(os.path.commonprefix([before, after]))
-    same_end = min(len(os.path.commonprefix([before[::-1], after[::-1]])), len(before) - same, len(after) - same)
-    before, after = (line if len(line) <= _LONG else _cut(line, same, len(line) - same_end) for line in (before, after))
-    return f"{place}: {before} -> {after}{number}"
 
 
 def _row(cells):
@@ -77,5 +54,5 @@ def report_of(trials, reasons, group_of):
     lines += ["", _row(("source", "mutant", "fate", "by", "s")), "|---|---|---|---|---|"]
     for mutant, (verdict, seconds) in trials.items():
         how = " ".join(filter(None, (verdict.caught_by, verdict.difference)))
-        lines.append(_row((f"{mutant.path}:{mutant.line}", f"`{_short(mutant.name)}`", fates[mutant], how, f"{seconds:.0f}")))
+        lines.append(_row((f"{mutant.path}:{mutant.line}", f"`{mutant.name}`", fates[mutant], how, f"{seconds:.0f}")))
     return "\n".join(lines) + "\n"

@@ -5,14 +5,12 @@ Fuzzers found the first of them, which the HDF5 library crashes on or never come
 """
 
 import os
-import resource
 import shutil
-import signal
 
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, SOURCE, ProgramTest, fling, main
 
 FOUND = SOURCE / "tests/robustness/fuzz/found"
 CRASH = FOUND / "golden/crash-in-heap-header.h5"
@@ -27,12 +25,12 @@ class HostileFile(ProgramTest):
         self.project("fling", "other")
         self.golden = self.folder / "golden/fling.h5"
 
-    def assert_refused(self, sentence, *commands, **options):
+    def assert_refused(self, sentence, *commands):
         """Every command is exit 2 with the sentence; `check` still judges the other scenario."""
         # A sanitizer notices some harm before it is done.
         wanted = f"golden/fling.h5: is damaged: {'' if self.is_sanitized() else sentence}"
         for command in commands:
-            outcome = self.expect(BAD_INPUT, *command, **options)
+            outcome = self.expect(BAD_INPUT, *command)
             self.assertIn(wanted, outcome.out if command[0] == "check" else outcome.err)
             if command[0] == "check":
                 self.assertIn("2 checked: 1 agreed, 0 disagreed, 0 without golden file, 1 failed", outcome.out)
@@ -44,18 +42,9 @@ class HostileFile(ProgramTest):
                                 ("check", "--jobs", "1"), ("diff", "golden/fling.h5", "golden/other.h5"),
                                 ("drift", "golden/fling.h5"))
 
-    def test_under_a_parent_that_ignores_or_blocks_signals(self):
-        """What a child process came to is known all the same: a crash, and a reading that does not end."""
-        def disturb():
-            signals = [signal.SIGCHLD, signal.SIGALRM, signal.SIGXCPU]
-            for number in signals:
-                signal.signal(number, signal.SIG_IGN)
-            signal.pthread_sigmask(signal.SIG_BLOCK, signals)
-
-        self.expect(AGREED, "diff", "golden/other.h5", "golden/other.h5", preexec_fn=disturb)
-        for found, sentence in ((CRASH, "the HDF5 library crashes on it"), (ENDLESS, "reading it does not end")):
-            shutil.copyfile(found, self.golden)
-            self.assert_refused(sentence, ("check",), preexec_fn=disturb)
+    def test_that_hdf5_never_comes_back_from(self):
+        shutil.copyfile(ENDLESS, self.golden)
+        self.assert_refused("reading it does not end", ("check",))
 
     def test_it_does_not_keep_a_blessing_from_replacing_it(self):
         shutil.copyfile(CRASH, self.golden)
@@ -93,12 +82,9 @@ class HostileFile(ProgramTest):
             file["trajectory/step"][-1] = 300
         self.assert_refused("reading it does not end", ("diff", "golden/fling.h5", "golden/other.h5"))
 
-    def test_memory_and_time_stay_in_proportion(self):
+    def test_memory_stays_in_proportion(self):
         self.grow("contacts", 1 << 28)
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.expect_below(300e6, BAD_INPUT, "check")
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        self.assertLess(after.ru_utime - before.ru_utime, 30)
 
     def test_that_has_no_end(self):
         self.expect(BAD_INPUT, "validate", "/dev/zero", says="/dev/zero: is too large; a text file has at most 256 MiB")
@@ -124,25 +110,6 @@ class HostileFile(ProgramTest):
                 copy.attrs[name] = value
             whole.visititems(lambda name, item: self.copy_compressed(copy, name, item))
         self.expect(AGREED, "diff", "golden/fling.h5", "compressed.h5")
-
-    def test_a_golden_file_that_describes_less_or_more(self):
-        """Blessing it again adds what is missing and removes what is additional."""
-        self.golden.unlink()
-        self.golden.with_suffix(".txt").unlink()
-        self.write("scenarios/fling.json", fling(events=[{"step": 9, "hitch": {"dt_s": 0.5}}]))
-        self.bless("scenarios/fling.json")
-        with h5py.File(self.golden, "r+") as file:
-            for group, name in (("contacts", "wall"), ("events", "kind")):
-                del file[group][name].attrs["flag_meanings"], file[group][name].attrs["DIMENSION_LIST"]
-            del file["events/a"].attrs["units_by_kind"]
-        self.assertIn(", which bless writes; restore it", self.expect(DISAGREED, "check").out)
-        self.bless("scenarios/fling.json")
-        with h5py.File(self.golden) as file:
-            self.assertIn("units_by_kind", file["events/a"].attrs)
-        self.assertEqual(self.expect(AGREED, "check").err, "")
-        with h5py.File(self.golden, "r+") as file:
-            file["events/a"].attrs["units_by_kind"] = "m/s"
-        self.assertIn('/events/a@units_by_kind = "m/s", which bless does not write', self.expect(DISAGREED, "check").out)
 
     @staticmethod
     def copy_compressed(copy, name, item):
