@@ -42,11 +42,7 @@ class Fuzz(ProgramTest):
         self.assertEqual([first % 3 for first in firsts], [0, 1, 2])
         self.assertEqual(min(firsts), self.first_failure())
         self.assertNotIn(0, firsts, "any core fails there")
-
-    def test_a_failing_scenario_replaces_no_file(self):
-        for names in (1, 2):
-            self.first_failure()
-            self.assertEqual(len(self.names()), names, self.names())
+        self.assertEqual(len(self.names()), 4, "a failing scenario replaces no file, that of the same run either")
 
     def first_failure(self, *options):
         """The first run in which a core that differs on bounds only breaks a rule."""
@@ -79,7 +75,7 @@ class Refused(ProgramTest):
 
     def test_values_out_of_range(self):
         for options, says in ((("--time", "0"), "--time: must be a time above 0"), (("--time", "5d"), "found 5d"),
-                              (("--time", "1e400s"), "--time"), (("--runs", "0"), "--runs"), (("--seed", "-1"), "--seed"),
+                              (("--time", "1e400s"), "--time"),
                               (("--seed", str(2 ** 64)), f"--seed: must be a whole number 0 .. {2 ** 64 - 1} (found {2 ** 64})"),
                               (("--part", "3/3"), "--part: must be I/N"),
                               (("--time", "1s", "--runs", "1"), "--time and --runs: only one allowed")):
