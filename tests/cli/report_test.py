@@ -35,28 +35,23 @@ class ReportTest(ProgramTest):
             self.played_once.append((self.folder / "fling.h5").read_bytes())
         (self.folder / "fling.h5").write_bytes(self.played_once[0])
 
-    def test_without_the_page_says_in_one_sentence_how_to_get_it(self):
-        outcome = self.expect(CANNOT_ACCESS, "report", "fling.h5", "-o", "fling.html", says=("tools/run", "HYRAX_PAGE"))
-        self.assertEqual(outcome.err.count("\n"), 1)
-        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
-
-    def test_run_writes_nothing_without_the_page(self):
-        self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "new.h5", "--report", "new.html", says="HYRAX_PAGE")
-        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
-
-    def test_needs_an_output(self):
-        self.expect(BAD_INPUT, "report", "fling.h5", says="-o FILE.html is missing")
-
-    def test_writes_html_only(self):
-        self.expect(BAD_INPUT, "report", "fling.h5", "-o", "fling.txt", says="allowed: .html")
-        self.expect(BAD_INPUT, "run", "fling.json", "-o", "a.h5", "--report", "a.htm", says="allowed: .html")
-        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
-
-    def test_refuses_what_is_no_trajectory(self):
+    def test_refused_it_says_why_in_one_sentence_and_writes_nothing(self):
         self.write("text.h5", "text")
-        self.expect(BAD_INPUT, "report", "text.h5", "-o", "a.html", says="text.h5: is not an HDF5 file")
-        self.expect(BAD_INPUT, "report", "fling.h5", "--against", "text.h5", "-o", "a.html", says="text.h5: is not")
-        self.expect(CANNOT_ACCESS, "report", "none.h5", "-o", "a.html", says="none.h5: cannot be read")
+        self.write("other.json", program.fling(name="other"))
+        before = self.state_of(".")
+        for exit_code, says, *arguments in (
+                (CANNOT_ACCESS, ("tools/run", "HYRAX_PAGE"), "report", "fling.h5", "-o", "fling.html"),
+                (CANNOT_ACCESS, "HYRAX_PAGE", "run", "fling.json", "-o", "new.h5", "--report", "new.html"),
+                (BAD_INPUT, "-o FILE.html is missing", "report", "fling.h5"),
+                (BAD_INPUT, "allowed: .html", "report", "fling.h5", "-o", "fling.txt"),
+                (BAD_INPUT, "allowed: .html", "run", "fling.json", "-o", "a.h5", "--report", "a.htm"),
+                (BAD_INPUT, "one scenario only", "run", "fling.json", "other.json", "--report", "a.html"),
+                (BAD_INPUT, "CSV", "run", "fling.json", "-o", "a.csv", "--report", "a.html"),
+                (BAD_INPUT, "text.h5: is not an HDF5 file", "report", "text.h5", "-o", "a.html"),
+                (BAD_INPUT, "text.h5: is not an HDF5 file", "report", "fling.h5", "--against", "text.h5", "-o", "a.html"),
+                (CANNOT_ACCESS, "none.h5: cannot be read", "report", "none.h5", "-o", "a.html")):
+            self.assertEqual(self.expect(exit_code, *arguments, says=says).err.count("\n"), 1, arguments)
+            self.assertEqual(self.state_of("."), before, arguments)
 
     def test_reads_studies_and_sweeps_and_refuses_damaged_ones(self):
         self.expect(AGREED, "study", "rest", "--quick", "--no-figures")
@@ -96,11 +91,6 @@ class ReportTest(ProgramTest):
         self.expect(BAD_INPUT, "report", "fling.h5", "-o", "scenario.html", says="would overwrite a scenario")
         (self.folder / "scenario.html").unlink()
         self.assertEqual(self.state_of("."), before)
-
-    def test_run_reports_one_scenario_in_a_trajectory_file(self):
-        self.write("other.json", program.fling(name="other"))
-        self.expect(BAD_INPUT, "run", "fling.json", "other.json", "--report", "a.html", says="one scenario only")
-        self.expect(BAD_INPUT, "run", "fling.json", "-o", "a.csv", "--report", "a.html", says="CSV")
 
 
 class Numbers(ProgramTest):

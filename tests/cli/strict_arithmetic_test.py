@@ -36,9 +36,7 @@ class Disturbed(ProgramTest):
                 self.assertEqual(outcome.out, "")
                 self.assertEqual(outcome.err.count("\n"), 1)
         self.assertEqual(self.state_of("."), self.before)
-
-    def test_it_is_the_most_serious_outcome(self):
-        self.write("scenarios/bad.json", "{")
+        self.write("scenarios/bad.json", "{")  # It is the most serious outcome.
         self.expect(NOT_STRICT, "check", "scenarios", "none.json", env=self.disturbed("flush"))
 
     def test_help_version_and_info_work_all_the_same(self):
