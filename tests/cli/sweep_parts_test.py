@@ -317,12 +317,6 @@ class Interrupted(FilesTest):
         self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="sweep.h5.partial")
         self.assertEqual(self.state_of("."), before)
 
-    def test_what_is_complete_is_not_computed_again(self):
-        self.file("out.h5")
-        before = self.state_of(".")
-        self.assertEqual(self.sweep("sweep.json", "-o", "out.h5", "--resume", "--json").json["computed"], 0)
-        self.assertEqual(self.state_of("."), before)
-
     def test_only_the_same_sweep_is_resumed(self):
         with h5py.File(self.folder / self.file("out.h5"), "a") as file:  # As if nothing was done yet.
             file.attrs["rows_done"] = numpy.int64(0)
