@@ -15,7 +15,6 @@ class Folders(ProgramTest):
         self.write("elsewhere/two.json", fling(name="two"))
 
     def link(self, target, path):
-        """A symbolic link below the folder."""
         os.symlink(target, self.folder / path)
 
     def listed(self, exit_code=AGREED, folder="scenarios", says=()):

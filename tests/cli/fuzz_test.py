@@ -11,8 +11,6 @@ from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, main
 
 
 class Fuzz(ProgramTest):
-    """The shipped core."""
-
     def fuzz(self, *options, **arguments):
         """Without a failure: the document."""
         return self.expect(AGREED, "fuzz", "--json", *options, **arguments).json
@@ -71,8 +69,6 @@ class Fuzz(ProgramTest):
 
 
 class Refused(ProgramTest):
-    """Bad options, before anything is played."""
-
     def test_values_out_of_range(self):
         for options, says in ((("--time", "0"), "--time: must be a time above 0"), (("--time", "5d"), "found 5d"),
                               (("--time", "1e400s"), "--time"),

@@ -19,8 +19,6 @@ def decimal(value):
 
 
 class Goldens(unittest.TestCase):
-    """The project's own golden files."""
-
     def test_summaries_show_where_the_sprite_was(self):
         """Apex, position at each second and speed at each contact, computed from the rows of the .h5 files."""
         compared = 0

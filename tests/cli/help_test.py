@@ -7,8 +7,6 @@ from program import AGREED, BAD_INPUT, SOURCE, ProgramTest, main
 
 
 class Help(ProgramTest):
-    """Everything has help, with an example."""
-
     def test_the_first_screen_is_also_what_no_argument_gives(self):
         text = self.expect(AGREED, "--help").out
         for arguments in ((), ("-h",), ("help",)):
@@ -51,8 +49,6 @@ class Usage(ProgramTest):
 
 
 class Schema(ProgramTest):
-    """The schema is for editors."""
-
     def test_it_is_that_of_the_reader(self):
         self.assertEqual(self.expect(AGREED, "schema").out, (SOURCE / "tools/files/scenario.schema.json").read_text(encoding="utf-8"))
 

@@ -66,8 +66,6 @@ class HyraxReplay(ProgramTest):
 
 
 class Check(ReplayCheckCases, ProgramTest):
-    """The command check, of the build for this machine."""
-
     def run_replay(self, *arguments):
         return run(REPLAY, *arguments, cwd=self.folder)
 

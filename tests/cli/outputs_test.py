@@ -132,8 +132,6 @@ class Guarded(ProgramTest):
 
 
 class Names(ProgramTest):
-    """The suffix selects what is written."""
-
     def setUp(self):
         super().setUp()
         self.write("fling.json", fling())

@@ -87,8 +87,6 @@ class Shrink(ProgramTest):
 
 
 class Refused(ProgramTest):
-    """What is not shrunk, and outputs that are protected."""
-
     def setUp(self):
         super().setUp()
         self.write("fling.json", fling())

@@ -22,8 +22,6 @@ def measured():
 
 
 class Paper(ProgramTest):
-    """The study and its files."""
-
     def study(self, exit_code, *arguments, **options):
         """Runs the study without figures; its output goes into out/."""
         return self.expect(exit_code, "study", "paper", "--no-figures", "-o", "out", *arguments, **options)

@@ -36,8 +36,6 @@ class Needs(ProgramTest):
 
 
 class SpeedError(ProgramTest):
-    """study speed-error."""
-
     def test_scenarios_are_studied_too_and_drawn(self):
         self.write("mine.json", fling(name="mine", events=[{"step": 100, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))
         document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--json").json

@@ -26,17 +26,12 @@ TRIES = 20
 
 
 class FilesTest(SweepTest):
-    """Files of the usual sweep, computed once for all tests."""
-
-    computed_once = {}
+    """Files of the usual sweep."""
 
     def file(self, name, *arguments):
-        """Writes the file that the usual sweep gives with these arguments; returns its name."""
+        """Writes the file that it gives with these arguments; returns its name."""
         self.write("sweep.json", document())
-        if name not in self.computed_once:
-            self.sweep("sweep.json", "-o", "out.h5", *arguments)
-            self.computed_once[name] = (self.folder / name).read_bytes()
-        (self.folder / name).write_bytes(self.computed_once[name])
+        self.sweep("sweep.json", "-o", "out.h5", *arguments)
         return name
 
     def two_parts(self):
@@ -51,8 +46,6 @@ class FilesTest(SweepTest):
 
 
 class Parts(FilesTest):
-    """Parts, and their merging."""
-
     def merged(self, parts):
         """The file of a sweep in that many parts, more than the files that may be open unless a program asks."""
         for part in range(parts):
@@ -202,8 +195,6 @@ class Parts(FilesTest):
 
 
 class Interrupted(FilesTest):
-    """Killed, and resumed."""
-
     def test_after_kills_at_random_moments_the_file_is_the_same(self):
         draws = random.Random(SEED)
         begin = time.monotonic()

@@ -87,8 +87,6 @@ class EveryMember(SweepTest):
 
 
 class Outputs(SweepTest):
-    """What is written where."""
-
     def test_a_member_replaces_a_file_with_force_only(self):
         self.write("sweep.json", document())
         self.write("m.json", fling())

@@ -17,8 +17,6 @@ MEASURED = ["scenarios/paper/first-order-060-hz.json", "scenarios/paper/first-or
 
 
 class WithoutGsl(ProgramTest):
-    """Each command on the project's own scenarios."""
-
     def setUp(self):
         super().setUp()
         for folder in ("scenarios", "golden"):

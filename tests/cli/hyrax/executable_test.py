@@ -57,8 +57,6 @@ def resources(path):
 
 
 class Executable(unittest.TestCase):
-    """The contents of the executable file."""
-
     def test_it_needs_only_what_every_windows_has(self):
         for program in (HYRAX, HYRAX_REPLAY):
             self.assertLessEqual(imports(program), WINDOWS_DLLS)

@@ -10,8 +10,6 @@ from replay_check import ReplayCheckCases
 
 
 class Check(ReplayCheckCases, HyraxTest):
-    """The command check under Wine."""
-
     def run_replay(self, *arguments):
         return self.wine.run(HYRAX_REPLAY, *arguments, cwd=self.folder)
 
