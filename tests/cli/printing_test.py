@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How much is printed (--quiet, --verbose), colour on a terminal, and scenarios on standard input."""
+"""How much is printed (--quiet, --verbose), colour and progress on a terminal, and scenarios on standard input."""
 
 import json
 import os
@@ -92,6 +92,33 @@ class Colour(ProgramTest):
         path = self.write("a\x1b[31mb.json", fling())
         exit_code, shown = self.shown("validate", path)
         self.assertEqual((exit_code, shown), (AGREED, f"a\\u001b[31mb.json: {GREEN}good\x1b[0m, 300 steps\n"))
+
+
+class Progress(ProgramTest):
+    """Of runs long enough for it to cut them into pieces, and of a search."""
+
+    def assert_same_when_watched(self, **scenario):
+        """The same summary and the same file."""
+        path = self.write("long.json", fling(**scenario))
+        unwatched = self.expect(AGREED, "run", path, "-o", "run.h5", "--json").out
+        rows = (self.folder / "run.h5").read_bytes()
+        outcome, shown = self.on_terminal("stderr", "run", path, "-o", "run.h5", "--json")
+        self.assertEqual((outcome.exit_code, outcome.out), (AGREED, unwatched), shown)
+        self.assertEqual((self.folder / "run.h5").read_bytes(), rows)
+        return unwatched
+
+    def test_a_run_that_repeats_is_the_same(self):
+        out = self.assert_same_when_watched(steps=10**8, record={"every": 10**6})
+        self.assertNotIn('"periodic_from_step": null', out)
+
+    def test_a_run_that_is_computed_is_the_same(self):
+        self.assert_same_when_watched(
+            steps=300_000, record={"every": 1000}, events=[{"step": 70_000, "stop": {}}],
+            clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}})
+
+    def test_fuzz_shows_how_far_it_is(self):
+        _, shown = self.on_terminal("stderr", "fuzz", "--time", "1s", "--json")
+        self.assertRegex(shown, r"\d+ runs, [\d.e+]+ per second, [01] s left")
 
 
 class StandardInput(ProgramTest):

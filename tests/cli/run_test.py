@@ -122,7 +122,8 @@ class Override(ProgramTest):
     def test_the_file_has_their_name_and_holds_the_scenario_with_them(self):
         self.write("fling.json", fling())
         run, = self.expect(AGREED, "run", "fling.json", "--json", "--set", "/clock/rate_hz=144", "--set", "/name=somewhere-else",
-                           "--set", '/events=[{"step": 3, "hitch": {"dt_s": 0.5}}]', "--set", '/events/-={"step": 9, "stop": {}}').json["runs"]
+                           "--set", '/events=[{"step": 3, "hitch": {"dt_s": 0.5}}]',
+                           "--set", '/events/-={"step": 9, "stop": {}}').json["runs"]
         self.assertEqual(run["output"], "somewhere-else.h5")
         with h5py.File(self.folder / "somewhere-else.h5") as file:
             self.assertEqual(list(file["events/frame"]), [3, 9])

@@ -1,9 +1,12 @@
 #!/usr/bin/python3
-"""The command study: the files, output and errors of speed-error and needs."""
+"""The command study: the files, output and errors of needs, speed-error and hard-cases."""
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling, main
+
+HARD = SOURCE / "scenarios/hard"
+CALM = fling(name="calm", steps=900)
 
 
 class Needs(ProgramTest):
@@ -30,9 +33,8 @@ class Needs(ProgramTest):
         self.assertEqual(self.verdicts(path, "--within", "0.001 px")["drag"], "needed")
 
     def test_a_scene_without_exact_solution_says_so(self):
-        path = SOURCE / "scenarios/hard/sprite-larger-than-window.json"
-        self.assertIn("its window cannot hold its sprite",
-                      self.expect(AGREED, "study", "needs", path, "--quick", "--no-figures").out)
+        self.assertIn("its window cannot hold its sprite", self.expect(
+            AGREED, "study", "needs", HARD / "sprite-larger-than-window.json", "--quick", "--no-figures").out)
 
 
 class SpeedError(ProgramTest):
@@ -46,47 +48,58 @@ class SpeedError(ProgramTest):
         for part in ("Pareto front", "rk8pd", "cost, ns"):
             self.assertNotEqual(part in text, "not measured: clock unsteady" in text, part)
 
-    def test_one_that_has_no_exact_solution_is_refused(self):
-        self.write("large.json", fling(sprite={"width_px": 4000, "height_px": 128}))
-        self.expect(BAD_INPUT, "study", "speed-error", "large.json", "--quick",
-                    says="large.json: cannot be studied for speed against error: its window cannot hold its sprite")
-        self.assertEqual(self.names(), ["large.json"])
 
-    def test_a_name_that_is_taken_is_refused(self):
-        self.write("mine.json", fling())
-        self.expect(BAD_INPUT, "study", "speed-error", "mine.json", "--quick", says="must differ from the other problems' (found fling)")
+class HardCases(ProgramTest):
+    """Of scenarios of the project and of the user's own."""
+
+    def study(self, exit_code, *arguments, **options):
+        """Runs the study without figures; its output goes into out/."""
+        return self.expect(exit_code, "study", "hard-cases", "--quick", "--no-figures", "-o", "out", *arguments, **options)
+
+    def test_a_scenario_of_the_users_own_is_a_case(self):
+        document = self.study(AGREED, self.write("calm.json", CALM), "--gate", "--json").json
+        self.assertEqual([case["case"] for case in document["cases"]], ["calm"])
+        self.assertEqual(document["cases"][0]["invariants"]["mirror"]["verdict"], "held")
+        self.assertEqual(document["broken"], [])
+
+    def test_a_failed_expectation_breaks_it_and_only_the_gate_changes_the_exit_code(self):
+        self.write("calm.json", {**CALM, "expect": {"final_y_px": [0, 1]}})
+        self.study(AGREED, "calm.json")
+        self.study(DISAGREED, "calm.json", "--gate", says="calm: expectations: final_y_px: wanted 0 .. 1")
+
+    def test_long_cases_are_left_out_of_the_quick_study(self):
+        document = self.study(AGREED, HARD / "a-fling-a-minute.json", "--json").json
+        names = [case["case"] for case in document["cases"]]
+        self.assertEqual(names, ["a-fling-a-minute", "a-fling-a-minute/an-hour"])
+        self.study(BAD_INPUT, HARD / "ten-million-steps.json", says="no case is left with --quick")
 
 
 class Usage(ProgramTest):
-    """Bad usage is refused before anything is written."""
-
-    def test_an_unknown_study_lists_the_known_ones(self):
-        self.expect(BAD_INPUT, "study", "speed", says=("unknown study (found speed)", "speed-error", "needs"))
-        self.expect(BAD_INPUT, "study", says="study")
-
-    def test_options_without_use_are_refused(self):
-        self.write("fling.json", fling())
-        for arguments, words in ((("speed-error", "--within", "1px"), "speed-error: takes no --within"),
-                                 (("speed-error", "--expect", "x.json"), "speed-error: takes no --expect"),
-                                 (("needs",), "a scenario must be given"),
-                                 (("needs", "fling.json", "--within", "1 mm"), "--within: must be a length of at least 0, "
-                                                                               "as 1px (found '1 mm')"),
-                                 (("needs", "fling.json", "--within=-1px"), "--within"),
-                                 (("needs", "fling.json", "--within", "nan"), "--within"),
-                                 (("needs", "fling.json", "fling.json"), "fling.json: /name: duplicate scenario name (found fling)")):
-            self.expect(BAD_INPUT, "study", *arguments, says=words)
-        self.assertEqual(self.names(), ["fling.json"])
-
-    def test_bad_scenarios_leave_nothing_behind(self):
-        self.write("bad.json", fling(steps=-1))
-        self.expect(BAD_INPUT, "study", "needs", "bad.json", "-o", "out", says="bad.json: /steps")
-        self.expect(CANNOT_ACCESS, "study", "needs", "none.json", says="none.json: cannot be read")
-        self.assertEqual(self.names(), ["bad.json"])
-
-    def test_a_folder_that_cannot_be_created_is_reported(self):
-        self.write("fling.json", fling())
-        self.expect(CANNOT_ACCESS, "study", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json",
-                    says="fling.json: ")
+    def test_what_is_wrong_is_reported_before_anything_is_written(self):
+        for path, document in (("fling.json", fling()), ("bad.json", fling(steps=-1)), ("one/calm.json", CALM), ("two/calm.json", CALM),
+                               ("large.json", fling(sprite={"width_px": 4000, "height_px": 128}))):
+            self.write(path, document)
+        before = self.state_of(".")
+        no_length = "--within: must be a length of at least 0, as 1px (found "
+        for exit_code, says, *arguments in (
+                (BAD_INPUT, ("unknown study (found speed)", "speed-error", "needs"), "speed"),
+                (BAD_INPUT, "speed-error: takes no --within", "speed-error", "--within", "1px"),
+                (BAD_INPUT, "large.json: cannot be studied for speed against error: its window cannot hold its sprite",
+                 "speed-error", "large.json", "--quick"),
+                (BAD_INPUT, "must differ from the other problems' (found fling)", "speed-error", "fling.json", "--quick"),
+                (BAD_INPUT, "a scenario must be given", "needs"),
+                (BAD_INPUT, no_length + "'1 mm')", "needs", "fling.json", "--within", "1 mm"),
+                (BAD_INPUT, no_length, "needs", "fling.json", "--within=-1px"),
+                (BAD_INPUT, no_length, "needs", "fling.json", "--within", "nan"),
+                (BAD_INPUT, "fling.json: /name: duplicate scenario name (found fling)", "needs", "fling.json", "fling.json"),
+                (BAD_INPUT, "bad.json: /steps", "needs", "bad.json", "-o", "out"),
+                (CANNOT_ACCESS, "none.json: cannot be read", "needs", "none.json"),
+                (CANNOT_ACCESS, "fling.json: ", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json"),
+                (CANNOT_ACCESS, "scenarios/hard", "hard-cases"),
+                (BAD_INPUT, "bad.json: /steps", "hard-cases", "bad.json"),
+                (BAD_INPUT, "two/calm.json: /name: duplicate scenario name (found calm)", "hard-cases", "one/calm.json", "two/calm.json")):
+            self.expect(exit_code, "study", *arguments, says=says)
+            self.assertEqual(self.state_of("."), before, arguments)
 
     def test_in_a_checkout_version_control_ignores_them(self):
         ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()
