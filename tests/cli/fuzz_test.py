@@ -77,10 +77,6 @@ class Refused(ProgramTest):
                               (("--time", "1s", "--runs", "1"), "--time and --runs: only one allowed")):
             self.expect(BAD_INPUT, "fuzz", *options, says=says)
 
-    def test_a_golden_folder_as_output(self):
-        self.project("one")
-        self.expect(BAD_INPUT, "fuzz", "--runs", "1", "-o", "golden", says="golden")
-
     def test_another_program_that_is_none(self):
         self.expect(CANNOT_ACCESS, "fuzz", "--runs", "1", "--against", "./none", says="./none: cannot be started")
         # A parent may ignore SIGCHLD; the exit code must still be read.

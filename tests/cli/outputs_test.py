@@ -59,16 +59,14 @@ class Guarded(ProgramTest):
         for suffix, of_each, *command in ((".h5", 9, "run", "IN", "-o"), (".csv", 1, "run", "IN", "-o"),
                                           (".svg", 1, "run", "IN", "--figure"), (".xml", 1, "check", "IN", "--junit")):
             self.assert_all_refused(suffix, *command, of_each=of_each)
+        self.write("scenarios/broken.json", "{ not yet")
+        self.assert_refused("check", "scenarios/fling.json", "--junit", "scenarios/broken.json", says="a scenario")
 
     def test_drift_o(self):
         self.write("fling.json", fling())
         self.assert_refused("drift", "fling.json", "-o", "golden/fling.h5", says=("-o", "golden"))
         for victim, says in self.victims(".h5"):
             self.assert_refused("drift", "scenarios/in.h5", "-o", victim, says=f"-o: {says}")
-
-    def test_a_scenario_by_its_name_that_is_no_json(self):
-        self.write("scenarios/broken.json", "{ not yet")
-        self.assert_refused("check", "scenarios/fling.json", "--junit", "scenarios/broken.json", says="a scenario")
 
     def test_folders_as_outputs(self):
         self.write("out/fling.h5", fling())
@@ -79,6 +77,7 @@ class Guarded(ProgramTest):
             self.assert_refused("run", "scenarios", "-o", golden, says="golden")
             self.assert_refused("drift", "scenarios/fling.json", "--figures", golden, says="golden")
             self.assert_refused("study", "needs", "scenarios", "--quick", "-o", golden, says="golden")
+            self.assert_refused("fuzz", "--runs", "1", "-o", golden, says="golden")
 
     def test_drift_figures(self):
         for name in ("energy", "errors", "restitution"):

@@ -71,18 +71,16 @@ class ReplayCheckCases:
             self.change_summary("third", lambda _, damaged=damaged: damaged)
             self.check(DISAGREED, says=changed + fault + AGAIN)
 
-    def test_a_missing_summary_is_exit_4(self):
-        (self.folder / "golden/third.txt").unlink()
+    def test_a_missing_file_is_exit_4(self):
+        summary = (self.folder / "golden/third.txt").rename(self.folder / "third.txt")
         self.check(GOLDEN_MISSING, says="scenarios/third.json: missing: no golden file at golden/third.h5: golden/third.h5 "
                    "exists, but golden/third.txt is missing; `hyrax-sim bless` creates it\n")
         (self.folder / "golden/third.h5").unlink()
         self.check(GOLDEN_MISSING, says="scenarios/third.json: missing: no golden file at golden/third.h5; ")
+        summary.rename(self.folder / "golden/third.txt")
+        self.check(GOLDEN_MISSING, says="golden/third.txt exists, but golden/third.h5 is missing")
         self.write("alone.json", fling())
         self.check(GOLDEN_MISSING, "alone.json", says="alone.json: missing: no golden file: no folder `scenarios` above it")
-
-    def test_a_summary_without_its_h5_file_is_exit_4(self):
-        (self.folder / "golden/third.h5").unlink()
-        self.check(GOLDEN_MISSING, says="golden/third.txt exists, but golden/third.h5 is missing")
 
     def test_an_expected_state_hash_replaces_a_missing_golden_file(self):
         known = self.run_replay("scenarios/third.json").out.split()[0]
