@@ -97,12 +97,11 @@ class Refused(ProgramTest):
         self.expect(exit_code, "shrink", *arguments, says=says)
         self.assertEqual(self.state_of("."), self.before)
 
-    def test_options(self):
+    def test_options_and_commands_that_do_not_exist(self):
         self.refuse("fling.json", "--fails", "test {}", "--against", "x", "-o", "small.json", says="exactly one is needed")
         self.refuse("none.json", "--fails", "test {}", "-o", "small.json", says="none.json", exit_code=CANNOT_ACCESS)
         self.refuse("fling.json", "--fails", "test {}", "--time-limit", "0", "-o", "small.json", says="--time-limit")
 
-    def test_a_command_that_does_not_exist(self):
         for command in ("./no-such-command {}", "./fling.json {}"):
             self.refuse("fling.json", "--fails", command, "-o", "small.json", says=f"the shell cannot run `{command}`: ")
 

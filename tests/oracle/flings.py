@@ -12,7 +12,7 @@ import clock
 import sweep
 
 RIGHT_PX, BOTTOM_PX = 1792.0, 952.0
-STILL_PX, LEAST_REST_S = 0.5, 1.0
+STILL_PX = 0.5
 LEFT, RIGHT, TOP, GROUND = range(4)
 
 
