@@ -4,14 +4,14 @@ import math
 import re
 import shutil
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, FLING, GOLDEN_MISSING, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, FLING, GOLDEN_MISSING, SOURCE, fling
 
 COUNTS = re.compile(r"\d+ checked: .*\n\Z")
 AGAIN = "; restore it, or bless the scenario again\n"
 
 
 class ReplayCheckCases:
-    """Mixed into a ProgramTest with `run_replay(*arguments)`, which runs the program in the folder."""
+    """Mixed into a ProgramTest with `run_replay(*arguments, **options)`, which runs the program in the folder."""
 
     def setUp(self):
         super().setUp()
@@ -36,6 +36,13 @@ class ReplayCheckCases:
         """Replaces the text of a summary."""
         path = self.folder / f"golden/{name}.txt"
         path.write_text(change(path.read_text()))
+
+    def test_the_library_of_scenarios_agrees(self):
+        found = self.run_replay("check", cwd=SOURCE)
+        count = len(list((SOURCE / "scenarios").rglob("*.json")))
+        self.assertEqual((found.exit_code, found.out),
+                         (AGREED, f"{count} checked: {count} agreed, 0 disagreed, 0 without golden file, 0 failed\n"), str(found))
+        self.assertEqual([line for line in found.err.splitlines() if not line.startswith("wine: ")], [])
 
     def test_the_default_is_scenarios_and_golden_of_this_folder(self):
         self.assertEqual(self.check(AGREED), "3 checked: 3 agreed, 0 disagreed, 0 without golden file, 0 failed\n")

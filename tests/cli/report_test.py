@@ -18,6 +18,7 @@ import h5py
 import program
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest
+from sweep_program import document
 
 program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
 
@@ -50,8 +51,7 @@ class ReportTest(ProgramTest):
 
     def test_reads_studies_and_sweeps_and_refuses_damaged_ones(self):
         self.expect(AGREED, "study", "rest", "--quick", "--no-figures")
-        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": program.fling(), "members": 3, "seed": 1,
-                                  "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}})
+        self.write("sweep.json", document(members=3))
         self.expect(AGREED, "sweep", "sweep.json")
         for name in ("rest.h5", "sweep.h5"):
             self.expect(CANNOT_ACCESS, "report", name, "-o", "a.html", says="HYRAX_PAGE")
@@ -60,9 +60,7 @@ class ReportTest(ProgramTest):
             self.expect(BAD_INPUT, "report", name, "-o", "a.html", says=name)
 
     def test_of_a_sweep_of_billions_a_sample_is_read(self):
-        sweep = {"format": "hyrax-sweep/1", "base": program.fling(), "members": 3, "seed": 1, "keep": ["final"],
-                 "vary": {"/start/vx_px_per_s": {"choice": [0]}}}
-        self.write("sweep.json", sweep)
+        self.write("sweep.json", document(members=3, keep=["final"], vary={"/start/vx_px_per_s": {"choice": [0]}}))
         self.expect(AGREED, "sweep", "sweep.json")
         with h5py.File(self.folder / "sweep.h5", "a") as file:
             members = 3_000_000_000
@@ -112,8 +110,7 @@ class Numbers(ProgramTest):
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
 
     def test_members_of_a_part_are_those_of_the_sweep(self):
-        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": program.fling(), "members": 5, "seed": 1,
-                                  "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}})
+        self.write("sweep.json", document(members=5, vary={"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}))
         self.expect(AGREED, "sweep", "sweep.json", "--part", "1/2", "-o", "sweep.h5")
         sweep = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["results"][0]["sweep"]
         with h5py.File(self.folder / "sweep.part-1-of-2.h5") as file:
