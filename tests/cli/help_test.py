@@ -50,7 +50,8 @@ class Usage(ProgramTest):
 
 class Schema(ProgramTest):
     def test_it_is_that_of_the_reader(self):
-        self.assertEqual(self.expect(AGREED, "schema").out, (SOURCE / "tools/files/scenario.schema.json").read_text(encoding="utf-8"))
+        schema = (SOURCE / "tools/files/scenario.schema.json").read_text(encoding="utf-8")
+        self.assertEqual(self.expect(AGREED, "schema").out, schema)
 
 
 if __name__ == "__main__":

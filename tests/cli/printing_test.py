@@ -25,7 +25,8 @@ class Detail(ProgramTest):
         """Of `run` and `validate`, documents print all three."""
         for arguments, verdict, more in (
                 (("check",), "1 checked: 1 agreed, 0 disagreed, 0 without golden file, 0 failed\n", f"{self.path}: agreed\n"),
-                (("diff", "fling.h5", "fling.h5"), "fling.h5 and fling.h5: agree, 301 rows compared\n", "  build settings: identical\n")):
+                (("diff", "fling.h5", "fling.h5"), "fling.h5 and fling.h5: agree, 301 rows compared\n",
+                 "  build settings: identical\n")):
             normal, quiet, verbose = self.printed(*arguments)
             self.assertEqual(quiet, verdict, arguments)
             self.assertIn(more, verbose)

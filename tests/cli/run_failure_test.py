@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`run` when something is wrong: the message, the exit code, and that no file is damaged. Killed: faults/killed_test.py."""
+"""`run` when something is wrong: the message, the exit code, and that no file is damaged. Killed: killed_test.py."""
 
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
 
@@ -56,10 +56,12 @@ class UnwritableOutput(ProgramTest):
         self.write("long.json", fling(steps=200_000, record={"every": 1}))
         self.write("endless.json", fling(steps=1_000_000_000_000))
         done = self.in_private_mount("-o size=4m", "for name in long.csv long.h5 endless.csv; do code=0",
-                                     '"$1" run ${name%.*}.json -o disk/$name || code=$?', "echo exit $code, left: $(ls -A disk); done")
+                                     '"$1" run ${name%.*}.json -o disk/$name || code=$?',
+                                     "echo exit $code, left: $(ls -A disk); done")
         self.assertEqual(done.out, 3 * "exit 3, left:\n", done.err)
         for says in ("long.csv: cannot be written: No space left on device",
-                     "long.h5: cannot be written: its rows need 10.8 MiB (found 4.0 MiB free); record fewer with /record/every",
+                     "long.h5: cannot be written: its rows need 10.8 MiB (found 4.0 MiB free); "
+                     "record fewer with /record/every",
                      "endless.csv: cannot be written: its rows need "):
             self.assertIn(f"disk/{says}", done.err)
 

@@ -112,7 +112,8 @@ class Figure(ProgramTest):
         """Its titles and texts are those of the picture in README.md."""
         path = self.write("fling.json", fling())
         self.expect(AGREED, "run", path, "--figure", "fling.svg")
-        drawn = re.search("<title>path of the centre</title>(.*?)<title>", (self.folder / "fling.svg").read_text(), re.DOTALL)[1]
+        svg = (self.folder / "fling.svg").read_text()
+        drawn = re.search("<title>path of the centre</title>(.*?)<title>", svg, re.DOTALL)[1]
         self.assertGreater(len(re.findall(r"[\d.]+,[\d.]+", drawn)), 200)
 
 
@@ -121,8 +122,8 @@ class Override(ProgramTest):
 
     def test_the_file_has_their_name_and_holds_the_scenario_with_them(self):
         self.write("fling.json", fling())
-        run, = self.expect(AGREED, "run", "fling.json", "--json", "--set", "/clock/rate_hz=144", "--set", "/name=somewhere-else",
-                           "--set", '/events=[{"step": 3, "hitch": {"dt_s": 0.5}}]',
+        run, = self.expect(AGREED, "run", "fling.json", "--json", "--set", "/clock/rate_hz=144",
+                           "--set", "/name=somewhere-else", "--set", '/events=[{"step": 3, "hitch": {"dt_s": 0.5}}]',
                            "--set", '/events/-={"step": 9, "stop": {}}').json["runs"]
         self.assertEqual(run["output"], "somewhere-else.h5")
         with h5py.File(self.folder / "somewhere-else.h5") as file:

@@ -97,7 +97,8 @@ class Usage(ProgramTest):
                 (CANNOT_ACCESS, "fling.json: ", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json"),
                 (CANNOT_ACCESS, "scenarios/hard", "hard-cases"),
                 (BAD_INPUT, "bad.json: /steps", "hard-cases", "bad.json"),
-                (BAD_INPUT, "two/calm.json: /name: duplicate scenario name (found calm)", "hard-cases", "one/calm.json", "two/calm.json")):
+                (BAD_INPUT, "two/calm.json: /name: duplicate scenario name (found calm)",
+                 "hard-cases", "one/calm.json", "two/calm.json")):
             self.expect(exit_code, "study", *arguments, says=says)
             self.assertEqual(self.state_of("."), before, arguments)
 

@@ -139,7 +139,7 @@ class HyraxTest(ProgramTest):
             return {name: file["trajectory"][name][...] for name in ("dt", "x", "y", "vx", "vy", "contact")}
 
     def assert_is_the_model(self, flight):
-        """The recording replays to its own hash; its rows are the shown ones, bit for bit; the window was there, to the pixel."""
+        """The recording replays to its own hash; its rows are the shown ones, bit for bit; the window was there."""
         rows = self.rows(flight.path)
         shown = flight.frames
         self.assertEqual(len(shown), len(rows["dt"]) - 1)
