@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The folder golden/: summaries of the rows, small files and no others. `check` finds golden files without scenario."""
+"""The folder golden/: summaries of the rows, small files and no others. `check` finds what has no scenario."""
 
 import unittest
 
