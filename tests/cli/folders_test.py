@@ -15,7 +15,6 @@ class Folders(ProgramTest):
         self.write("elsewhere/two.json", fling(name="two"))
 
     def link(self, target, path):
-        """A symbolic link below the folder."""
         os.symlink(target, self.folder / path)
 
     def listed(self, exit_code=AGREED, folder="scenarios", says=()):
@@ -30,13 +29,15 @@ class Folders(ProgramTest):
         self.assertEqual(self.names("golden/b"), ["two.h5", "two.txt"])
         self.assertEqual(self.expect(AGREED, "check", "--json").json["agreed"], 2)
 
-    def test_a_linked_file_is_followed(self):
+    def test_linked_files_and_folders_named_like_scenarios_are_found_and_schemas_and_other_links_are_none(self):
         self.link("../elsewhere/two.json", "scenarios/linked.json")
-        self.assertEqual(self.listed(), ["scenarios/a/one.json", "scenarios/linked.json"])
-
-    def test_the_folder_itself_may_be_a_link(self):
+        self.write("scenarios/c.json/three.json", fling(name="three"))
+        self.write("scenarios/two.schema.json", fling(name="two"))
+        self.write("scenarios/scenario.schema.json", self.expect(AGREED, "schema").out)
+        self.link("nowhere", "scenarios/notes.txt")
         self.link("scenarios", "link")
-        self.assertEqual(self.listed(folder="link"), ["link/a/one.json"])
+        self.assertEqual(self.listed(folder="link"),
+                         ["link/a/one.json", "link/c.json/three.json", "link/linked.json", "link/two.schema.json"])
 
     def test_links_in_a_circle_come_to_an_end(self):
         self.link(".", "scenarios/self")
@@ -54,10 +55,6 @@ class Folders(ProgramTest):
                 outcome = self.expect(CANNOT_ACCESS, *command, "scenarios", *(("-o", "out/") if command == ("run",) else ()))
                 self.assertIn(f"scenarios/{name}: cannot be read", outcome.out + outcome.err)
             (self.folder / f"scenarios/{name}").unlink()
-
-    def test_a_dangling_link_that_is_no_scenario_is_none(self):
-        self.link("nowhere", "scenarios/notes.txt")
-        self.assertEqual(self.listed(), ["scenarios/a/one.json"])
 
     def test_what_cannot_be_read_does_not_keep_the_others_from_being_played(self):
         self.write("scenarios/locked/two.json", fling(name="two"))
@@ -81,16 +78,6 @@ class Folders(ProgramTest):
         self.assertEqual(self.listed(BAD_INPUT), ["scenarios/a/TWO.JSON", "scenarios/a/one.json"])
         self.expect(BAD_INPUT, "validate", "scenarios",
                     says="scenarios/a/TWO.JSON: unknown suffix (found .JSON); allowed: .json")
-
-    def test_a_schema_beside_scenarios_is_none(self):
-        self.write("scenarios/scenario.schema.json", self.expect(AGREED, "schema").out)
-        self.assertEqual(self.listed(), ["scenarios/a/one.json"])
-        self.write("scenarios/two.schema.json", fling(name="two"))
-        self.assertEqual(self.listed(), ["scenarios/a/one.json", "scenarios/two.schema.json"])
-
-    def test_a_folder_may_be_named_like_a_scenario(self):
-        self.write("scenarios/c.json/three.json", fling(name="three"))
-        self.assertEqual(self.listed(), ["scenarios/a/one.json", "scenarios/c.json/three.json"])
 
 
 if __name__ == "__main__":

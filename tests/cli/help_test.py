@@ -1,28 +1,12 @@
 #!/usr/bin/python3
-"""Help, version, schema and validate; and messages about a bad command line."""
+"""Help, version, schema; and messages about a bad command line."""
 
-import json
 import re
 
-import jsonschema
-
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, SOURCE, ProgramTest, main
 
 
-class CommandTest(ProgramTest):
-    """Tests of every command."""
-
-    def commands(self):
-        """The commands that the first help screen names."""
-        screen = self.expect(AGREED, "--help").out
-        commands = re.findall(r"^  ([a-z]+) +\S", screen[screen.index("\nCommands:\n"):], re.MULTILINE)
-        self.assertGreaterEqual(len(commands), 7)
-        return commands
-
-
-class Help(CommandTest):
-    """Everything has help, with an example."""
-
+class Help(ProgramTest):
     def test_the_first_screen_is_also_what_no_argument_gives(self):
         text = self.expect(AGREED, "--help").out
         for arguments in ((), ("-h",), ("help",)):
@@ -39,7 +23,7 @@ class Help(CommandTest):
             self.assertRegex(self.expect(AGREED, option).out, r"\Ahyrax-sim \d+\.\d+\.\d+\n\Z")
 
 
-class Usage(CommandTest):
+class Usage(ProgramTest):
     """A bad command line is exit 2, with a one-line message that names the remedy, and no output."""
 
     def refuse(self, *arguments, says):
@@ -53,7 +37,10 @@ class Usage(CommandTest):
         self.refuse("chekc", says=("unknown command (found chekc); allowed: run, check, ", "(did you mean check?)", "--help"))
 
     def test_an_unknown_option_is_refused(self):
-        for command in self.commands():
+        screen = self.expect(AGREED, "--help").out
+        commands = re.findall(r"^  ([a-z]+) +\S", screen[screen.index("\nCommands:\n"):], re.MULTILINE)
+        self.assertGreaterEqual(len(commands), 7)
+        for command in commands:
             self.refuse(command, "--colour", says=(f"hyrax-sim {command}:", "unknown option (found --colour)"))
         self.refuse("run", "a.json", "--outptu", "x.h5", says=("unknown option (found --outptu)", "(did you mean --output?)"))
 
@@ -62,29 +49,9 @@ class Usage(CommandTest):
 
 
 class Schema(ProgramTest):
-    """The schema is for editors."""
-
-    def test_it_is_a_json_schema_that_knows_a_good_scenario(self):
-        schema = json.loads(self.expect(AGREED, "schema").out)
-        self.assertEqual(schema["$id"], "urn:hyrax-scenario:1")
-        validator = jsonschema.validators.validator_for(schema)
-        validator.check_schema(schema)
-        validator(schema).validate(fling())
-        self.assertFalse(validator(schema).is_valid(fling(steps=-1)))
-
-
-class Validate(ProgramTest):
-    """Reads scenarios without playing them."""
-
-    def test_a_dash_is_standard_input(self):
-        for document, exit_code in ((fling(), AGREED), (fling(steps=-1), BAD_INPUT)):
-            source = self.write("fling.json", document)
-            with open(self.folder / source, "rb") as stream:
-                outcome = self.expect(exit_code, "validate", "-", stdin=stream)
-            self.assertTrue((outcome.out + outcome.err).startswith("-: "), outcome)
-
-    def test_a_missing_file_cannot_be_read(self):
-        self.expect(CANNOT_ACCESS, "validate", "none.json", says="none.json: cannot be read")
+    def test_it_is_that_of_the_reader(self):
+        schema = (SOURCE / "tools/files/scenario.schema.json").read_text(encoding="utf-8")
+        self.assertEqual(self.expect(AGREED, "schema").out, schema)
 
 
 if __name__ == "__main__":

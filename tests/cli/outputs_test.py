@@ -6,7 +6,7 @@ import os
 
 import h5py
 
-from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main)
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
 
 
 class Guarded(ProgramTest):
@@ -48,24 +48,19 @@ class Guarded(ProgramTest):
         self.assertEqual((self.state_of("."), self.names()), before, arguments)
         self.assertEqual(outcome.out, "", arguments)
 
-    def assert_all_refused(self, suffix, *command, of_each=1):
+    def assert_all_refused(self, suffix, *command, of_each):
         """Each victim, as the value of the option that ends the command."""
         for victim, says in self.victims(suffix, of_each):
             arguments = [part.replace("IN", f"scenarios/in{suffix}") for part in command]
             self.assert_refused(*arguments, victim, says=(f" {command[-1]}", f": {says}"))
         self.assert_refused(*arguments[:-1], "--golden", "elsewhere", command[-1], f"elsewhere/new{suffix}", says="golden")
 
-    def test_run_o(self):
-        self.assert_all_refused(".h5", "run", "IN", "-o", of_each=9)
-
-    def test_run_o_of_values(self):
-        self.assert_all_refused(".csv", "run", "IN", "-o")
-
-    def test_run_figure(self):
-        self.assert_all_refused(".svg", "run", "IN", "--figure")
-
-    def test_check_junit(self):
-        self.assert_all_refused(".xml", "check", "IN", "--junit")
+    def test_files_as_outputs(self):
+        for suffix, of_each, *command in ((".h5", 9, "run", "IN", "-o"), (".csv", 1, "run", "IN", "-o"),
+                                          (".svg", 1, "run", "IN", "--figure"), (".xml", 1, "check", "IN", "--junit")):
+            self.assert_all_refused(suffix, *command, of_each=of_each)
+        self.write("scenarios/broken.json", "{ not yet")
+        self.assert_refused("check", "scenarios/fling.json", "--junit", "scenarios/broken.json", says="a scenario")
 
     def test_drift_o(self):
         self.write("fling.json", fling())
@@ -73,26 +68,16 @@ class Guarded(ProgramTest):
         for victim, says in self.victims(".h5"):
             self.assert_refused("drift", "scenarios/in.h5", "-o", victim, says=f"-o: {says}")
 
-    def test_a_scenario_by_its_name_that_is_no_json(self):
-        self.write("scenarios/broken.json", "{ not yet")
-        self.assert_refused("check", "scenarios/fling.json", "--junit", "scenarios/broken.json", says="a scenario")
-
-    def test_the_golden_file_keeps_its_voice(self):
-        """A run written over its own golden file would agree with itself."""
-        self.write("scenarios/fling.json", fling(start={"x_px": 1, "y_px": 2}))
-        self.assert_refused("run", "scenarios/fling.json", "-o", "golden/fling.h5", says="golden")
-        self.assert_refused("run", "scenarios/fling.json", "-o", "golden", says="golden")
-        self.assert_refused("run", "../scenarios/fling.json", says="golden", cwd=self.folder / "golden")
-        self.expect(DISAGREED, "check")
-
     def test_folders_as_outputs(self):
         self.write("out/fling.h5", fling())
         self.assert_refused("run", "out/fling.h5", "-o", "out/", says="an input")
         self.assert_refused("run", "scenarios/fling.json", "-o", "out/", says="a scenario")
+        self.assert_refused("run", "../scenarios/fling.json", says="golden", cwd=self.folder / "golden")
         for golden in ("golden", "golden/new/", "to-golden", "sub/../golden"):
             self.assert_refused("run", "scenarios", "-o", golden, says="golden")
             self.assert_refused("drift", "scenarios/fling.json", "--figures", golden, says="golden")
             self.assert_refused("study", "needs", "scenarios", "--quick", "-o", golden, says="golden")
+            self.assert_refused("fuzz", "--runs", "1", "-o", golden, says="golden")
 
     def test_drift_figures(self):
         for name in ("energy", "errors", "restitution"):
@@ -119,15 +104,12 @@ class Guarded(ProgramTest):
         os.rename(self.folder / "golden", self.folder / "kept")
         os.symlink("kept", self.folder / "golden")
         os.symlink("golden", self.folder / "again")
-        for output in ("golden/new.h5", "kept/new.h5", "again/new.h5"):
+        os.symlink("../sub/far.h5", self.folder / "kept/far.h5")
+        for output in ("golden/new.h5", "kept/new.h5", "again/new.h5", "golden/far.h5"):
             self.assert_refused("run", "scenarios/fling.json", "-o", output, says="golden")
         self.write("fling.json", fling())
         for output in ("golden/new.h5", "again/new.h5"):
             self.assert_refused("run", "fling.json", "-o", output, says="golden")
-
-    def test_a_golden_file_that_is_a_link(self):
-        os.symlink("../sub/far.h5", self.folder / "golden/far.h5")
-        self.assert_refused("run", "scenarios/fling.json", "-o", "golden/far.h5", says="golden")
 
     def test_a_large_result_of_before_is_not_read(self):
         path = self.write("fling.json", fling())
@@ -149,8 +131,6 @@ class Guarded(ProgramTest):
 
 
 class Names(ProgramTest):
-    """The suffix selects what is written."""
-
     def setUp(self):
         super().setUp()
         self.write("fling.json", fling())
@@ -182,33 +162,15 @@ class Names(ProgramTest):
             rows, wanted = self.table(*arguments)
             self.assertEqual((len(rows), len(wanted)), (count, count))
             for row, numbers in zip(rows, wanted, strict=True):
-                self.assertEqual([float(value) for value in row], [float(number) for number in numbers])
-                self.assertEqual([repr(float(value)) for value in row[1:7]], [repr(float(number)) for number in numbers[1:7]])
-                for value in row[1:7]:
-                    self.assertLessEqual(len(value), len(repr(float(value))), "shortest round trip")
+                self.assertEqual([repr(float(value)) for value in row], [repr(float(number)) for number in numbers])
 
     def test_csv_with_drift(self):
         self.expect(AGREED, "run", "fling.json", "--drift", "-o", "x.csv")
         self.expect(BAD_INPUT, "run", "fling.json", "--drift", "--rows", "-o", "y.csv", says="--rows")
         self.assertEqual(self.names(), ["fling.json", "x.csv"])
 
-    def test_csv_is_replaced_atomically(self):
-        self.write("x.csv", "before")
+    def test_no_folder_is_made_for_a_bad_input(self):
         self.write("bad.json", "{")
-        self.expect(BAD_INPUT, "run", "bad.json", "-o", "x.csv")
-        self.assertEqual((self.folder / "x.csv").read_text(), "before")
-        self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "/dev/full/x.csv")
-        (self.folder / "y.csv").mkdir()
-        self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "no/x.csv")
-        self.assertEqual(self.names(), ["bad.json", "fling.json", "x.csv", "y.csv"])
-
-
-class Nothing(ProgramTest):
-    """A failed input leaves no output; a failed figure keeps the other outputs."""
-
-    def test_no_folder_for_a_bad_input(self):
-        self.write("bad.json", "{")
-        self.write("fling.json", fling())
         for exit_code, arguments in ((BAD_INPUT, ("run", "bad.json", "-o", "new/")),
                                      (CANNOT_ACCESS, ("run", "none.json", "-o", "new/deep/")),
                                      (BAD_INPUT, ("run", "fling.json", "--rows", "-o", "new/")),

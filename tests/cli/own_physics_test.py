@@ -46,7 +46,7 @@ class WithoutPhysics(InstalledPackage):
                 shutil.copy(SOURCE / path, target)
         self.write("CMakeLists.txt", PLAIN.format(arguments="scenarios/flings GOLDEN accepted", language="NONE"))
 
-    def test_each_file_is_a_test_and_a_new_file_a_new_one(self):
+    def test_each_file_is_a_test_a_new_file_a_new_one_and_an_edited_one_turns_red(self):
         self.assertEqual(self.configure(self.folder).exit_code, 0)
         self.assertEqual(self.ctest(self.folder, 0), {"hyrax.first-fling": True, "hyrax.corner-fling": True})
         scenario = (self.folder / FLING).read_text(encoding="utf-8")
@@ -54,12 +54,9 @@ class WithoutPhysics(InstalledPackage):
         succeed("cmake", "--build", self.folder / "build")
         self.assertEqual(self.ctest(self.folder, CTEST_FAILED),  # It has no golden file yet.
                          {"hyrax.first-fling": True, "hyrax.corner-fling": True, "hyrax.new/renamed": False})
-
-    def test_control_an_edited_scenario_turns_red(self):
-        self.assertEqual(self.configure(self.folder).exit_code, 0)
-        scenario = self.folder / FLING
-        scenario.write_text(scenario.read_text(encoding="utf-8").replace('"x_px": 60', '"x_px": 61'), encoding="utf-8")
-        self.assertEqual(self.ctest(self.folder, CTEST_FAILED), {"hyrax.first-fling": False, "hyrax.corner-fling": True})
+        self.write(FLING, scenario.replace('"x_px": 60', '"x_px": 61'))
+        self.assertEqual(self.ctest(self.folder, CTEST_FAILED),
+                         {"hyrax.first-fling": False, "hyrax.corner-fling": True, "hyrax.new/renamed": False})
 
     def test_the_core_is_a_test_of_its_own_whatever_the_folder_is_called(self):
         shutil.move(self.folder / "scenarios/flings", self.folder / "throws")
@@ -133,10 +130,8 @@ class OwnPhysics(InstalledPackage):
         with h5py.File(self.folder / "run.h5") as file:
             stored = np.column_stack([file[f"trajectory/{name}"] for name in ("x", "y", "vx", "vy")])
             self.assertEqual(stored.tobytes(), rows.tobytes())
-            self.assertNotEqual(stored.tobytes(), (rows + 0.0 + np.finfo(float).eps).tobytes())  # The control.
             contacts = file["contacts"]
             first = contacts["step"][:]
-            self.assertGreater(len(first), 50)
             for wall, axis, bound in ((1, 0, 0.0), (2, 0, 700.0), (4, 1, 0.0), (8, 1, 500.0)):
                 met = contacts["wall"][:] == wall
                 self.assertTrue(met.any())
@@ -145,24 +140,16 @@ class OwnPhysics(InstalledPackage):
                 np.testing.assert_array_equal(contacts[f"v{name}_after"][met], after[:, 2 + axis])
                 moved = before[:, axis] + before[:, 2 + axis] * (1.0 / 60.0)
                 np.testing.assert_array_equal(contacts["overshoot"][met], abs(moved - bound))
-            turned = np.flatnonzero((rows[1:, 2] != rows[:-1, 2]) | (rows[1:, 3] != rows[:-1, 3])) + 1
-            self.assertEqual(sorted(set(first)), list(turned))
-
-    def test_files_say_whose_core_it_was(self):
-        self.bless("scenarios")
-        with h5py.File(self.folder / "golden/billiard.h5") as file:
-            self.assertEqual(file.attrs["physics"], "elastic_box")
-            self.assertNotIn("constants", file.attrs)
-        self.assertIn("\nphysics: elastic_box\n", (self.folder / "golden/billiard.txt").read_text(encoding="utf-8"))
-        self.assertRegex(self.expect(AGREED, "info").out, r"\nphysics +elastic_box\n")
 
     def test_golden_files_of_another_core_are_refused_by_both(self):
+        self.write("scenarios/still.json", program.fling(name="still", steps=0))  # It has the same bits in both.
         self.bless("scenarios")
         before = self.state_of("golden")
         program.PROGRAM = HYRAX_SIM
         outcome = self.expect(BAD_INPUT, "check")
         self.assertIn("golden/billiard.h5: attribute physics: is of another core (found elastic_box); this program's "
                       "core is hyrax-physics/1", outcome.out)
+        self.expect(BAD_INPUT, "check", "scenarios/still.json")
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "by mistake")
         self.assertEqual(self.state_of("golden"), before)
         self.expect(BAD_INPUT, "drift", "golden/billiard.h5",
@@ -186,19 +173,9 @@ class OwnPhysics(InstalledPackage):
         self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "shape")
         self.expect(AGREED, "check", "--core")
 
-    def test_a_still_sprite_has_the_same_bits_in_both_and_is_told_apart_all_the_same(self):
-        self.write("scenarios/still.json", program.fling(name="still", steps=0))
-        self.bless("scenarios")
-        program.PROGRAM = HYRAX_SIM
-        self.expect(BAD_INPUT, "check", "scenarios/still.json")
-
     def test_what_needs_the_papers_step_is_refused(self):
         self.bless("scenarios")
         found = "needs the paper's step, with any constants (found in the core elastic_box: dt * vx)"
-        for arguments in (("drift", "scenarios/billiard.json"), ("study", "needs")):
-            self.expect(BAD_INPUT, *arguments, says=f"hyrax-sim {arguments[0]}: {found}")
-        self.expect(BAD_INPUT, "run", "scenarios/billiard.json", "--drift", says=f"--drift: {found}")
-        self.assertEqual(self.names(), ["golden", "scenarios"])
         bounded = program.fling(expect={"in_bounds": True, "truncation_px_max": 1.0})
         path = self.write("scenarios/bounded.json", bounded)
         sentence = f"{path}: /expect/truncation_px_max: {found}"
@@ -212,6 +189,8 @@ class OwnPhysics(InstalledPackage):
 
     def test_run_diff_and_figures_serve_it(self):
         self.bless("scenarios")
+        self.assertIn("\nphysics: elastic_box\n", (self.folder / "golden/billiard.txt").read_text(encoding="utf-8"))
+        self.assertRegex(self.expect(AGREED, "info").out, r"\nphysics +elastic_box\n")
         text = self.expect(AGREED, "run", "scenarios/billiard.json", "-o", "run.h5", "--figure", "run.svg").out
         self.assertRegex(text, r"\n  core +elastic_box\n")
         self.assertRegex(text, r"\n  exercised +left wall, right wall, top, ground\n")

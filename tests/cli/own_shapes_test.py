@@ -55,8 +55,6 @@ def moon_rows(steps, rate_hz, state, bounds):
 
 
 class Shapes(InstalledPackage):
-    """Cores of the paper's shape, and of others: what each gets."""
-
     @classmethod
     def setUpClass(cls):
         super().setUpClass()

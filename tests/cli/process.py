@@ -160,6 +160,13 @@ class Process:
         return Outcome(self._popen.returncode, out, err)
 
 
+def is_alive(process_id):
+    """Whether a process exists and is not a zombie."""
+    with contextlib.suppress(OSError), open(f"/proc/{process_id}/stat", encoding="utf-8") as file:
+        return file.read().rpartition(")")[2].split()[0] != "Z"
+    return False
+
+
 def preloading(library):
     """The variables with which a program loads a library before all others. Their folder may have a space in its name."""
     folder, name = os.path.split(library)

@@ -5,19 +5,10 @@ import os
 import time
 import unittest
 
-from process import Failed, Process, TimedOut, run, run_measured, succeed
+from process import Failed, Process, TimedOut, is_alive, run, run_measured, succeed
 
 # Starts a process that sleeps with the outputs open, prints its id and ends.
 LEAVES_A_CHILD = "sleep 600 & echo $!"
-
-
-def is_alive(process_id):
-    """Whether a process exists and is not a zombie."""
-    try:
-        with open(f"/proc/{process_id}/stat", encoding="ascii") as file:
-            return file.read().rpartition(")")[2].split()[0] != "Z"
-    except OSError:
-        return False
 
 
 class Running(unittest.TestCase):

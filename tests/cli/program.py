@@ -4,11 +4,14 @@ The environment gives the paths: HYRAX_SIM (the program), HYRAX_SOURCE_DIR (the 
 """
 
 import copy
+import contextlib
 import json
 import os
 import pathlib
+import pty
 import shutil
 import tempfile
+import threading
 import unittest
 
 from process import Process, preloading, run, run_measured, skip_for_lack_of
@@ -79,6 +82,26 @@ class ProgramTest(unittest.TestCase):
         process = Process(PROGRAM, *arguments, **{"cwd": self.folder, **options})
         self.addCleanup(process.end)
         return process
+
+    def on_terminal(self, stream, *arguments, **options):
+        """Runs the program with a terminal as `stdout` or `stderr`; returns its outcome, and what the terminal showed."""
+        keeper, terminal = pty.openpty()
+        shown = []
+
+        def watch():
+            with contextlib.suppress(OSError):  # The terminal is closed.
+                while part := os.read(keeper, 65536):
+                    shown.append(part)
+
+        watcher = threading.Thread(target=watch)
+        watcher.start()
+        try:
+            outcome = self.hyrax_sim(*arguments, **{stream: terminal}, **options)
+        finally:
+            os.close(terminal)
+            watcher.join()
+            os.close(keeper)
+        return outcome, b"".join(shown).decode().replace("\r\n", "\n")
 
     def is_sanitized(self):
         """Whether the program was built with a sanitizer, which takes memory and ends processes in its own way."""

@@ -4,14 +4,14 @@ import math
 import re
 import shutil
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, FLING, GOLDEN_MISSING, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, FLING, GOLDEN_MISSING, SOURCE, fling
 
 COUNTS = re.compile(r"\d+ checked: .*\n\Z")
 AGAIN = "; restore it, or bless the scenario again\n"
 
 
 class ReplayCheckCases:
-    """Mixed into a ProgramTest with `run_replay(*arguments)`, which runs the program in the folder."""
+    """Mixed into a ProgramTest with `run_replay(*arguments, **options)`, which runs the program in the folder."""
 
     def setUp(self):
         super().setUp()
@@ -36,6 +36,13 @@ class ReplayCheckCases:
         """Replaces the text of a summary."""
         path = self.folder / f"golden/{name}.txt"
         path.write_text(change(path.read_text()))
+
+    def test_the_library_of_scenarios_agrees(self):
+        found = self.run_replay("check", cwd=SOURCE)
+        count = len(list((SOURCE / "scenarios").rglob("*.json")))
+        self.assertEqual((found.exit_code, found.out),
+                         (AGREED, f"{count} checked: {count} agreed, 0 disagreed, 0 without golden file, 0 failed\n"), str(found))
+        self.assertEqual([line for line in found.err.splitlines() if not line.startswith("wine: ")], [])
 
     def test_the_default_is_scenarios_and_golden_of_this_folder(self):
         self.assertEqual(self.check(AGREED), "3 checked: 3 agreed, 0 disagreed, 0 without golden file, 0 failed\n")
@@ -71,18 +78,16 @@ class ReplayCheckCases:
             self.change_summary("third", lambda _, damaged=damaged: damaged)
             self.check(DISAGREED, says=changed + fault + AGAIN)
 
-    def test_a_missing_summary_is_exit_4(self):
-        (self.folder / "golden/third.txt").unlink()
+    def test_a_missing_file_is_exit_4(self):
+        summary = (self.folder / "golden/third.txt").rename(self.folder / "third.txt")
         self.check(GOLDEN_MISSING, says="scenarios/third.json: missing: no golden file at golden/third.h5: golden/third.h5 "
                    "exists, but golden/third.txt is missing; `hyrax-sim bless` creates it\n")
         (self.folder / "golden/third.h5").unlink()
         self.check(GOLDEN_MISSING, says="scenarios/third.json: missing: no golden file at golden/third.h5; ")
+        summary.rename(self.folder / "golden/third.txt")
+        self.check(GOLDEN_MISSING, says="golden/third.txt exists, but golden/third.h5 is missing")
         self.write("alone.json", fling())
         self.check(GOLDEN_MISSING, "alone.json", says="alone.json: missing: no golden file: no folder `scenarios` above it")
-
-    def test_a_summary_without_its_h5_file_is_exit_4(self):
-        (self.folder / "golden/third.h5").unlink()
-        self.check(GOLDEN_MISSING, says="golden/third.txt exists, but golden/third.h5 is missing")
 
     def test_an_expected_state_hash_replaces_a_missing_golden_file(self):
         known = self.run_replay("scenarios/third.json").out.split()[0]

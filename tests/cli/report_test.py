@@ -18,6 +18,7 @@ import h5py
 import program
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest
+from sweep_program import document
 
 program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
 
@@ -25,43 +26,32 @@ program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
 class ReportTest(ProgramTest):
     """A run, and what cannot be reported of it."""
 
-    played_once = []  # Its file.
-
     def setUp(self):
         super().setUp()
         self.write("fling.json", program.fling())
-        if not self.played_once:
-            self.expect(AGREED, "run", "fling.json")
-            self.played_once.append((self.folder / "fling.h5").read_bytes())
-        (self.folder / "fling.h5").write_bytes(self.played_once[0])
+        self.expect(AGREED, "run", "fling.json")
 
-    def test_without_the_page_says_in_one_sentence_how_to_get_it(self):
-        outcome = self.expect(CANNOT_ACCESS, "report", "fling.h5", "-o", "fling.html", says=("tools/run", "HYRAX_PAGE"))
-        self.assertEqual(outcome.err.count("\n"), 1)
-        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
-
-    def test_run_writes_nothing_without_the_page(self):
-        self.expect(CANNOT_ACCESS, "run", "fling.json", "-o", "new.h5", "--report", "new.html", says="HYRAX_PAGE")
-        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
-
-    def test_needs_an_output(self):
-        self.expect(BAD_INPUT, "report", "fling.h5", says="-o FILE.html is missing")
-
-    def test_writes_html_only(self):
-        self.expect(BAD_INPUT, "report", "fling.h5", "-o", "fling.txt", says="allowed: .html")
-        self.expect(BAD_INPUT, "run", "fling.json", "-o", "a.h5", "--report", "a.htm", says="allowed: .html")
-        self.assertEqual(self.names(), ["fling.h5", "fling.json"])
-
-    def test_refuses_what_is_no_trajectory(self):
+    def test_refused_it_says_why_in_one_sentence_and_writes_nothing(self):
         self.write("text.h5", "text")
-        self.expect(BAD_INPUT, "report", "text.h5", "-o", "a.html", says="text.h5: is not an HDF5 file")
-        self.expect(BAD_INPUT, "report", "fling.h5", "--against", "text.h5", "-o", "a.html", says="text.h5: is not")
-        self.expect(CANNOT_ACCESS, "report", "none.h5", "-o", "a.html", says="none.h5: cannot be read")
+        self.write("other.json", program.fling(name="other"))
+        before = self.state_of(".")
+        for exit_code, says, *arguments in (
+                (CANNOT_ACCESS, ("tools/run", "HYRAX_PAGE"), "report", "fling.h5", "-o", "fling.html"),
+                (CANNOT_ACCESS, "HYRAX_PAGE", "run", "fling.json", "-o", "new.h5", "--report", "new.html"),
+                (BAD_INPUT, "-o FILE.html is missing", "report", "fling.h5"),
+                (BAD_INPUT, "allowed: .html", "report", "fling.h5", "-o", "fling.txt"),
+                (BAD_INPUT, "allowed: .html", "run", "fling.json", "-o", "a.h5", "--report", "a.htm"),
+                (BAD_INPUT, "one scenario only", "run", "fling.json", "other.json", "--report", "a.html"),
+                (BAD_INPUT, "CSV", "run", "fling.json", "-o", "a.csv", "--report", "a.html"),
+                (BAD_INPUT, "text.h5: is not an HDF5 file", "report", "text.h5", "-o", "a.html"),
+                (BAD_INPUT, "text.h5: is not an HDF5 file", "report", "fling.h5", "--against", "text.h5", "-o", "a.html"),
+                (CANNOT_ACCESS, "none.h5: cannot be read", "report", "none.h5", "-o", "a.html")):
+            self.assertEqual(self.expect(exit_code, *arguments, says=says).err.count("\n"), 1, arguments)
+            self.assertEqual(self.state_of("."), before, arguments)
 
     def test_reads_studies_and_sweeps_and_refuses_damaged_ones(self):
         self.expect(AGREED, "study", "rest", "--quick", "--no-figures")
-        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": program.fling(), "members": 3, "seed": 1,
-                                  "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}})
+        self.write("sweep.json", document(members=3))
         self.expect(AGREED, "sweep", "sweep.json")
         for name in ("rest.h5", "sweep.h5"):
             self.expect(CANNOT_ACCESS, "report", name, "-o", "a.html", says="HYRAX_PAGE")
@@ -70,9 +60,7 @@ class ReportTest(ProgramTest):
             self.expect(BAD_INPUT, "report", name, "-o", "a.html", says=name)
 
     def test_of_a_sweep_of_billions_a_sample_is_read(self):
-        sweep = {"format": "hyrax-sweep/1", "base": program.fling(), "members": 3, "seed": 1, "keep": ["final"],
-                 "vary": {"/start/vx_px_per_s": {"choice": [0]}}}
-        self.write("sweep.json", sweep)
+        self.write("sweep.json", document(members=3, keep=["final"], vary={"/start/vx_px_per_s": {"choice": [0]}}))
         self.expect(AGREED, "sweep", "sweep.json")
         with h5py.File(self.folder / "sweep.h5", "a") as file:
             members = 3_000_000_000
@@ -96,11 +84,6 @@ class ReportTest(ProgramTest):
         self.expect(BAD_INPUT, "report", "fling.h5", "-o", "scenario.html", says="would overwrite a scenario")
         (self.folder / "scenario.html").unlink()
         self.assertEqual(self.state_of("."), before)
-
-    def test_run_reports_one_scenario_in_a_trajectory_file(self):
-        self.write("other.json", program.fling(name="other"))
-        self.expect(BAD_INPUT, "run", "fling.json", "other.json", "--report", "a.html", says="one scenario only")
-        self.expect(BAD_INPUT, "run", "fling.json", "-o", "a.csv", "--report", "a.html", says="CSV")
 
 
 class Numbers(ProgramTest):
@@ -127,8 +110,7 @@ class Numbers(ProgramTest):
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
 
     def test_members_of_a_part_are_those_of_the_sweep(self):
-        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": program.fling(), "members": 5, "seed": 1,
-                                  "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}})
+        self.write("sweep.json", document(members=5, vary={"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}))
         self.expect(AGREED, "sweep", "sweep.json", "--part", "1/2", "-o", "sweep.h5")
         sweep = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["results"][0]["sweep"]
         with h5py.File(self.folder / "sweep.part-1-of-2.h5") as file:

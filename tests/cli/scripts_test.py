@@ -12,22 +12,6 @@ from program import BAD_INPUT, PROGRAM, SOURCE, ProgramTest, main
 SCRIPTS = ("run", "check", "compare", "test", "package")
 
 
-class RunScript(ProgramTest):
-    """tools/run in a project without a build folder."""
-
-    def test_a_missing_scenario_is_reported_before_anything_is_built(self):
-        for script in ("run", "setup.sh"):
-            self.write(f"tools/{script}", (SOURCE / "tools" / script).read_text())
-        (self.folder / "tools/run").chmod(0o755)
-        options = ",".join(re.findall(r"^  (-\S+) \S", run(PROGRAM, "run", "--help").out, re.MULTILINE)).split(",")
-        self.assertIn("--golden", options)
-        with_values = [word for option in options for word in (option, "x")]
-        outcome = run("tools/run", "--yes", *with_values, "--figure", cwd=self.folder)
-        self.assertEqual((outcome.exit_code, outcome.out), (BAD_INPUT, ""), outcome)
-        self.assertIn("tools/run: SCENARIO is missing", outcome.err)
-        self.assertFalse((self.folder / "build").exists())
-
-
 # What stands in for a program: it writes its command line into a log, and fails if a pattern of FAILS matches.
 STAND_IN = """{
   local - line="$*" fails
@@ -121,6 +105,7 @@ CALLS = (
     ("package tar", "", 2, "(found tar)", ""),
 )
 
+
 class Scripts(ProgramTest):
     """Scripts of tools/ in a copy of the folder, where they find stand-ins for all programs that they call."""
 
@@ -157,6 +142,15 @@ class Scripts(ProgramTest):
                 self.assertRegex(stated, r"that of `?hyrax-" if exit_code == 8 or command == "run" else rf"\b{exit_code}\b")
                 text = re.sub(r"--seed \d{8} ", "--seed DATE ", ", ".join(log).replace(str(self.folder.resolve()), "PROJECT"))
                 self.assertEqual(re.sub(OF_EVERY_CALL, "", text.replace("PROJECT/build/", "/")), calls)
+
+    def test_a_missing_scenario_is_reported_before_anything_is_built(self):
+        options = ",".join(re.findall(r"^  (-\S+) \S", run(PROGRAM, "run", "--help").out, re.MULTILINE)).split(",")
+        self.assertIn("--golden", options)
+        with_values = [word for option in options for word in (option, "x")]
+        outcome = run("bash", "tools/run", "--yes", *with_values, "--figure", cwd=self.folder)
+        self.assertEqual((outcome.exit_code, outcome.out), (BAD_INPUT, ""), outcome)
+        self.assertIn("tools/run: SCENARIO is missing", outcome.err)
+        self.assertFalse((self.folder / "build").exists())
 
     def test_every_option_of_a_usage_is_read_and_every_one_that_is_read_is_in_it(self):
         for script in SCRIPTS:

@@ -7,19 +7,11 @@ import shlex
 import signal
 import time
 
+from process import is_alive
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, fling, main
 
 EVENTS = [{"step": 20, "hitch": {"dt_s": 0.25}}, {"step": 100, "grab": {}}, {"step": 110, "place": {"x_px": 5, "y_px": 5}},
           {"step": 120, "release": {"vx_px_per_s": 12.25, "vy_px_per_s": 99}}]
-
-
-def runs(process):
-    """Whether it exists and has not ended."""
-    try:
-        with open(f"/proc/{process}/stat", encoding="utf-8") as file:
-            return file.read().rpartition(")")[2].split()[0] != "Z"
-    except FileNotFoundError:
-        return False
 
 
 class Shrink(ProgramTest):
@@ -44,11 +36,6 @@ class Shrink(ProgramTest):
         self.assertEqual(small["steps"], 1)
         self.assertNotIn("expect", small)
         self.assertIn("Shrunk from fling, 300 frames", small["description"])
-
-    def test_the_exit_code_is_kept(self):
-        document, small = self.shrink("""grep -q place {} && exit 7; grep -q '"steps": 300' {} && exit 8""")
-        self.assertEqual(document["kept"], "the command's exit code 7")
-        self.assertEqual([list(event) for event in small["events"]], [["step", "place"]])
 
     def test_a_signal_counts_as_128_and_its_number(self):
         document, _ = self.shrink("grep -q grab {} && kill -SEGV $$; exit 3")
@@ -76,7 +63,7 @@ class Shrink(ProgramTest):
         process.send(signal.SIGINT)
         self.assertEqual(process.wait().exit_code, -signal.SIGINT)
         self.assertEqual(list(temporary.iterdir()), [])
-        self.assertFalse(runs(int((self.folder / "shell").read_text())), "what the command started lives on")
+        self.assertFalse(is_alive(int((self.folder / "shell").read_text())), "what the command started lives on")
 
     def test_a_command_that_prints_without_end_takes_no_memory(self):
         self.write("still.json", fling(name="still", steps=0))
@@ -90,11 +77,6 @@ class Shrink(ProgramTest):
                                f"{shlex.quote(str(PROGRAM))} run {{}} -o run.h5", "-o", "small.json", "--json").json
         self.assertEqual(document["kept"], "the command's exit code 1")
 
-    def test_the_text_says_what_is_left(self):
-        outcome = self.expect(AGREED, "shrink", "fling.json", "--fails", "grep -vq fling {}; exit 1", "-o", "small.json")
-        self.assertIn("written: small.json (0 frames and 0 events, from 300 and 4)\n", outcome.out)
-        self.assertIn("kept: the command's exit code 1\n", outcome.out)
-
     def test_a_program_in_the_role_of_another(self):
         """A wrapper that plays at twice the gravity of time: hashes differ from the first frame."""
         (self.folder / "other").write_text(
@@ -105,8 +87,6 @@ class Shrink(ProgramTest):
 
 
 class Refused(ProgramTest):
-    """What is not shrunk, and outputs that are protected."""
-
     def setUp(self):
         super().setUp()
         self.write("fling.json", fling())
@@ -117,12 +97,11 @@ class Refused(ProgramTest):
         self.expect(exit_code, "shrink", *arguments, says=says)
         self.assertEqual(self.state_of("."), self.before)
 
-    def test_options(self):
+    def test_options_and_commands_that_do_not_exist(self):
         self.refuse("fling.json", "--fails", "test {}", "--against", "x", "-o", "small.json", says="exactly one is needed")
         self.refuse("none.json", "--fails", "test {}", "-o", "small.json", says="none.json", exit_code=CANNOT_ACCESS)
         self.refuse("fling.json", "--fails", "test {}", "--time-limit", "0", "-o", "small.json", says="--time-limit")
 
-    def test_a_command_that_does_not_exist(self):
         for command in ("./no-such-command {}", "./fling.json {}"):
             self.refuse("fling.json", "--fails", command, "-o", "small.json", says=f"the shell cannot run `{command}`: ")
 

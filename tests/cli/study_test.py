@@ -1,73 +1,26 @@
 #!/usr/bin/python3
-"""The command study: the files, output and errors of speed-error and needs."""
-
-import csv
-import pathlib
-import xml.etree.ElementTree
+"""The command study: the files, output and errors of needs, speed-error and hard-cases."""
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling, main
+
+HARD = SOURCE / "scenarios/hard"
+CALM = fling(name="calm", steps=900)
 
 
-class StudyTest(ProgramTest):
-    """Runs studies, and reads the files they write."""
+class Needs(ProgramTest):
+    """study needs. What the files of a study hold is in outputs.md."""
 
-    def table(self, path, name):
-        """A table of a study's HDF5 file as {column: list}, text decoded."""
-        with h5py.File(self.folder / path) as file:
-            return {key: [value.decode() if isinstance(value, bytes) else value for value in column[:].tolist()]
-                    for key, column in file[name].items()}
-
-    def rows(self, path):
-        """The rows of a CSV file."""
-        with open(self.folder / path, newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
-
-    def text_of(self, path):
-        """All text of a picture."""
-        tree = xml.etree.ElementTree.parse(self.folder / path)
-        return " ".join("".join(text.itertext()) for text in tree.iter("{http://www.w3.org/2000/svg}text"))
-
-
-class Files(StudyTest):
-    """The files of every study."""
-
-    def setUp(self):
-        super().setUp()
+    def test_files_go_into_the_folder_that_is_named_and_are_named_in_the_end(self):
         self.write("fling.json", fling())
-        self.outcome = self.expect(AGREED, "study", "needs", "fling.json", "--quick", "--no-figures", "-o", "new/folder")
-
-    def test_they_go_into_the_folder_that_is_named_and_are_named_in_the_end(self):
+        study = ("study", "needs", "fling.json", "--quick", "--no-figures")
+        self.assertIn("written: new/folder/needs.h5, new/folder/needs.csv", self.expect(AGREED, *study, "-o", "new/folder").out)
         self.assertEqual(self.names("new/folder"), ["needs.csv", "needs.h5"])
-        self.assertIn("written: new/folder/needs.h5, new/folder/needs.csv", self.outcome.out)
-
-    def test_the_file_says_what_it_is_and_where_it_is_from(self):
         with h5py.File(self.folder / "new/folder/needs.h5") as file:
-            self.assertEqual(file.attrs["format"], "hyrax-study/1")
-            self.assertEqual(file.attrs["study"], "needs")
             self.assertIn("hyrax-sim", file["provenance"].attrs["program"])
-            for name, table in file.items():
-                lengths = {len(column) for column in table.values()}
-                self.assertLessEqual(len(lengths), 1, name)
-                for column in table.values():
-                    self.assertTrue(column.attrs["long_name"])
-
-    def test_the_csv_file_is_the_first_table(self):
-        rows = self.rows("new/folder/needs.csv")
-        parts = self.table("new/folder/needs.h5", "parts")
-        self.assertEqual([row["part"] for row in rows], parts["part"])
-        self.assertEqual([float(row["path_difference_px"]) for row in rows], parts["path_difference"])
-
-    def test_json_is_one_document_that_names_them(self):
-        document = self.expect(AGREED, "study", "needs", "fling.json", "--quick", "--no-figures", "--json").json
-        self.assertEqual(document["study"], "needs")
-        self.assertEqual(document["files"], ["needs.h5", "needs.csv"])
-        self.assertEqual(document["broken"], [])
-
-
-class Needs(StudyTest):
-    """study needs."""
+        document = self.expect(AGREED, *study, "--json").json
+        self.assertEqual((document["study"], document["files"], document["broken"]), ("needs", ["needs.h5", "needs.csv"], []))
 
     def verdicts(self, *arguments):
         """{part: verdict} of one scene."""
@@ -80,65 +33,74 @@ class Needs(StudyTest):
         self.assertEqual(self.verdicts(path, "--within", "0.001 px")["drag"], "needed")
 
     def test_a_scene_without_exact_solution_says_so(self):
-        path = SOURCE / "scenarios/hard/sprite-larger-than-window.json"
-        self.assertIn("its window cannot hold its sprite",
-                      self.expect(AGREED, "study", "needs", path, "--quick", "--no-figures").out)
+        self.assertIn("its window cannot hold its sprite", self.expect(
+            AGREED, "study", "needs", HARD / "sprite-larger-than-window.json", "--quick", "--no-figures").out)
 
-class SpeedError(StudyTest):
-    """study speed-error."""
 
+class SpeedError(ProgramTest):
     def test_scenarios_are_studied_too_and_drawn(self):
         self.write("mine.json", fling(name="mine", events=[{"step": 100, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))
         document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--json").json
         self.assertIn("mine", {answer["problem"] for answer in document["cheapest"]})
         self.assertEqual([name for name in self.names() if name.endswith(".svg")],
                          [f"speed-error{part}.svg" for part in ("-fling-starts", "-long-arc", "-mine-starts", "-mine", "")])
-        text = self.text_of("speed-error-long-arc.svg")
+        text = (self.folder / "speed-error-long-arc.svg").read_text(encoding="utf-8")
         for part in ("Pareto front", "rk8pd", "cost, ns"):
             self.assertNotEqual(part in text, "not measured: clock unsteady" in text, part)
 
-    def test_one_that_has_no_exact_solution_is_refused(self):
-        self.write("large.json", fling(sprite={"width_px": 4000, "height_px": 128}))
-        self.expect(BAD_INPUT, "study", "speed-error", "large.json", "--quick",
-                    says="large.json: cannot be studied for speed against error: its window cannot hold its sprite")
-        self.assertEqual(self.names(), ["large.json"])
 
-    def test_a_name_that_is_taken_is_refused(self):
-        self.write("mine.json", fling())
-        self.expect(BAD_INPUT, "study", "speed-error", "mine.json", "--quick", says="must differ from the other problems' (found fling)")
+class HardCases(ProgramTest):
+    """Of scenarios of the project and of the user's own."""
+
+    def study(self, exit_code, *arguments, **options):
+        """Runs the study without figures; its output goes into out/."""
+        return self.expect(exit_code, "study", "hard-cases", "--quick", "--no-figures", "-o", "out", *arguments, **options)
+
+    def test_a_scenario_of_the_users_own_is_a_case(self):
+        document = self.study(AGREED, self.write("calm.json", CALM), "--gate", "--json").json
+        self.assertEqual([case["case"] for case in document["cases"]], ["calm"])
+        self.assertEqual(document["cases"][0]["invariants"]["mirror"]["verdict"], "held")
+        self.assertEqual(document["broken"], [])
+
+    def test_a_failed_expectation_breaks_it_and_only_the_gate_changes_the_exit_code(self):
+        self.write("calm.json", {**CALM, "expect": {"final_y_px": [0, 1]}})
+        self.study(AGREED, "calm.json")
+        self.study(DISAGREED, "calm.json", "--gate", says="calm: expectations: final_y_px: wanted 0 .. 1")
+
+    def test_long_cases_are_left_out_of_the_quick_study(self):
+        document = self.study(AGREED, HARD / "a-fling-a-minute.json", "--json").json
+        names = [case["case"] for case in document["cases"]]
+        self.assertEqual(names, ["a-fling-a-minute", "a-fling-a-minute/an-hour"])
+        self.study(BAD_INPUT, HARD / "ten-million-steps.json", says="no case is left with --quick")
 
 
-class Usage(StudyTest):
-    """Bad usage is refused before anything is written."""
-
-    def test_an_unknown_study_lists_the_known_ones(self):
-        self.expect(BAD_INPUT, "study", "speed", says=("unknown study (found speed)", "speed-error", "needs"))
-        self.expect(BAD_INPUT, "study", says="study")
-
-    def test_options_without_use_are_refused(self):
-        self.write("fling.json", fling())
-        for arguments, words in ((("speed-error", "--within", "1px"), "speed-error: takes no --within"),
-                                 (("speed-error", "--expect", "x.json"), "speed-error: takes no --expect"),
-                                 (("needs",), "a scenario must be given"),
-                                 (("needs", "fling.json", "--within", "1 mm"), "--within: must be a length of at least 0, "
-                                                                               "as 1px (found '1 mm')"),
-                                 (("needs", "fling.json", "--within=-1px"), "--within"),
-                                 (("needs", "fling.json", "--within", "nan"), "--within"),
-                                 (("needs", "fling.json", "fling.json"), "fling.json: /name: duplicate scenario name (found fling)")):
-            self.expect(BAD_INPUT, "study", *arguments, says=words)
-        self.assertEqual(self.names(), ["fling.json"])
-
-    def test_bad_scenarios_leave_nothing_behind(self):
-        self.write("bad.json", fling(steps=-1))
-        self.expect(BAD_INPUT, "study", "needs", "bad.json", "-o", "out", says="bad.json: /steps")
-        self.expect(CANNOT_ACCESS, "study", "needs", "none.json", says="none.json: cannot be read")
-        self.assertEqual(self.names(), ["bad.json"])
-
-    def test_a_folder_that_cannot_be_created_is_reported(self):
-        self.write("fling.json", fling())
-        self.expect(CANNOT_ACCESS, "study", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json",
-                    says="fling.json: ")
-        self.assertEqual(pathlib.Path(self.folder / "fling.json").stat().st_nlink, 1)
+class Usage(ProgramTest):
+    def test_what_is_wrong_is_reported_before_anything_is_written(self):
+        for path, document in (("fling.json", fling()), ("bad.json", fling(steps=-1)), ("one/calm.json", CALM), ("two/calm.json", CALM),
+                               ("large.json", fling(sprite={"width_px": 4000, "height_px": 128}))):
+            self.write(path, document)
+        before = self.state_of(".")
+        no_length = "--within: must be a length of at least 0, as 1px (found "
+        for exit_code, says, *arguments in (
+                (BAD_INPUT, ("unknown study (found speed)", "speed-error", "needs"), "speed"),
+                (BAD_INPUT, "speed-error: takes no --within", "speed-error", "--within", "1px"),
+                (BAD_INPUT, "large.json: cannot be studied for speed against error: its window cannot hold its sprite",
+                 "speed-error", "large.json", "--quick"),
+                (BAD_INPUT, "must differ from the other problems' (found fling)", "speed-error", "fling.json", "--quick"),
+                (BAD_INPUT, "a scenario must be given", "needs"),
+                (BAD_INPUT, no_length + "'1 mm')", "needs", "fling.json", "--within", "1 mm"),
+                (BAD_INPUT, no_length, "needs", "fling.json", "--within=-1px"),
+                (BAD_INPUT, no_length, "needs", "fling.json", "--within", "nan"),
+                (BAD_INPUT, "fling.json: /name: duplicate scenario name (found fling)", "needs", "fling.json", "fling.json"),
+                (BAD_INPUT, "bad.json: /steps", "needs", "bad.json", "-o", "out"),
+                (CANNOT_ACCESS, "none.json: cannot be read", "needs", "none.json"),
+                (CANNOT_ACCESS, "fling.json: ", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json"),
+                (CANNOT_ACCESS, "scenarios/hard", "hard-cases"),
+                (BAD_INPUT, "bad.json: /steps", "hard-cases", "bad.json"),
+                (BAD_INPUT, "two/calm.json: /name: duplicate scenario name (found calm)",
+                 "hard-cases", "one/calm.json", "two/calm.json")):
+            self.expect(exit_code, "study", *arguments, says=says)
+            self.assertEqual(self.state_of("."), before, arguments)
 
     def test_in_a_checkout_version_control_ignores_them(self):
         ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()

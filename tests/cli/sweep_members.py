@@ -1,6 +1,5 @@
 """Sweeps for the tests, drawn from a seed, and what their members give when each is run by itself."""
 
-import json
 import math
 import random
 import sys
@@ -154,8 +153,3 @@ def assert_same_bits(test, found, expected, note):
             same = found[name] == wanted
         test.assertTrue(same.all(), f"{note}: {name}: first at {numpy.argwhere(~same)[:1].tolist()}: "
                                     f"{found[name][~same][:3]} instead of {wanted[~same][:3]}")
-
-
-def shown(sweep):
-    """The sweep as text, for a message."""
-    return json.dumps(sweep)

@@ -26,17 +26,12 @@ TRIES = 20
 
 
 class FilesTest(SweepTest):
-    """Files of the usual sweep, computed once for all tests."""
-
-    computed_once = {}
+    """Files of the usual sweep."""
 
     def file(self, name, *arguments):
-        """Writes the file that the usual sweep gives with these arguments; returns its name."""
+        """Writes the file that it gives with these arguments; returns its name."""
         self.write("sweep.json", document())
-        if name not in self.computed_once:
-            self.sweep("sweep.json", "-o", "out.h5", *arguments)
-            self.computed_once[name] = (self.folder / name).read_bytes()
-        (self.folder / name).write_bytes(self.computed_once[name])
+        self.sweep("sweep.json", "-o", "out.h5", *arguments)
         return name
 
     def two_parts(self):
@@ -51,8 +46,6 @@ class FilesTest(SweepTest):
 
 
 class Parts(FilesTest):
-    """Parts, and their merging."""
-
     def merged(self, parts):
         """The file of a sweep in that many parts, more than the files that may be open unless a program asks."""
         for part in range(parts):
@@ -202,8 +195,6 @@ class Parts(FilesTest):
 
 
 class Interrupted(FilesTest):
-    """Killed, and resumed."""
-
     def test_after_kills_at_random_moments_the_file_is_the_same(self):
         draws = random.Random(SEED)
         begin = time.monotonic()
@@ -315,12 +306,6 @@ class Interrupted(FilesTest):
         os.link(self.folder / "precious.h5", self.folder / "sweep.h5.partial")
         before = self.state_of(".")
         self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="sweep.h5.partial")
-        self.assertEqual(self.state_of("."), before)
-
-    def test_what_is_complete_is_not_computed_again(self):
-        self.file("out.h5")
-        before = self.state_of(".")
-        self.assertEqual(self.sweep("sweep.json", "-o", "out.h5", "--resume", "--json").json["computed"], 0)
         self.assertEqual(self.state_of("."), before)
 
     def test_only_the_same_sweep_is_resumed(self):

@@ -48,7 +48,6 @@ def flights(dt_s, frames, vy):
 
 
 def start_vy(start):
-    """The vertical speed of a throw."""
     return between(5 * start + 1, -FASTEST, FASTEST)
 
 

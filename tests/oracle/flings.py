@@ -12,7 +12,7 @@ import clock
 import sweep
 
 RIGHT_PX, BOTTOM_PX = 1792.0, 952.0
-STILL_PX, LEAST_REST_S = 0.5, 1.0
+STILL_PX = 0.5
 LEFT, RIGHT, TOP, GROUND = range(4)
 
 
@@ -34,13 +34,13 @@ def starts(count):
     return numpy.array([[sweep.inputs(drawn, member)[f"/start/{key}"] for key in ranges] for member in range(count)]).T
 
 
-def starts_like(x, y, vx, vy, count, seed=13, within_px=20.0, within=0.05):
-    """x, y, vx, vy of one fling and of others near it."""
+def starts_like(x, y, vx, vy, count):
+    """x, y, vx, vy of one fling and of others of seed 13 within 20 px and 5 % of it."""
     near = [[x, y, vx, vy]]
     for first in range(0, 4 * (count - 1), 4):
-        a, b, c, d = (2.0 * clock.unit(seed, first + k) - 1.0 for k in range(4))
-        near.append([min(max(x + within_px * a, 0.0), RIGHT_PX), min(max(y + within_px * b, 0.0), BOTTOM_PX),
-                     vx * (1.0 + within * c), vy * (1.0 + within * d)])
+        a, b, c, d = (2.0 * clock.unit(13, first + k) - 1.0 for k in range(4))
+        near.append([min(max(x + 20.0 * a, 0.0), RIGHT_PX), min(max(y + 20.0 * b, 0.0), BOTTOM_PX),
+                     vx * (1.0 + 0.05 * c), vy * (1.0 + 0.05 * d)])
     return numpy.array(near).T
 
 
@@ -64,7 +64,6 @@ class Flings:
         self.anchor_x, self.anchor_y, self.anchor_s = self.x.copy(), self.y.copy(), numpy.zeros(self.x.size)
 
     def step(self):
-        """A frame of all."""
         old_vy = self.vy
         self.vy = (self.vy + self.laws.gravity * self.dt_s) * self.drag
         self.vx = self.vx * self.drag
@@ -82,7 +81,6 @@ class Flings:
         self.frames += 1
 
     def play(self, duration_s):
-        """Goes on for so long."""
         for _ in range(math.ceil(duration_s / self.dt_s)):
             self.step()
             moved = (abs(self.x - self.anchor_x) > STILL_PX) | (abs(self.y - self.anchor_y) > STILL_PX)

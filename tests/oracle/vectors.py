@@ -13,7 +13,6 @@ FRAMES = 16
 
 
 def hexes(values):
-    """Doubles as exact text."""
     return [value.hex() for value in values]
 
 
@@ -151,7 +150,6 @@ def statistics_vectors():
 
 
 def all_vectors():
-    """The complete document."""
     return {
         "format": "hyrax-vectors/1",
         "about": "Made by `vectors.py`. Every double is exact hexadecimal text; seeds and outputs are 64 bits.",

@@ -29,7 +29,6 @@ class MinGW(HyraxTest):
         succeed("cmake", "--build", folder, cwd=self.folder, timeout=900)
 
     def replace(self, path, old, new):
-        """Edits a file."""
         text = (self.folder / path).read_text(encoding="utf-8")
         self.assertIn(old, text)
         self.write(path, text.replace(old, new))

@@ -45,7 +45,6 @@ class Desktop(Screen):
         succeed("xdotool", *arguments, env={"DISPLAY": self.display})
 
     def end(self):
-        """Ends compositor and server."""
         self._compositor.end()
         super().end()
 
