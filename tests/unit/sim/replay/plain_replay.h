@@ -27,7 +27,7 @@ struct PlainRun {
     StateHash hash;
     RowBlock block;
     for (const Row& row : rows) {
-      pack_row(block.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
+      block.append(row);
       if (block.room() > 0) continue;
       hash.add(digest(block));
       block.shrink(0);
