@@ -164,15 +164,6 @@ TEST(ExactLaw, WithoutDragLosesHalfGravitySquaredTimesTheFrame) {
   EXPECT_EQ(solution.gravity_energy_px2_per_s2(), -kGravity * kGravity / 64 / 2);
 }
 
-TEST(MatchedFlight, IsOnlyDampedByAZeroLengthFrame) {
-  ArcSolution solution((Model()));
-  solution.start({500.0, -900.0}, true);
-  solution.advance(0.0);
-  EXPECT_EQ(solution.matched().dy_px, 0.0);
-  EXPECT_EQ(solution.matched().vy_px_per_s, -900.0 * kAirDrag);
-  EXPECT_EQ(solution.discrete().vx_px_per_s, 500.0 * kAirDrag);
-}
-
 TEST(ModelFlight, KeepsTheDragRateOf60HzWhereFramesOf60HzFollowOthersOrAreFollowedByThem) {
   for (const double other_s : {0.0, 0.5, 1.0 / 60})
     for (const bool is_first : {false, true}) {
