@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 
 #include "sim/scenario/split_mix64.h"
 #include "tests/oracle/vectors.h"

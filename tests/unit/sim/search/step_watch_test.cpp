@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
