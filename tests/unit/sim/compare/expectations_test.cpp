@@ -117,15 +117,5 @@ TEST(Judge, KeepsTheOrderOfTheFormat) {
   EXPECT_EQ(rules, "in_bounds finite final_y_px at_rest_since_s contacts/ground state_hash ");
 }
 
-TEST(BoundsErrors, DetectsEachOfThem) {
-  EXPECT_FALSE(bounds_errors({.in_bounds = true}));
-  for (std::optional<double> Expect::*const bound :
-       {&Expect::implementation_px_max, &Expect::truncation_px_max, &Expect::energy_drift_rel_max}) {
-    Expect expect;
-    expect.*bound = 0.0;
-    EXPECT_TRUE(bounds_errors(expect));
-  }
-}
-
 }  // namespace
 }  // namespace hyrax

@@ -50,8 +50,7 @@ inline RowBlock with_fault_at(const RowBlock& rows, std::int64_t faulty,
                               const std::function<Row(const Row&)>& change) {
   RowBlock changed;
   for (std::size_t index = 0; index < rows.size(); ++index) {
-    const Row row = static_cast<std::int64_t>(index) == faulty ? change(rows.row(index)) : rows.row(index);
-    pack_row(changed.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
+    changed.append(static_cast<std::int64_t>(index) == faulty ? change(rows.row(index)) : rows.row(index));
   }
   return changed;
 }

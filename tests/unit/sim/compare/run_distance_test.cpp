@@ -1,9 +1,8 @@
-// How far rows are apart, and what is still rounding.
+// How far rows are apart, in energy too, and what is still rounding.
 #include "sim/compare/run_distance.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "sim/compare/comparison.h"
@@ -35,13 +34,6 @@ bool is_rounding(double Row::*field, double difference) {
   return distance_of(kRow, other).is_rounding();
 }
 
-TEST(RunDistance, OfEqualRowsIsNothing) {
-  const RunDistance distance = distance_of(kRow, kRow);
-  EXPECT_FALSE(distance.largest());
-  EXPECT_TRUE(distance.is_rounding());
-  EXPECT_FALSE(distance.has_other_walls());
-}
-
 TEST(RunDistance, RoundingHasALimitForEveryQuantity) {
   for (const double sign : {1.0, -1.0}) {
     for (const auto field : {&Row::x_px, &Row::y_px, &Row::vx_px_per_s, &Row::vy_px_per_s}) {
@@ -68,14 +60,9 @@ TEST(RunDistance, AFastVelocityMayDifferByMore) {
 TEST(RunDistance, AnotherRestBitIsMoreThanRoundingAndNoOtherWall) {
   Row other = kRow;
   other.contact |= kRestBit;
-  const RunDistance distance = distance_of(kRow, other);
-  EXPECT_FALSE(distance.is_rounding());
-  EXPECT_FALSE(distance.has_other_walls());
-}
-
-TEST(RunDistance, AnotherWallIsFound) {
-  Row other = kRow;
-  other.contact |= 1;
+  EXPECT_FALSE(distance_of(kRow, other).is_rounding());
+  EXPECT_FALSE(distance_of(kRow, other).has_other_walls());
+  other.contact |= static_cast<std::uint8_t>(Wall::left);
   EXPECT_TRUE(distance_of(kRow, other).has_other_walls());
   EXPECT_TRUE(distance_of(other, kRow).has_other_walls());
 }
@@ -92,11 +79,6 @@ TEST(RunDistance, TheLargestIsTheFirstOfItsDistance) {
   ASSERT_TRUE(distance.largest());
   EXPECT_EQ(distance.largest()->px, 5.0);
   EXPECT_EQ(distance.largest()->step, kRow.step + 5);
-}
-
-TEST(RunDistance, IsTheLengthOfBothAxes) {
-  EXPECT_EQ(distance_px({0.0, 0.0, 1.0, 1.0}, {3.0, -4.0, 0.0, 0.0}), 5.0);
-  EXPECT_EQ(distance_px({1.0, 1.0, 1.0, 1.0}, {1.0, 1.0, 0.0, 0.0}), 0.0);
 }
 
 TEST(RunDistance, ANanIsInfinitelyFar) {
@@ -131,10 +113,30 @@ TEST(RunDistance, AContactsQuantitiesHaveTheSameLimits) {
   }
 }
 
-TEST(RunDistance, AnUnknownRowMayBeMoreThanRounding) {
-  RunDistance distance;
-  distance.add_unknown();
-  EXPECT_FALSE(distance.is_rounding());
+constexpr double kGravity = 1200.0;
+
+TEST(EnergyDifference, IsKineticAndPotential) {
+  EnergyDifference energy(kGravity);
+  EXPECT_FALSE(energy.largest());
+  energy.add({.step = 3, .y_px = 100.0, .vx_px_per_s = 3.0, .vy_px_per_s = 4.0},
+             {.step = 3, .y_px = 98.0, .vx_px_per_s = 5.0, .vy_px_per_s = 12.0});
+  ASSERT_TRUE(energy.largest());
+  EXPECT_DOUBLE_EQ(energy.largest()->px2_per_s2, (169.0 - 25.0) / 2.0 + 2.0 * kGravity);
+  EXPECT_EQ(energy.largest()->step, 3);
+}
+
+TEST(EnergyDifference, KeepsTheLargestWithItsSign) {
+  EnergyDifference energy(kGravity);
+  for (const double fall_px : {1.0, 5.0, -2.0})
+    energy.add({.step = static_cast<std::int64_t>(fall_px), .y_px = 0.0}, {.y_px = fall_px});
+  EXPECT_DOUBLE_EQ(energy.largest()->px2_per_s2, -5.0 * kGravity);
+  EXPECT_EQ(energy.largest()->step, 5);
+}
+
+TEST(EnergyDifference, DoesNotLoseSmallDifferencesOfLargeSpeeds) {
+  EnergyDifference energy(kGravity);
+  energy.add({.vx_px_per_s = 1e9}, {.vx_px_per_s = 1e9 + 0.25});
+  EXPECT_DOUBLE_EQ(energy.largest()->px2_per_s2, 0.25 * 1e9 + 0.5 * 0.0625);
 }
 
 }  // namespace

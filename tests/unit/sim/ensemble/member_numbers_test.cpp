@@ -19,12 +19,6 @@ MemberNumbers numbers_of(const std::vector<double>& values, MemberRole role = Me
   return numbers;
 }
 
-TEST(MemberNumbers, OfNoMemberAreNotGiven) {
-  EXPECT_TRUE(std::isnan(numbers_of({std::nan("")}).smallest()));
-  EXPECT_TRUE(std::isnan(numbers_of({}).mean()));
-  EXPECT_TRUE(std::isnan(numbers_of({}).quantile(0.5)));
-}
-
 TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
   constexpr std::int64_t kMembers = 1'000'000, kGrid = 50;
   MemberNumbers numbers("x", "px", "", MemberRole::grid, kMembers);

@@ -54,15 +54,17 @@ void visit_edges(const Visit& visit) {
                           {.state = {}, .window = {128, 128}, .sprite = {128, 128}},
                           {.state = {}, .window = {100, 60}, .sprite = {128, 128}},
                           {.state = {}, .window = {0, 0}, .sprite = {1, 1}}};
+  const double rest = 5.0 / (0.999 * 0.6);  // A bounce at dt = 0 leaves exactly 5.
   for (const World& world : worlds)
     for (const double dt_s : {0.0, kTiny, 1.0 / 60.0, 0.5, 1e6})
       for (const double x_px : {-0.0, 0.0, -kTiny, below(world.bounds().right_px), world.bounds().right_px,
                                 above(world.bounds().right_px), -1e12, 1e12, std::nan("")})
-        for (const double y_px : {-0.0, 0.0, -kTiny, below(world.bounds().bottom_px),
-                                  world.bounds().bottom_px, above(world.bounds().bottom_px), -1e12, 1e12})
+        for (const double y_px :
+             {-0.0, 0.0, -kTiny, below(world.bounds().bottom_px), world.bounds().bottom_px,
+              above(world.bounds().bottom_px), -1e12, 1e12, std::nan("")})
           for (const double vx_px_per_s : {-0.0, 0.0, kTiny, -7.5, 1e12, kInfinity})
             for (const double vy_px_per_s :
-                 {-0.0, 0.0, -1200.0 / 60.0, 5.0 / 0.6, below(5.0 / 0.6), 900.0, -1e12})
+                 {-0.0, 0.0, -1200.0 / 60.0, rest, below(rest), above(rest), -rest, 900.0, -1e12, kInfinity})
               visit(State{x_px, y_px, vx_px_per_s, vy_px_per_s}, dt_s, world);
 }
 

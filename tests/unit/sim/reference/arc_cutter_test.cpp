@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
 #include <vector>
 
 #include "tests/unit/sim/reference/test_run.h"
@@ -34,18 +33,15 @@ struct Seen : ArcVisitor {
     const std::int64_t flown_steps = flown != nullptr ? 1 : 0;
     EXPECT_TRUE(flown == nullptr || flown->step == start.row.step + 1);
     EXPECT_TRUE(clamped == nullptr || clamped->step == start.row.step + flown_steps + 1);
-    if (flown != nullptr && clamped != nullptr) bounces.push_back(clamped->step);
   }
   SeenArc open;
   std::vector<SeenArc> arcs;
-  std::vector<std::int64_t> bounces;
 };
 
 struct Cut {
   std::vector<SeenArc> arcs;
   std::int64_t skipped_arcs = 0;
   std::optional<std::int64_t> non_finite_step;
-  std::vector<std::int64_t> bounces;
 };
 
 Cut cut(const Scenario& scenario, const Columns& rows) {
@@ -53,7 +49,7 @@ Cut cut(const Scenario& scenario, const Columns& rows) {
   ArcCutter cutter(scenario, inputs_of(scenario), seen);
   cutter.rows(rows);
   cutter.finish();
-  return {seen.arcs, cutter.skipped_arcs(), cutter.non_finite_step(), seen.bounces};
+  return {seen.arcs, cutter.skipped_arcs(), cutter.non_finite_step()};
 }
 
 Cut cut(const Scenario& scenario) { return cut(scenario, rows_of(scenario)); }
@@ -65,66 +61,10 @@ Scenario interrupted_by(const Action& action) {
   return scenario;
 }
 
-// Clamped in row 2 and in row 3, which no flight comes before.
-TEST(ArcCutter, ReportsABounceAfterOneStep) {
-  const Scenario scenario = open_sky({300.0, -500.0}, 60.0, 4);
-  Columns rows = rows_of(scenario);
-  rows.contact[2] = rows.contact[3] = static_cast<std::uint8_t>(Wall::ground);
-  const Cut c = cut(scenario, rows);
-  EXPECT_EQ(c.bounces, std::vector<std::int64_t>{2});
-  EXPECT_TRUE(c.arcs.empty());
-  EXPECT_EQ(c.skipped_arcs, 3);
-}
-
-TEST(ArcCutter, CutsAtEveryClampedStep) {
-  const Scenario scenario = fling();
-  const Columns rows = rows_of(scenario);
-  const Cut c = cut(scenario, rows);
-  ASSERT_GT(c.arcs.size(), 5u);
-  for (const SeenArc& arc : c.arcs) {
-    if (!arc.clamped_step) continue;
-    EXPECT_EQ(*arc.clamped_step, arc.last_step + 1);
-    EXPECT_NE(rows.contact[static_cast<std::size_t>(*arc.clamped_step)], 0);
-  }
-}
-
-TEST(ArcCutter, CountsEveryClampedRowOnceAsBeginningAnArc) {
-  Scenario scenario = fling();
-  scenario.length = std::int64_t{3000};  // Long enough to rest on the floor.
-  const Columns rows = rows_of(scenario);
-  std::int64_t clamped = 0;
-  for (const std::uint8_t contact : rows.contact) clamped += contact != 0;
-  const bool ends_clamped = rows.contact.back() != 0;
-  const Cut c = cut(scenario, rows);
-  EXPECT_EQ(static_cast<std::int64_t>(c.arcs.size()) + c.skipped_arcs, 1 + clamped - (ends_clamped ? 1 : 0));
-}
-
-TEST(ArcCutter, NamesTheWall) {
-  Scenario scenario = fling();
-  scenario.start = {1700.0, 500.0};
-  EXPECT_EQ(cut(scenario).arcs[0].ended_by, ArcEnd::right);
-  scenario.start_velocity = {-9000.0, -100.0};
-  EXPECT_EQ(cut(scenario).arcs[0].ended_by, ArcEnd::left);
-  scenario.start_velocity = {0.0, -2000.0};
-  EXPECT_EQ(cut(scenario).arcs[0].ended_by, ArcEnd::top);
-  scenario.start_velocity = {0.0, 0.0};
-  EXPECT_EQ(cut(scenario).arcs[0].ended_by, ArcEnd::ground);
-}
-
 TEST(ArcCutter, NamesTheWallInXInACorner) {
   Columns rows = fly_by(paper_step(0.999), open_sky({300.0, -500.0}, 60.0, 5));
   rows.contact.back() = static_cast<std::uint8_t>(Wall::right) | static_cast<std::uint8_t>(Wall::ground);
   EXPECT_EQ(cut(open_sky({}, 60.0, 5), rows).arcs.at(0).ended_by, ArcEnd::right);
-}
-
-TEST(ArcCutter, EndsAnArcAtTheRowBeforeAnInput) {
-  const Cut c = cut(interrupted_by(Fling{{-100.0, -900.0}}));
-  ASSERT_EQ(c.arcs.size(), 2u);
-  EXPECT_EQ(c.arcs[0].last_step, 10);
-  EXPECT_EQ(c.arcs[0].ended_by, ArcEnd::input);
-  EXPECT_EQ(c.arcs[1].start.row.step, 10);
-  EXPECT_EQ(c.arcs[1].last_step, 30);
-  EXPECT_EQ(c.arcs[1].ended_by, ArcEnd::end);
 }
 
 TEST(ArcCutter, BeginsAnArcAfterTheInputsOfTheNextFrame) {
@@ -147,28 +87,12 @@ TEST(ArcCutter, AppliesInputsOfTheFirstFrameToTheStart) {
   EXPECT_EQ(c.skipped_arcs, 0);
 }
 
-TEST(ArcCutter, DoesNotTakeAHitchForAnInput) { EXPECT_EQ(cut(interrupted_by(Hitch{0.5})).arcs.size(), 1u); }
-
 TEST(ArcCutter, FollowsTheSizesInForce) {
   const Cut c = cut(interrupted_by(Resize{Size{900'000, 800'000}, std::nullopt}));
   ASSERT_EQ(c.arcs.size(), 2u);
   EXPECT_EQ(c.arcs[0].start.bounds.right_px, 1'000'000.0 - 128.0);
   EXPECT_EQ(c.arcs[1].start.bounds.right_px, 900'000.0 - 128.0);
   EXPECT_EQ(c.arcs[1].start.bounds.bottom_px, 800'000.0 - 128.0);
-}
-
-TEST(ArcCutter, HasNoArcWhileTheSpriteIsHeld) {
-  Scenario scenario = interrupted_by(Grab{});
-  scenario.events.push_back({std::int64_t{15}, Place{{7000.0, 8000.0}}});
-  scenario.events.push_back({std::int64_t{20}, Release{{50.0, -60.0}}});
-  const Cut c = cut(scenario);
-  ASSERT_EQ(c.arcs.size(), 2u);
-  EXPECT_EQ(c.arcs[0].last_step, 10);
-  EXPECT_EQ(c.arcs[0].ended_by, ArcEnd::hold);
-  EXPECT_EQ(c.arcs[1].start.row.step, 20);
-  EXPECT_EQ(c.arcs[1].start.row.x_px, 7000.0);
-  EXPECT_EQ(c.arcs[1].start.row.vy_px_per_s, -60.0);
-  EXPECT_EQ(c.skipped_arcs, 0);
 }
 
 TEST(ArcCutter, ReportsAnInputOnTheRowBeforeAClamp) {

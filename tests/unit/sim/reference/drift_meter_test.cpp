@@ -12,70 +12,6 @@
 namespace hyrax {
 namespace {
 
-// A flight of 1 s from vy = -900 px/s by the shipped core.
-ArcErrors one_second_at(double rate_hz) {
-  Measured measured;
-  measure(open_sky({0.0, -900.0}, rate_hz, static_cast<std::int64_t>(rate_hz)), measured);
-  return measured.arcs.at(0);
-}
-
-ArcErrors measured_arc(const StepDouble& step, const Scenario& scenario, const Model& model = {}) {
-  Measured measured;
-  measure(scenario, fly_by(step, scenario), measured, nullptr, model);
-  return measured.arcs.at(0);
-}
-
-// The numbers that the step's order gives: 600 h - 0.16 px, to their last digit.
-TEST(TruncationError, OfASecondOfFlightHalvesWithTheFrame) {
-  EXPECT_NEAR(one_second_at(30).truncation_px, 19.84, 0.005);
-  EXPECT_NEAR(one_second_at(60).truncation_px, 9.84, 0.005);
-  EXPECT_NEAR(one_second_at(120).truncation_px, 4.84, 0.005);
-  EXPECT_NEAR(one_second_at(240).truncation_px, 2.34, 0.005);
-  EXPECT_NEAR(one_second_at(480).truncation_px, 1.09, 0.005);
-}
-
-// v_n - v(t) = -(G h / 2)(1 - a^n), to the second order in 1 - a.
-TEST(TruncationError, OfSpeedIsHalfAFrameOfGravityTimesTheDampedPart) {
-  EXPECT_NEAR(one_second_at(60).truncation_px_per_s, 10.0 * (1.0 - std::pow(0.999, 60)), 1e-3);
-}
-
-TEST(ModelError, GrowsWithTheFrameRate) {
-  EXPECT_NEAR(one_second_at(60).model_px, 9.84, 0.005);
-  EXPECT_NEAR(one_second_at(240).model_px, 42.3, 0.05);
-  EXPECT_NEAR(one_second_at(1920).model_px, 232.7, 0.05);
-}
-
-// 304 px when the second is over, and more on the way: the paper's step does not converge, since
-// its drag acts once a frame however short the frame is.
-TEST(ModelError, DoesNotVanishWithTheFrame) {
-  Measured measured(true);
-  measure(open_sky({0.0, -900.0}, 7680.0, 7680), measured);
-  EXPECT_NEAR(measured.rows.back().model_px, 304.13, 0.005);
-  EXPECT_GT(measured.arcs.at(0).model_px, 304.13);
-}
-
-TEST(ModelError, IsOfFirstOrderWhereDragIsNormalisedByRate) {
-  const auto error_px = [](double rate_hz) {
-    const double air_drag = std::pow(0.999, 60.0 / rate_hz);
-    const Scenario scenario = open_sky({0.0, -900.0}, rate_hz, static_cast<std::int64_t>(rate_hz));
-    const Model model{.air_drag = air_drag, .model_rate_hz = rate_hz};
-    return measured_arc(paper_step(air_drag), scenario, model).model_px;
-  };
-  for (double rate_hz = 30.0; rate_hz < 1920.0; rate_hz *= 2.0)
-    EXPECT_NEAR(std::log2(error_px(rate_hz) / error_px(2.0 * rate_hz)), 1.0, 0.02) << rate_hz;
-}
-
-TEST(ImplementationError, DetectsDragBeforeGravity) {
-  const auto drag_first = [](Row& row) {
-    row.vx_px_per_s *= 0.999;
-    row.vy_px_per_s *= 0.999;
-    row.vy_px_per_s += 1200.0 * row.dt_s;
-    row.x_px += row.vx_px_per_s * row.dt_s;
-    row.y_px += row.vy_px_per_s * row.dt_s;
-  };
-  EXPECT_GT(measured_arc(drag_first, open_sky({400.0, -900.0}, 60.0, 60)).implementation_px, 0.1);
-}
-
 TEST(StepsThatDiffer, IncludeOneUnitInTheLastPlace) {
   const Scenario scenario = open_sky({407.0, -903.0}, 60.0, 200);
   Columns rows = rows_of(scenario);
@@ -126,12 +62,37 @@ TEST(DriftMeter, PassesEveryRowOfAnArcOnRequest) {
   EXPECT_EQ(rows, measured.rows.size());
 }
 
-TEST(DriftMeter, HasNoErrorsForARunWithoutArcs) {
+TEST(ContactErrors, HaveNoTimeWhereTheWallIsNotMetInTwoFrames) {
+  // A contact byte that claims the floor where neither the run nor the ODE is near it.
+  const Scenario scenario = open_sky({0.0, -500.0}, 60.0, 30);
+  Columns rows = fly_by(paper_step(0.999), scenario);
+  rows.contact.back() = static_cast<std::uint8_t>(Wall::ground);
   Measured measured;
-  measure(open_sky({0.0, 0.0}, 60.0, 1), measured);
-  EXPECT_EQ(measured.summary.arcs, 0);
-  EXPECT_FALSE(measured.summary.truncation_px);
-  EXPECT_EQ(measured.summary.skipped_arcs, 1);
+  measure(scenario, rows, measured);
+  EXPECT_FALSE(measured.contacts.at(0).time_error_s);
+  EXPECT_FALSE(measured.contacts.at(0).effective_restitution);
+}
+
+// As after a hitch of 8 h: its mean would be 2600.
+TEST(Spread, OneValueFarOffDoesNotMoveTheMedian) {
+  Spread spread;
+  for (const double value : {0.6, 1.3e4, 0.5, 0.59, 0.61}) spread.add(value);
+  EXPECT_EQ(spread.median(), 0.6);
+  EXPECT_EQ(spread.smallest(), 0.5);
+  EXPECT_EQ(spread.largest(), 1.3e4);
+}
+
+TEST(Spread, OfVeryManyValuesKeepsEveryKthForTheMedian) {
+  const auto count = static_cast<std::int64_t>(5 * Spread::kKeptMax + 7);
+  for (const std::int64_t stride :
+       {7919, 1}) {  // In no order, and rising, where later ones must not weigh more.
+    Spread spread;
+    for (std::int64_t i = 0; i < count; ++i) spread.add(static_cast<double>(i * stride % count));
+    EXPECT_EQ(spread.count(), count);
+    EXPECT_NEAR(spread.median(), 0.5 * static_cast<double>(count), 0.01 * static_cast<double>(count))
+        << stride;
+    EXPECT_EQ(spread.largest(), static_cast<double>(count - 1));
+  }
 }
 
 // Of a run that repeats itself a meter reads the beginning only, with the same summary.

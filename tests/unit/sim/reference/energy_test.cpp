@@ -5,75 +5,15 @@
 #include <cmath>
 
 #include "sim/core/shipped_core.h"
+#include "sim/reference/energy_causes.h"
 #include "tests/unit/sim/reference/test_run.h"
 
 namespace hyrax {
 namespace {
 
 constexpr double kGravity = 1200.0;
-constexpr double kBottom_px = 1'000'000.0 - 128.0;
 constexpr double kRate_hz = 60.0;
 constexpr double kFall_px2_per_s3 = kGravity * kGravity / kRate_hz / 2.0;  // G^2 h / 2.
-
-double energy(const Row& row) {
-  return (row.vx_px_per_s * row.vx_px_per_s + row.vy_px_per_s * row.vy_px_per_s) / 2 +
-         kGravity * (kBottom_px - row.y_px);
-}
-
-TEST(EnergyDrift, WithoutDragIsHalfGravitySquaredTimesTheFrame) {
-  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 600);
-  Measured measured;
-  measure(scenario, fly_by(paper_step(1.0), scenario), measured, nullptr, {.air_drag = 1.0});
-  const ArcErrors& arc = measured.arcs.at(0);
-  // The difference is formed without the energies of 7e8, so its rounding is that of the run alone.
-  EXPECT_NEAR(arc.energy_drift_rel_end * arc.energy_largest_px2_per_s2, -10.0 * kFall_px2_per_s3, 1e-6);
-  EXPECT_NEAR(arc.energy_drift_rel_max, -arc.energy_drift_rel_end, 1e-15);
-  EXPECT_NEAR(*arc.energy_drift_slope_per_s * arc.energy_largest_px2_per_s2, -kFall_px2_per_s3, 1e-7);
-  EXPECT_NEAR(*arc.energy_drift_slope_px_per_s, -10.0, 1e-9);
-}
-
-// Control: dynamics without drift have a measured drift of zero.
-TEST(EnergyDrift, OfTheMatchedOdeItselfIsNone) {
-  const auto exact_step = [](Row& row) {
-    row.y_px += row.dt_s * (row.vy_px_per_s + kGravity * row.dt_s / 2.0);
-    row.x_px += row.dt_s * row.vx_px_per_s;
-    row.vy_px_per_s += kGravity * row.dt_s;
-  };
-  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 600);
-  Measured measured;
-  measure(scenario, fly_by(exact_step, scenario), measured, nullptr, {.air_drag = 1.0});
-  EXPECT_LT(measured.arcs.at(0).energy_drift_rel_max, 1e-14);
-}
-
-// e of the run minus e of the reference at every row, in 80 bits, from the rows themselves.
-TEST(EnergyDrift, IsTheDifferenceOfEnergiesAtEveryRow) {
-  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 300);
-  const Columns rows = rows_of(scenario);
-  Measured measured(true);
-  measure(scenario, rows, measured);
-  double largest = 0.0;
-  for (std::size_t n = 0; n < measured.rows.size(); ++n) {
-    const RowErrors& reference = measured.rows[n];
-    const Row at{.x_px = reference.x_px,
-                 .y_px = reference.y_px,
-                 .vx_px_per_s = reference.vx_px_per_s,
-                 .vy_px_per_s = reference.vy_px_per_s};
-    EXPECT_NEAR(reference.energy_drift_px2_per_s2, energy(rows.row(n)) - energy(at), 1e-5) << n;
-    EXPECT_NEAR(reference.energy_px2_per_s2, energy(at), 1e-5) << n;
-    largest = std::max(largest, std::fabs(reference.energy_drift_px2_per_s2));
-  }
-  EXPECT_DOUBLE_EQ(measured.arcs.at(0).energy_drift_rel_max * measured.arcs.at(0).energy_largest_px2_per_s2,
-                   largest);
-}
-
-// Control: another step follows another law.
-TEST(ExactLaw, IsNotFollowedByAnotherStep) {
-  const Scenario scenario = open_sky({300.0, -900.0}, kRate_hz, 60);
-  Measured measured;
-  measure(scenario, fly_by(paper_step(0.9989), scenario), measured);
-  EXPECT_GT(measured.arcs.at(0).exact_law_px, 0.01);
-  EXPECT_GT(measured.arcs.at(0).exact_law_px_per_s, 0.01);
-}
 
 // A fling of five seconds in frames of 1e-4 to 5 s.
 class LongFrames : public testing::TestWithParam<double> {
@@ -153,6 +93,25 @@ TEST(EnergyDrift, IsZeroWhereThereIsNoEnergy) {
   EXPECT_EQ(measured.arcs.at(0).energy_drift_rel_max, 0.0);
   EXPECT_FALSE(measured.arcs.at(0).energy_drift_slope_px_per_s) << "without gravity there is no height";
   EXPECT_FALSE(measured.summary.secular_px_per_s);
+}
+
+TEST(EnergyCauseSum, CountsTheLiftOutOfACornerOnceAndNoBounceWithoutATimeOfImpact) {
+  EnergyCauseSum causes(kGravity);
+  ImpactErrors contact;
+  contact.step = 7;
+  contact.energy_parts = {.lift = 120.0};
+  contact.late_bounce_px2_per_s2 = 600.0;
+  for (const Wall wall : {Wall::left, Wall::ground}) {
+    contact.wall = wall;
+    causes.add(contact);
+  }
+  EXPECT_DOUBLE_EQ(causes.now().lift, 0.1);
+  EXPECT_DOUBLE_EQ(causes.now().bounce, 1.0);
+  contact.step = 8;
+  contact.late_bounce_px2_per_s2.reset();
+  causes.add(contact);
+  EXPECT_DOUBLE_EQ(causes.now().lift, 0.2);
+  EXPECT_DOUBLE_EQ(causes.now().bounce, 1.0);
 }
 
 }  // namespace

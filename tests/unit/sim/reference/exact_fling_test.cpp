@@ -1,7 +1,6 @@
 // The reference of the studies against motions whose impacts are known in closed form.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "sim/reference/exact_fling.h"
@@ -47,32 +46,6 @@ TEST(ExactFling, SlidesAsFarAsItsFrictionLets) {
   const double rate_per_s = laws.drag_rate_per_s + laws.friction_rate_per_s;
   // It starts on the ground: the contact is immediate and takes a fifth of its speed.
   EXPECT_NEAR(fling.at(100.0).x_px, 100.0 + 0.8 * 500.0 / rate_per_s, 1e-10);
-}
-
-TEST(ExactFling, MeetsEveryWall) {
-  ExactFling fling;
-  fling.start({500.0, 500.0, -3000.0, -2500.0}, kBounds);
-  EXPECT_GT(fling.at(3.0).y_px, 0.0);
-  std::array<int, 4> met{};
-  for (const ExactImpact& impact : fling.impacts()) ++met[wall_index(impact.wall)];
-  for (const int count : met) EXPECT_GT(count, 0);
-}
-
-TEST(ExactFling, StaysInItsBoundsAndNeverGainsEnergy) {
-  ExactFling fling;
-  fling.start({500.0, 500.0, -3000.0, -2500.0}, kBounds);
-  double energy = HUGE_VAL;
-  for (double t_s = 0.0; t_s < 20.0; t_s += 0.01) {
-    const State now = fling.at(t_s);
-    EXPECT_GE(now.x_px, -1e-9);
-    EXPECT_LE(now.x_px, 1000.0 + 1e-9);
-    EXPECT_GE(now.y_px, -1e-9);
-    EXPECT_LE(now.y_px, 1000.0 + 1e-9);
-    const double next = 0.5 * (now.vx_px_per_s * now.vx_px_per_s + now.vy_px_per_s * now.vy_px_per_s) +
-                        1200.0 * (1000.0 - now.y_px);
-    EXPECT_LE(next, energy * (1.0 + 1e-12) + 1e-9);
-    energy = next;
-  }
 }
 
 TEST(ExactFling, AStartOutsideIsPutOntoItsWall) {

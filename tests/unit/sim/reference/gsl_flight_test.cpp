@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include "sim/reference/arc_solution.h"
@@ -52,42 +51,6 @@ TEST(GslFlight, KeepsItsDigitsOverManyFrames) {
   EXPECT_LT(apart_px(gsl, std::vector<double>(100'000, 1e-3), kVelocity), 1e-8);
 }
 
-TEST(GslFlight, FliesTheModelAtItsOwnRate) {
-  GslFlight gsl;
-  ArcSolution closed((Model()));
-  for (const double dt_s : {1e-3, 1.0 / 60.0, 20.0}) {
-    closed.start(kVelocity, true);
-    gsl.start(kVelocity, true);
-    for (int frame = 0; frame < 50; ++frame) closed.advance(dt_s);
-    const auto model = gsl.model(50 * dt_s);
-    ASSERT_TRUE(model);
-    const Position expected = closed.model();
-    EXPECT_NEAR(model->dx_px, expected.x_px, 1e-13 * std::fabs(expected.x_px) + 1e-11) << dt_s;
-    EXPECT_NEAR(model->dy_px, expected.y_px, 1e-13 * std::fabs(expected.y_px) + 1e-11) << dt_s;
-  }
-}
-
-// The two share nothing: Halley's steps on the closed form, and Brent's method on GSL's solution.
-TEST(GslFlight, FindsTheTimeOfImpact) {
-  GslFlight gsl;
-  std::mt19937_64 random(9);
-  const auto draw = [&random](double low, double high) {
-    return std::uniform_real_distribution<>(low, high)(random);
-  };
-  for (int i = 0; i < 500; ++i) {
-    const double acceleration = 1200.0 * std::uniform_int_distribution<>(-1, 1)(random);
-    const Approach approach{draw(-300.0, 20.0), draw(-900.0, 900.0), acceleration,
-                            std::pow(10.0, draw(-3.0, 3.0))};
-    const double t_max_s = std::pow(10.0, draw(-3.0, 2.0));
-    const auto closed = time_of_impact(approach, t_max_s);
-    const auto solved = gsl.time_of_impact(approach, t_max_s);
-    ASSERT_EQ(closed.has_value(), solved.has_value()) << i;
-    if (!closed) continue;
-    EXPECT_NEAR(solved->t_s * closed->speed_px_per_s, closed->t_s * closed->speed_px_per_s, 1e-10) << i;
-    EXPECT_NEAR(solved->speed_px_per_s, closed->speed_px_per_s, 1e-7) << i;
-  }
-}
-
 TEST(GslFlight, CrossesAWallAtOnceWhenOnIt) {
   GslFlight gsl;
   EXPECT_EQ(gsl.time_of_impact({0.0, 10.0, 0.0, 0.06}, 1.0)->t_s, 0.0);
@@ -100,24 +63,11 @@ TEST(GslFlight, HasNanAsTimeOfImpactForNan) {
   EXPECT_TRUE(std::isnan(gsl.time_of_impact({kNaN, 10.0, 0.0, 0.06}, 1.0)->t_s));
 }
 
-class AnyStepper : public testing::TestWithParam<GslStepper> {};
-
-// Each to the accuracy that its order and tolerance promise, a hundredfold for the steps it takes;
-// the implicit Euler method needs a tolerance that it can reach.
-TEST_P(AnyStepper, SolvesTheFlight) {
-  const bool is_first_order = GetParam() == GslStepper::rk1imp;
-  GslFlight gsl({.stepper = GetParam(), .tolerance = is_first_order ? 1e-3 : 1e-8});
-  EXPECT_LT(apart_px(gsl, kOneSecond, kVelocity), is_first_order ? 10.0 : 1e-3);
+// As accurate as its order and a tolerance that it can reach; the study speed-error has the other methods.
+TEST(GslFlight, SolvesTheFlightByTheImplicitEulerMethod) {
+  GslFlight gsl({.stepper = GslStepper::rk1imp, .tolerance = 1e-3});
+  EXPECT_LT(apart_px(gsl, kOneSecond, kVelocity), 10.0);
 }
-
-INSTANTIATE_TEST_SUITE_P(GslFlight, AnyStepper,
-                         testing::Values(GslStepper::rk2, GslStepper::rk4, GslStepper::rkf45,
-                                         GslStepper::rkck, GslStepper::rk8pd, GslStepper::rk1imp,
-                                         GslStepper::rk2imp, GslStepper::rk4imp, GslStepper::bsimp,
-                                         GslStepper::msadams, GslStepper::msbdf),
-                         [](const auto& test) {
-                           return std::string(kGslStepperNames[static_cast<std::size_t>(test.param)]);
-                         });
 
 TEST(GslFlight, LeavesXAtZeroWhenNotRequested) {
   GslFlight gsl;
@@ -127,7 +77,7 @@ TEST(GslFlight, LeavesXAtZeroWhenNotRequested) {
   EXPECT_EQ(gsl.flight().vx_px_per_s, 0.0);
 }
 
-TEST(GslFlight, RefusesAStateThatIsNotFinite) {
+TEST(GslFlight, RefusesAStateATimeAndAResultThatAreNotFinite) {
   GslFlight gsl;
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     gsl.start({500.0, bad}, true);
@@ -135,19 +85,11 @@ TEST(GslFlight, RefusesAStateThatIsNotFinite) {
     gsl.start({bad, 0.0}, true);
     EXPECT_FALSE(gsl.advance(kFrame_s)) << bad;
   }
-}
-
-TEST(GslFlight, RefusesATimeThatIsNotFinite) {
-  GslFlight gsl;
   for (const double bad : {kNaN, kInfinity, -kFrame_s}) {
     gsl.start(kVelocity, true);
     EXPECT_FALSE(gsl.advance(bad)) << bad;
     EXPECT_FALSE(gsl.advance(kFrame_s)) << "it has failed for good";
   }
-}
-
-TEST(GslFlight, RefusesAResultThatIsNotFinite) {
-  GslFlight gsl;
   gsl.start({0.0, 1e308}, true);
   EXPECT_FALSE(gsl.advance(100.0));
 }
@@ -157,13 +99,6 @@ TEST(GslFlight, IsAJudgeOnlyAtFullAccuracy) {
   EXPECT_TRUE(GslFlight({.tolerance = 1e-13}).is_accurate());
   EXPECT_FALSE(GslFlight({.tolerance = 1e-9}).is_accurate());
   EXPECT_FALSE(GslFlight({.stepper = GslStepper::msadams}).is_accurate());
-}
-
-TEST(DriftMeterWithGsl, HasNoSuchFigureWithoutIt) {
-  Measured measured;
-  measure(fling(), measured);
-  EXPECT_FALSE(measured.arcs.at(0).gsl_vs_closed_px);
-  EXPECT_FALSE(measured.summary.gsl_vs_closed_px);
 }
 
 // Control: GSL's answers with a change.

@@ -1,5 +1,5 @@
-// The whole run against the exact fling: rows made from that fling itself, flights whose error is known, and
-// runs that have no exact fling.
+// The whole run against the exact fling where inputs, repetition and other constants have a part in it; its
+// numbers are held to a second program's by tests/cli/drift_numbers_test.py.
 #include "sim/reference/whole_run.h"
 #include "sim/core/shipped_core.h"
 
@@ -19,56 +19,6 @@ WholeRun whole_of(const Scenario& scenario, const Columns& rows) {
   return outcome_of(scenario, rows).run.value();
 }
 WholeRun whole_of(const Scenario& scenario) { return whole_of(scenario, rows_of(scenario)); }
-
-// The run's rows with the exact fling's states; its inputs are not applied.
-Columns exact_rows(const Scenario& scenario) {
-  Columns rows = rows_of(scenario);
-  ExactFling exact;
-  exact.start(start_state(scenario), bounds_of(scenario.window, scenario.sprite));
-  for (std::size_t index = 1; index < rows.size(); ++index) {
-    const State now = exact.at(rows.t_s[index]);
-    rows.x_px[index] = now.x_px;
-    rows.y_px[index] = now.y_px;
-    rows.vx_px_per_s[index] = now.vx_px_per_s;
-    rows.vy_px_per_s[index] = now.vy_px_per_s;
-  }
-  return rows;
-}
-
-TEST(WholeRun, OfTheExactFlingItselfIsNothingAndSeesWhatIsMoved) {
-  Columns rows = exact_rows(fling());
-  const WholeRun same = whole_of(fling(), rows);
-  EXPECT_LT(same.max_px, 1e-11);
-  EXPECT_LT(same.energy_max_px, 1e-11);
-  rows.y_px[40] -= 2.0;
-  rows.x_px[600] += 1.0;
-  const WholeRun moved = whole_of(fling(), rows);
-  EXPECT_NEAR(moved.max_px, 2.0, 1e-9);
-  EXPECT_EQ(moved.max_px_step, 40);
-  EXPECT_NEAR(moved.energy_max_px, 2.0, 1e-9);
-  EXPECT_NEAR(moved.end_px, 1.0, 1e-9);
-  EXPECT_NEAR(moved.energy_end_px, 0.0, 1e-9);
-}
-
-// Where nothing is met, the fixed laws are the ODE with the drag of 60 Hz.
-TEST(WholeRun, OfAFlightIsItsModelError) {
-  for (const double rate_hz : {24.0, 60.0, 240.0}) {
-    const Scenario scenario = open_sky({300.0, -900.0}, rate_hz, 200);
-    Measured measured;
-    measure(scenario, measured);
-    EXPECT_NEAR(whole_of(scenario).max_px, measured.arcs.at(0).model_px, 1e-8) << rate_hz;
-    EXPECT_FALSE(whole_of(scenario).contacts_differ_from);
-  }
-}
-
-// first-fling's start: `study speed-error` has 41.8 px for it.
-TEST(WholeRun, OfAFlingEndsFromWherePhysicsWouldPutIt) {
-  Scenario scenario = fling();
-  scenario.start = {60.0, 900.0};
-  scenario.start_velocity = {1000.0, -1350.0};
-  EXPECT_NEAR(whole_of(scenario).end_px, 41.8, 0.05);
-  EXPECT_NEAR(whole_of(scenario).energy_end_px, 7.495 * 7.495 / 2.0 / 1200.0, 1e-4) << "residual speed";
-}
 
 // Of the run, and of a fling within it that begins in the same way.
 TEST(WholeRun, NamesTheFirstContactThatIsNotTheExactImpacts) {

@@ -25,14 +25,7 @@ struct PlainRun {
 
   [[nodiscard]] std::string state_hash() const {
     StateHash hash;
-    RowBlock block;
-    for (const Row& row : rows) {
-      pack_row(block.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
-      if (block.room() > 0) continue;
-      hash.add(digest(block));
-      block.shrink(0);
-    }
-    if (block.size() > 0) hash.add(digest(block));
+    for (const Row& row : rows) hash.add(row);
     return hex(hash.value());
   }
 

@@ -3,6 +3,7 @@
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
 #include "sim/trajectory/waypoints.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
@@ -15,8 +16,8 @@ void expect_same(const Row& a, const Row& b) {
   EXPECT_TRUE(same_bits(state_of(a), state_of(b)));
 }
 
-void expect_same_waypoints(const Scenario& scenario, std::int64_t steps) {
-  WaypointMeter blocks(steps);
+void expect_same_waypoints(const Scenario& scenario) {
+  WaypointMeter blocks(step_count(scenario));
   WaypointMeter rows(0);  // Gets every row, as of a short run.
   replay(shipped_core(), scenario, {&blocks, &rows});
   const Waypoints a = blocks.take();
@@ -27,24 +28,23 @@ void expect_same_waypoints(const Scenario& scenario, std::int64_t steps) {
     expect_same(a.at_seconds[second], b.at_seconds[second]);
 }
 
+// The last settles after 7 of 15 s; of those before it a second ends with a block, or nearly.
 TEST(WaypointsOfBlocks, AreThoseOfEveryRow) {
-  expect_same_waypoints(fling_at(60.0, 20'000), 20'000);
-  expect_same_waypoints(fling_at(1000.0, 20'000), 20'000);
-}
-
-TEST(WaypointsOfBlocks, AreFoundInBlocksThatRepeat) {
-  expect_same_waypoints(fling_at(100'000.0, 1'500'000), 1'500'000);  // 15 s, settled after 7.
-}
-
-TEST(WaypointsOfBlocks, AreFoundWhereASecondEndsWithABlock) {
-  for (const double rate_hz : {2048.0, 4095.0, 4096.0, 4097.0, 8192.0})
-    expect_same_waypoints(fling_at(rate_hz, static_cast<std::int64_t>(12 * rate_hz)),
-                          static_cast<std::int64_t>(12 * rate_hz));
+  for (const auto& [rate_hz, steps] : {std::pair{60.0, 20'000},
+                                       {1000.0, 20'000},
+                                       {2048.0, 24'576},
+                                       {4095.0, 49'140},
+                                       {4096.0, 49'152},
+                                       {4097.0, 49'164},
+                                       {8192.0, 98'304},
+                                       {100'000.0, 1'500'000}}) {
+    SCOPED_TRACE(rate_hz);
+    expect_same_waypoints(fling_at(rate_hz, steps));
+  }
 }
 
 TEST(WaypointsOfBlocks, TheApexMayComeLate) {
-  Scenario scenario = fling_at(60.0, 20'000, {{std::int64_t{15'000}, Place{{700.0, -5.0}}}});
-  expect_same_waypoints(scenario, 20'000);
+  expect_same_waypoints(fling_at(60.0, 20'000, {{std::int64_t{15'000}, Place{{700.0, -5.0}}}}));
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
-// The dt of every frame and the number of frames, against the published vectors.
+// The dt of every frame, its time, and the number of frames, against the published vectors.
 #include "sim/scenario/frame_clock.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 
 #include "sim/scenario/split_mix64.h"
 #include "tests/oracle/vectors.h"
@@ -35,12 +34,6 @@ TEST(SplitMix64, DrawsThePublishedOutputs) {
       EXPECT_EQ(split_mix64(bits_of(entry, "seed"), k), bits_of(draw, "output")) << "k " << k;
       EXPECT_EQ(bits(split_mix64_unit(bits_of(entry, "seed"), k)), bits(exact(draw, "u"))) << "k " << k;
     }
-}
-
-TEST(SplitMix64, StaysBelowOne) {
-  constexpr std::uint64_t kSeed = 0x31628af67b2131ab;  // Of the largest output.
-  ASSERT_EQ(split_mix64(kSeed, 0), ~std::uint64_t{0});
-  EXPECT_EQ(split_mix64_unit(kSeed, 0), 1.0 - 0x1p-53);
 }
 
 TEST(Jitter, DrawsThePublishedFrames) {
@@ -84,6 +77,45 @@ TEST(FrameClock, OfATraceUsesItsFrames) {
   EXPECT_EQ(frames.nominal_dt_s(1), 0.0);
 }
 
+TEST(Timeline, GivesThePublishedTimes) {
+  for (const Json& entry : vectors("time_rule")) {
+    const std::vector<double> dts_s = exact_list(entry, "dts_s");
+    const std::vector<double> times_s = exact_list(entry, "times_s");
+    Timeline timeline;
+    for (std::size_t frame = 0; frame < dts_s.size(); ++frame) {
+      timeline.play(dts_s[frame]);
+      EXPECT_EQ(bits(timeline.time_s()), bits(times_s[frame]))
+          << text_of(entry, "name") << ", frame " << frame;
+    }
+  }
+}
+
+TEST(Timeline, PlaysEqualFramesAtOnceToTheSameTime) {
+  Timeline at_once;
+  Timeline one_by_one;
+  for (const double dt_s : {0.1, 1.0 / 60.0, 0.5}) {
+    at_once.play(dt_s, 1000);
+    for (int frame = 0; frame < 1000; ++frame) one_by_one.play(dt_s);
+    EXPECT_EQ(at_once, one_by_one);
+    EXPECT_EQ(bits(at_once.time_s()), bits(one_by_one.time_s()));
+  }
+}
+
+TEST(Timeline, PredictsTheTimeOfALaterFrame) {
+  Timeline timeline;
+  timeline.play(0.5);
+  timeline.play(0.1, 3);
+  const double ahead_s = timeline.time_s(40);
+  timeline.play(0.1, 40);
+  EXPECT_EQ(bits(ahead_s), bits(timeline.time_s()));
+}
+
+TEST(Timeline, DoesNotDriftOverALongRun) {
+  Timeline timeline;
+  timeline.play(0.1, 1'000'000'000'000);
+  EXPECT_EQ(timeline.time_s(), 1e12 * 0.1);
+}
+
 TEST(StepCount, OfADurationIsThePublishedOne) {
   for (const Json& entry : vectors("steps")) {
     const Clock clock{FixedStep{exact(entry, "dt_s")}, {}};
@@ -92,12 +124,8 @@ TEST(StepCount, OfADurationIsThePublishedOne) {
   }
 }
 
-TEST(StepCount, OfStepsIsTheirNumber) {
-  EXPECT_EQ(step_count(of_length({FixedRate{60.0}, {}}, std::int64_t{900})), 900);
+TEST(StepCount, OfStepsIsTheirNumberAndOfATraceItsLength) {
   EXPECT_EQ(step_count(of_length({FixedRate{60.0}, {}}, kStepsMax)), kStepsMax);
-}
-
-TEST(StepCount, OfATraceIsItsLength) {
   EXPECT_EQ(step_count(of_length({RecordedSteps{{0.1, 0.1, 0.1}}, {}}, {})), 3);
 }
 
@@ -105,16 +133,6 @@ TEST(StepCount, OfADurationPastTheLimitExceedsTheLimit) {
   EXPECT_EQ(step_count(of_length({FixedStep{1e-9}, {}}, 1e3)), kStepsMax);
   EXPECT_EQ(step_count(of_length({FixedStep{1e-9}, {}}, 1001.0)), kStepsMax + 1);
   EXPECT_EQ(step_count(of_length({FixedStep{5e-324}, {}}, 1e308)), kStepsMax + 1);
-}
-
-TEST(PlaysTheSame, IgnoresNameDescriptionAndExpectations) {
-  Scenario a = of_length({FixedRate{60.0}, {}}, std::int64_t{10});
-  Scenario b = a;
-  b.name = "other";
-  b.description = "other";
-  b.schema = "other";
-  b.expect = Expect{};
-  EXPECT_TRUE(plays_the_same(a, b));
 }
 
 TEST(PlaysTheSame, DetectsEveryChangeThatAffectsTheRun) {
@@ -129,11 +147,8 @@ TEST(PlaysTheSame, DetectsEveryChangeThatAffectsTheRun) {
   others[6].events.push_back({std::int64_t{1}, Stop{}});
   others[7].record_every = 2;
   for (const Scenario& other : others) EXPECT_FALSE(plays_the_same(a, other)) << &other - others.data();
-}
-
-TEST(PlaysTheSame, IgnoresTheStepCountOfATrace) {
-  const Clock clock{RecordedSteps{{0.1, 0.2}}, {}};
-  EXPECT_TRUE(plays_the_same(of_length(clock, {}), of_length(clock, std::int64_t{2})));
+  const Clock trace{RecordedSteps{{0.1, 0.2}}, {}};  // Whose steps are its length.
+  EXPECT_TRUE(plays_the_same(of_length(trace, {}), of_length(trace, std::int64_t{2})));
 }
 
 TEST(LongestFrame, DependsOnTheKindOfJitter) {

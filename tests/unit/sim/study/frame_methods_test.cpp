@@ -64,31 +64,5 @@ TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
   EXPECT_TRUE(measure_errors(shipped_core(), arc, kind, stage_frames_s(arc, 60.0), 60.0).is_failed);
 }
 
-// Relative to the kinetic energy: how high a flight is above the floor changes nothing.
-TEST(MethodErrors, OfEnergyHaveNoDatum) {
-  const Problem low = problem_named("long-arc");
-  Problem high = low;
-  high.stages[0].bounds.bottom_px *= 100.0;
-  const MethodErrors errors = errors_of("verlet", low, 60.0);
-  EXPECT_GT(errors.energy_rel, 0.0);
-  EXPECT_EQ(errors_of("verlet", high, 60.0).energy_rel, errors.energy_rel);
-  const State& start = low.start;
-  const double kinetic =
-      0.5 * (start.vx_px_per_s * start.vx_px_per_s + start.vy_px_per_s * start.vy_px_per_s);
-  // At the start it is largest; the paper's step loses (G dt) G / 2 a second.
-  EXPECT_NEAR(errors_of("paper", low, 60.0).energy_rel * kinetic, 12'000.0, 1'500.0);
-}
-
-// With 4 sub-steps the paper's drag is four times as strong: many flings do not reach the second wall.
-TEST(MethodErrors, SayWhereContactsOffTheGroundDiffer) {
-  std::int64_t others = 0;
-  for (const Problem& like : problems_like(problem_named("fling"), 20, kBandSeed)) {
-    EXPECT_FALSE(errors_of("exact-impacts", like, 60.0).has_other_contacts);
-    EXPECT_FALSE(errors_of("paper", like, 60.0).has_other_contacts) << "it meets the ground more often";
-    if (errors_of("paper-4-substeps", like, 60.0).has_other_contacts) ++others;
-  }
-  EXPECT_GT(others, 10);
-}
-
 }  // namespace
 }  // namespace hyrax

@@ -139,13 +139,6 @@ TEST(HardCase, AnyDropHoldsWhatItsFamilyAsks) {
       }
 }
 
-TEST(HardCase, AnExpectedFailureIsNotBrokenAndOneThatDoesNotOccurIs) {
-  HardCase hard_case = case_of(fling_at(60.0, 200));
-  hard_case.never_at_rest = "known";
-  EXPECT_EQ(judged(hard_case, Invariant::comes_to_rest), CaseVerdict::expected_failure_gone);
-  EXPECT_EQ(judged(hard_case, Invariant::mirror), CaseVerdict::held);
-}
-
 TEST(HardCase, TheGateBreaksByWhatIsBrokenAndByAnExpectedFailureThatDoesNotOccur) {
   Scenario sliding = named("subnormal-speed");
   sliding.length = std::int64_t{4'000};

@@ -202,11 +202,5 @@ TEST(Paper, UnknownClaimsAndVerdictsAreRefusedAllAtOnce) {
   }
 }
 
-TEST(Paper, TheClaimOnBouncesSaysThatThePositionStandsStill) {
-  const ListField sentence = shown_claim(run_paper({}), "3.2.2-infinite-bounce")[1];
-  EXPECT_NE(sentence.detail.find("the position stands still"), std::string::npos) << sentence.detail;
-  EXPECT_LE(sentence.detail.size(), 122u) << "the picture has no room for more";
-}
-
 }  // namespace
 }  // namespace hyrax

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "sim/study/methods/problem.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -12,17 +11,6 @@ namespace hyrax {
 namespace {
 
 Scenario fling() { return fling_at(60.0, 120); }
-
-double sum_s(const std::vector<double>& frames_s) {
-  return std::accumulate(frames_s.begin(), frames_s.end(), 0.0);
-}
-
-TEST(ProblemOfScenario, WithoutEventsIsOneStage) {
-  const Problem problem = problem_of(fling()).problem.value();
-  ASSERT_EQ(problem.stages.size(), 1u);
-  EXPECT_NEAR(problem.duration_s(), 2.0, 1e-12);
-  EXPECT_EQ(stage_frames_s(problem, 240.0).front().size(), 480u);
-}
 
 TEST(ProblemOfScenario, EventsBeginStagesAtTheirTimes) {
   Scenario scenario = fling();
@@ -37,18 +25,6 @@ TEST(ProblemOfScenario, EventsBeginStagesAtTheirTimes) {
   EXPECT_FALSE(problem.stages[3].is_held);
 }
 
-TEST(ProblemOfScenario, AHitchIsAFrameOfItsOwnAtEveryRate) {
-  Scenario scenario = fling();
-  scenario.events = {{std::int64_t{60}, Hitch{0.5}}};
-  const Problem problem = problem_of(scenario).problem.value();
-  for (const double rate_hz : {15.0, 960.0}) {
-    const auto stages = stage_frames_s(problem, rate_hz);
-    ASSERT_EQ(stages.size(), 2u);
-    EXPECT_EQ(stages[1].front(), 0.5);
-    EXPECT_NEAR(sum_s(stages[0]) + sum_s(stages[1]), problem.duration_s(), 1e-12);
-  }
-}
-
 TEST(ProblemOfScenario, JitterGoesWithTheRate) {
   Scenario scenario = fling();
   scenario.clock.jitter = Jitter{Jitter::Kind::normal, 0.001, 3};
@@ -58,14 +34,6 @@ TEST(ProblemOfScenario, JitterGoesWithTheRate) {
   for (const double frame_s : frames_s) largest_s = std::max(largest_s, std::fabs(frame_s - 1.0 / 600.0));
   EXPECT_GT(largest_s, 0.0001);  // A tenth of what it is at 60 Hz, times three or so.
   EXPECT_LT(largest_s, 0.0006);
-}
-
-TEST(ProblemOfScenario, ALongOneIsCutWithANote) {
-  Scenario scenario = fling();
-  scenario.length = std::int64_t{1'000'000'000};
-  const Problem problem = problem_of(scenario).problem.value();
-  EXPECT_NEAR(problem.duration_s(), kProblemMax_s, 0.1);
-  EXPECT_NE(problem.remark, "");
 }
 
 TEST(ProblemOfScenario, IsCutOnlyAboveItsLimits) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "sim/core/core.h"
 #include "sim/core/listing_core.h"
@@ -15,36 +14,26 @@ namespace {
 
 constexpr double kBottom_px = 952.0;
 
-FinalState state_of(double vy, double next_vy, double rate_hz = 60.0) {
-  return final_state(shipped_core(), {0.0, kBottom_px, 0.0, vy}, {0.0, kBottom_px, 0.0, next_vy}, rate_hz,
-                     kBottom_px);
-}
-
-double residual_px_per_s() {
-  const Constants core = *shipped_core().constants;
-  return -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0 /
-         (1.0 + core.air_drag * core.restitution);
-}
-
-TEST(FinalState, IsZeroSpeedWithoutVy) { EXPECT_EQ(state_of(0.0, -0.0), FinalState::zero_speed); }
-
-TEST(FinalState, IsResidualSpeedBetweenNeighbouringDoubles) {
-  EXPECT_EQ(state_of(residual_px_per_s(), std::nextafter(residual_px_per_s(), 0.0)),
-            FinalState::residual_speed);
-}
-
-TEST(FinalState, IsATwoCycleForEitherFirstRow) {
+// By the listing's laws at 60 Hz.
+TEST(FinalState, IsToldByTwoRowsInARow) {
   const Constants core = *shipped_core().constants;
   const double thrown = -core.restitution * core.air_drag * core.gravity_px_per_s2 / 60.0;
-  EXPECT_EQ(state_of(0.0, thrown), FinalState::two_cycle);
-  EXPECT_EQ(state_of(thrown, 0.0), FinalState::two_cycle);
-}
-
-TEST(FinalState, IsMovingAtAnyOtherSpeedOrPlace) {
-  EXPECT_EQ(state_of(-3.0, 0.0), FinalState::moving);
-  EXPECT_EQ(final_state(shipped_core(), {0.0, kBottom_px - 1e-9, 0.0, 0.0}, {0.0, kBottom_px, 0.0, 0.0}, 60.0,
-                        kBottom_px),
-            FinalState::moving);
+  const double residual = thrown / (1.0 + core.air_drag * core.restitution);
+  const struct {
+    double vy, next_vy;
+    FinalState state;
+    double above_px = 0.0;
+  } cases[] = {{0.0, -0.0, FinalState::zero_speed},
+               {residual, std::nextafter(residual, 0.0), FinalState::residual_speed},
+               {0.0, thrown, FinalState::two_cycle},
+               {thrown, 0.0, FinalState::two_cycle},
+               {-3.0, 0.0, FinalState::moving},
+               {0.0, 0.0, FinalState::moving, 1e-9}};
+  for (const auto& [vy, next_vy, state, above_px] : cases)
+    EXPECT_EQ(final_state(shipped_core(), {0.0, kBottom_px - above_px, 0.0, vy},
+                          {0.0, kBottom_px, 0.0, next_vy}, 60.0, kBottom_px),
+              state)
+        << vy << ", " << next_vy;
 }
 
 // It stops bounces below 8 px/s and says 5: at 120 Hz it keeps none of 5.99 px/s, at 60 Hz it leaves 11.99.

@@ -1,9 +1,12 @@
-// The state hash against the published vectors.
+// Packed rows, their blocks, and the state hash against the published vectors.
 #include "sim/trajectory/state_hash.h"
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/oracle/vectors.h"
+#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 namespace {
@@ -33,15 +36,11 @@ std::vector<Row> rows_of(const Json& entry) {
   return rows;
 }
 
-void append(RowBlock& block, const Row& row) {
-  pack_row(block.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
-}
-
 std::vector<Digest> block_digests(const std::vector<Row>& rows) {
   std::vector<Digest> digests;
   RowBlock block;
   for (const Row& row : rows) {
-    append(block, row);
+    block.append(row);
     if (block.room() > 0) continue;
     digests.push_back(digest(block));
     block.shrink(0);
@@ -60,14 +59,11 @@ const std::vector<Row> kTwoRows = {
     {.dt_s = 0.0, .x_px = 300.0, .y_px = 500.0, .vx_px_per_s = 2400.0, .vy_px_per_s = -700.0},
     {.dt_s = 0.1, .x_px = 0.0, .y_px = 440.0, .vx_px_per_s = -2.0, .vy_px_per_s = 1.5, .contact = 9}};
 
-TEST(StateHash, IsThePublishedOne) {
-  for (const Json& entry : vectors("state_hash"))
-    EXPECT_EQ(state_hash(rows_of(entry)), text_of(entry, "state_hash")) << text_of(entry, "name");
-}
-
-TEST(StateHash, IsMadeOfThePublishedBlockDigests) {
+TEST(StateHash, AndTheBlockDigestsThatItIsMadeOfAreThePublishedOnes) {
   for (const Json& entry : vectors("state_hash")) {
-    const std::vector<Digest> digests = block_digests(rows_of(entry));
+    const std::vector<Row> rows = rows_of(entry);
+    EXPECT_EQ(state_hash(rows), text_of(entry, "state_hash")) << text_of(entry, "name");
+    const std::vector<Digest> digests = block_digests(rows);
     const Json::Array& published = *entry.find("block_digests")->get<Json::Array>();
     ASSERT_EQ(digests.size(), published.size()) << text_of(entry, "name");
     for (std::size_t block = 0; block < digests.size(); ++block)
@@ -99,11 +95,36 @@ TEST(StateHash, CanBeReadBeforeTheEnd) {
   EXPECT_EQ(asked.value(), quiet.value());
 }
 
-TEST(Digest, IsWrittenInLowerCaseHexBigEndFirst) {
-  Digest digest{};
-  digest[0] = 0xab;
-  digest[15] = 0x01;
-  EXPECT_EQ(hex(digest), "ab000000000000000000000000000001");
+TEST(RowBlock, GivesBackTheBitsOfItsRows) {
+  RowBlock block;
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  const Row row{0, 0.0, 0.1, -0.0, not_a_number, 5e-324, -1.7976931348623157e308, 31};
+  block.append(row);
+  EXPECT_TRUE(same_row(block.row(0), row));
+}
+
+TEST(RowBlock, AppendsRowsOfAnotherAndDropsRowsWhenShrunk) {
+  RowBlock from, to;
+  for (const double x_px : {1.0, 2.0, 3.0}) from.append({.x_px = x_px});
+  to.append({.x_px = 9.0});
+  to.append(from, 1, 2);
+  ASSERT_EQ(to.size(), 3u);
+  EXPECT_EQ(to.row(0).x_px, 9.0);
+  EXPECT_EQ(to.row(1).x_px, 2.0);
+  EXPECT_EQ(to.row(2).x_px, 3.0);
+  to.shrink(1);
+  to.append(from, 0, 1);
+  ASSERT_EQ(to.size(), 2u);
+  EXPECT_EQ(to.row(1).x_px, 1.0);
+}
+
+TEST(FiniteState, ChecksEveryField) {
+  EXPECT_TRUE(is_finite(State{}));
+  for (double State::*const field : {&State::x_px, &State::y_px, &State::vx_px_per_s, &State::vy_px_per_s}) {
+    State state;
+    state.*field = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(is_finite(state));
+  }
 }
 
 }  // namespace

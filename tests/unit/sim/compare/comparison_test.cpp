@@ -1,7 +1,10 @@
-// How the contacts of two runs differ: moved, vanished, appeared.
+// How the contacts of two runs differ: moved, vanished, appeared; and numbers, in units in the last place.
+#include "sim/compare/comparison.h"
+
 #include <gtest/gtest.h>
 
-#include "sim/compare/comparison.h"
+#include <cmath>
+#include <limits>
 
 namespace hyrax {
 namespace {
@@ -75,6 +78,32 @@ TEST(ContactChanges, AreMovesAndWhatVanishedAndAppeared) {
   // Moves are paired in order.
   EXPECT_EQ(told({first, second, at(Wall::ground, 257)}, {at(Wall::ground, 135), second}),
             (Texts{"moved ground 134..134 to ground 135..135", "gone ground 257..257"}));
+}
+
+TEST(Ulps, AreCountedFromEndToEndAcrossPowersOfTwoAndZero) {
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+  const struct {
+    double a, b;
+    std::optional<std::uint64_t> ulps;
+  } cases[] = {{1.0, 1.0, 0},
+               {HUGE_VAL, HUGE_VAL, 0},
+               {0.0, -0.0, 0},
+               {std::nextafter(2.0, 0.0), std::nextafter(2.0, 3.0), 2},
+               {-kSmallest, kSmallest, 2},
+               {-0.0, kSmallest, 1},
+               {1.0, 2.0, std::uint64_t{1} << 52},
+               {-HUGE_VAL, HUGE_VAL, 2 * std::uint64_t{0x7FF0000000000000}},
+               {std::numeric_limits<double>::max(), HUGE_VAL, 1},
+               {std::nan(""), 1.0, std::nullopt},
+               {std::nan(""), std::nan(""), std::nullopt}};
+  for (const auto& [a, b, ulps] : cases) {
+    EXPECT_EQ(ulps_between(a, b), ulps) << a << ", " << b;
+    EXPECT_EQ(ulps_between(b, a), ulps) << a << ", " << b;
+  }
+  for (const double value : {1.0, 0.6, -1200.0, 4.9e-322, 1e-308, 952.0}) {
+    EXPECT_EQ(ulps_between(value, std::nextafter(value, HUGE_VAL)), 1u) << value;
+    EXPECT_EQ(ulps_between(std::nextafter(value, -HUGE_VAL), value), 1u) << value;
+  }
 }
 
 }  // namespace
