@@ -158,29 +158,10 @@ class Expectations(DriftTest):
 class Margin(DriftTest):
     """How near a run is to being another one."""
 
-    def test_the_digest_says_it(self):
-        self.project("one")
-        digest = (self.folder / "golden/one.txt").read_text(encoding="utf-8")
-        self.assertRegex(digest, r"\nmargin: any start within ±[0-9.]+ px and px/s keeps all contacts; "
-                                 r"nearest decision: [a-z ]+, step [0-9]+\n(core: [0-9a-f]+\n)?reason: ")
-
     def test_a_knife_edge_is_reported(self):
         edge = fling(start={"x_px": 0, "y_px": 100}, steps=50)
         self.assertIn("KNIFE EDGE", self.expect(AGREED, "drift", self.write("edge.json", edge)).out)
         self.assertNotIn("KNIFE", self.expect(AGREED, "drift", self.write("fling.json", fling())).out)
-
-    def test_bless_renews_a_digest_of_an_older_form(self):
-        self.project("one")
-        digest = self.folder / "golden/one.txt"
-        lines = digest.read_text(encoding="utf-8").splitlines(keepends=True)
-        digest.write_text("".join(line for line in lines if not line.startswith("margin: ")), encoding="utf-8")
-        rows = (self.folder / "golden/one.h5").stat()
-        outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "the margin, too")
-        self.assertIn("its summary, golden/one.txt, is written again", outcome.out)
-        self.assertIn("\nmargin: ", digest.read_text(encoding="utf-8"))
-        self.assertIn("\nreason: the margin, too\n", digest.read_text(encoding="utf-8"))
-        self.assertEqual((self.folder / "golden/one.h5").stat().st_mtime_ns, rows.st_mtime_ns)
-        self.assertIn("agrees with golden/one.h5 already", self.expect(AGREED, "bless", "scenarios", "--reason", "again").out)
 
 
 class Figures(DriftTest):
