@@ -26,7 +26,8 @@ class Stored(DriftTest):
         run = self.drift_of(fling())
         with self.groups("--reference", "gsl") as file:
             for dataset, key in (("drift/arcs/last_step", "last_step"), ("drift/arcs/truncation", "truncation_px"),
-                                 ("reference/arcs/gsl_vs_closed", "gsl_vs_closed_px"), ("drift/contacts/time_error", "time_error_s")):
+                                 ("reference/arcs/gsl_vs_closed", "gsl_vs_closed_px"),
+                                 ("drift/contacts/time_error", "time_error_s")):
                 self.assertEqual(file[dataset][:].tolist(), [entry[key] for entry in run[dataset.split("/")[1]]])
             ends = {code: name for name, code in h5py.check_enum_dtype(file["drift/arcs/ended_by"].dtype).items()}
             self.assertEqual([ends[code] for code in file["drift/arcs/ended_by"]],
