@@ -30,8 +30,6 @@ class CauseTest(CheckTest):
 
 
 class Causes(CauseTest):
-    """Groups of the JSON document."""
-
     def test_the_core_is_named_where_the_accepted_one_gives_the_golden_files(self):
         document = self.altered("gravity_stronger", "--json").json
         group, = document["groups"]
@@ -131,8 +129,6 @@ class Causes(CauseTest):
 
 
 class Text(CauseTest):
-    """What is printed."""
-
     def test_other_results_of_a_model_suggest_a_new_number_for_it(self):
         """Not rounding, nor an edited scenario or golden file."""
         says, bless = "give the physics model a new number", ("bless", "scenarios", "--reason", "x", "--dry-run")

@@ -29,11 +29,9 @@ class PairTest(ProgramTest):
     """Golden pairs, all of them blessed by one command, and all of them judged by one."""
 
     def pair(self, path):
-        """The two golden files of a scenario."""
         return [self.folder / f"golden/{path}.{suffix}" for suffix in ("h5", "txt")]
 
     def scenario(self, path, **changes):
-        """Writes the scenario of a pair."""
         self.write(f"scenarios/{path}.json", fling(**{"name": path.rpartition("/")[2], "start": THIRD, **changes}))
 
 
@@ -41,7 +39,6 @@ class OneVerdict(PairTest):
     """`check`, `check --quick` and `run` give the same verdict on every changed golden pair."""
 
     def edits(self, class_, *changes):
-        """Changes of the summary's text."""
         def edit(old, new):
             def change(_, txt):
                 self.assertIn(old, txt.read_text())

@@ -27,5 +27,4 @@ class CheckTest(ProgramTest):
         return self.expect(exit_code, "check", "--json", *arguments, **options).json
 
     def counts(self, document):
-        """agreed, disagreed, missing and failed."""
         return tuple(document[key] for key in ("agreed", "disagreed", "missing", "failed"))

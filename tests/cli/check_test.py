@@ -13,8 +13,6 @@ from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING,
 
 
 class Verdict(CheckTest):
-    """Verdicts of `check`."""
-
     def test_the_default_is_scenarios_and_golden_of_this_folder(self):
         outcome = self.expect(AGREED, "check")
         self.assertEqual(outcome.out, "3 checked: 3 agreed, 0 disagreed, 0 without golden file, 0 failed\n")
@@ -37,11 +35,8 @@ class Verdict(CheckTest):
         self.assertIn("1 of 3 scenarios differs: the golden file was changed since it was blessed: golden/third.h5: "
                       "its scenario does not give its rows; restore it", out)
         self.assertNotIn("the scenario changed", out)
-        self.assertIn("--accept shape", out)
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--dry-run",
                     says="nothing written: 1 of 3 scenarios differ by more than --accept allows; --accept shape")
-        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "shape")
-        self.check(AGREED)
 
     def test_many_missing_golden_files_are_one_line_and_one_command(self):
         self.project("a/third", "fourth", "fifth", "sixth")
@@ -50,9 +45,6 @@ class Verdict(CheckTest):
         self.assertEqual(out, "7 scenarios: missing: no golden file: scenarios/a/first.json, scenarios/a/second.json, "
                               "scenarios/a/third.json and 4 more\n  to create them  hyrax-sim bless scenarios --reason TEXT\n"
                               "7 checked: 0 agreed, 0 disagreed, 7 without golden file, 0 failed\n")
-        self.write("scenarios/bad.json", "{")
-        self.assertIn("hyrax-sim bless scenarios/a/first.json scenarios/a/second.json --reason TEXT\n",
-                      self.expect(BAD_INPUT, "check", "scenarios/a/first.json", "scenarios/a/second.json", "scenarios/bad.json").out)
 
     def test_converted_line_ends_are_one_paragraph(self):
         for path in self.folder.glob("golden/**/*.txt"):
@@ -134,7 +126,6 @@ class Unreferenced(CheckTest):
     """Golden files whose scenario was deleted, moved or renamed."""
 
     def unreferenced(self, exit_code, *arguments, **options):
-        """The paths that are reported."""
         document = self.check(exit_code, *arguments, **options)
         found = [entry["scenario"] for entry in document["results"] if entry["status"] == "unreferenced"]
         self.assertEqual(len(found), document["unreferenced"])
@@ -214,7 +205,6 @@ class Selection(CheckTest):
     """Which scenarios are checked."""
 
     def listed(self, *arguments, exit_code=AGREED, **options):
-        """The paths that `check --list` prints."""
         return self.expect(exit_code, "check", "--list", *arguments, **options).out.splitlines()
 
     def test_list_plays_nothing(self):

@@ -203,7 +203,6 @@ class Streams(ProgramTest):
             self.assertTrue(outcome.err.endswith("hyrax-sim: standard output cannot be written\n"), outcome)
 
     def closed(self, number, *arguments):
-        """Runs the program with that stream closed."""
         return self.hyrax_sim(*arguments, preexec_fn=lambda: os.close(number))
 
     def test_a_closed_standard_output_is_exit_3(self):

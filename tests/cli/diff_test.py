@@ -38,11 +38,9 @@ class Diff(ProgramTest):
             file[dataset][row] = value(file[dataset][row]) if callable(value) else value
 
     def text(self, *options, exit_code=DISAGREED):
-        """What `diff` prints."""
         return self.expect(exit_code, "diff", "a.h5", "b.h5", *options).out
 
     def diff(self, exit_code, *options, b="b.h5"):
-        """The document of `diff --json`."""
         document = self.expect(exit_code, "diff", "a.h5", b, "--json", *options).json
         self.assertEqual(document["agree"], exit_code == AGREED)
         return document

@@ -12,8 +12,6 @@ WIDTH_MAX = 100
 
 
 class Errors(DriftTest):
-    """The numbers."""
-
     def test_the_parts_add_up_to_the_energy_change_of_the_run(self):
         for rate_hz in (60, 2):
             run = self.drift_of(fling(clock={"rate_hz": rate_hz}, steps=5 * rate_hz))
@@ -31,11 +29,9 @@ class Errors(DriftTest):
         self.assertAlmostEqual(xv, sum(0.999 ** frame for frame in range(1, 61)) / 60, delta=1e-12)
         self.assertIn("end moves by", self.expect(AGREED, "drift", "scenario.json", "-v").out)
 
-    def test_a_coarser_stepper_is_reported_but_changes_no_verdict(self):
+    def test_a_coarser_stepper_is_reported_but_changes_no_verdict_and_without_gsl_its_distance_is_null(self):
         run = self.drift_of(fling(), "--stepper", "msbdf", "--tolerance", 1e-3)
         self.assertGreater(run["worst"]["gsl_vs_closed_px"], 1e-9)
-
-    def test_without_gsl_its_distance_is_null(self):
         run = self.drift_of(fling(), "--reference", "closed")
         self.assertEqual({arc["gsl_vs_closed_px"] for arc in run["arcs"]}, {None})
         self.assertIsNone(run["worst"]["gsl_vs_closed_px"])
