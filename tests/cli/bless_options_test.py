@@ -95,11 +95,12 @@ class Update(ProgramTest):
     def setUp(self):
         super().setUp()
         self.text = json.dumps(fling(), indent=3).replace("1200", "1.2e3")[:-2]
+        self.path = self.folder / "scenarios/fling.json"
 
     def scenario(self, expect):
         """Writes the scenario with that text of `expect`, in a layout of its own."""
         self.write("scenarios/fling.json", f"{self.text} ,\n\n\t\"expect\":{expect}  }}\n ")
-        return (self.folder / "scenarios/fling.json").read_text()
+        return self.path.read_text()
 
 
 class UpdateHash(Update):
@@ -107,15 +108,14 @@ class UpdateHash(Update):
 
     def test_a_stale_hash_is_replaced_and_the_mode_of_the_file_kept(self):
         before = self.scenario('{"finite": true , "state_hash":"' + 32 * "0" + '"}')
-        path = self.folder / "scenarios/fling.json"
-        path.chmod(0o600)
+        self.path.chmod(0o600)
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", says="state_hash: wanted 0000")
-        self.assertEqual(path.read_text(), before)
+        self.assertEqual(self.path.read_text(), before)
         outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
         self.assertIn("scenarios/fling.json: expect.state_hash updated\n", outcome.out)
         run = self.expect(AGREED, "run", "scenarios/fling.json", "--json").json["runs"][0]
-        self.assertEqual(path.read_text(), before.replace(32 * "0", run["state_hash"]))
-        self.assertEqual(path.stat().st_mode & 0o777, 0o600)
+        self.assertEqual(self.path.read_text(), before.replace(32 * "0", run["state_hash"]))
+        self.assertEqual(self.path.stat().st_mode & 0o777, 0o600)
         self.expect(AGREED, "check")
         with h5py.File(self.folder / "golden/fling.h5") as file:
             self.assertEqual(json.loads(file.attrs["scenario"])["expect"]["state_hash"], run["state_hash"])
@@ -131,7 +131,7 @@ class UpdateHash(Update):
         document = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash", "--json").json
         self.assertEqual((document["unchanged"], document["results"][0]["updates_hash"]), (1, True))
         self.assertEqual(self.state_of("golden"), golden)
-        self.assertEqual(len((self.folder / "scenarios/fling.json").read_text()), len(before))
+        self.assertEqual(len(self.path.read_text()), len(before))
         self.expect(AGREED, "check")
 
     def test_a_missing_hash_is_added(self):
@@ -139,16 +139,15 @@ class UpdateHash(Update):
         self.bless("scenarios")
         self.assertIn("scenarios/fling.json: new expect.state_hash\n",
                       self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash", "--dry-run").out)
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before)
+        self.assertEqual(self.path.read_text(), before)
         self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
         state_hash = self.expect(AGREED, "run", "scenarios/fling.json", "--json").json["runs"][0]["state_hash"]
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(),
-                         before.replace("true}", f'true,"state_hash": "{state_hash}"}}'))
+        self.assertEqual(self.path.read_text(), before.replace("true}", f'true,"state_hash": "{state_hash}"}}'))
 
     def test_other_expectations_must_hold(self):
         before = self.scenario('{"final_x_px": [0, 1], "state_hash": "' + 32 * "f" + '"}')
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--update-hash", says="final_x_px")
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before)
+        self.assertEqual(self.path.read_text(), before)
         self.assertFalse((self.folder / "golden").exists())
 
 
@@ -158,16 +157,12 @@ class UpdateExpect(Update):
     def update(self, exit_code=AGREED, *options, **expected):
         """Blesses with --update-expect; the text of the scenario file then."""
         self.expect(exit_code, "bless", "scenarios", "--reason", "x", "--update-expect", *options, **expected)
-        return (self.folder / "scenarios/fling.json").read_text()
-
-    def measured(self):
-        run, = self.expect(AGREED, "run", "scenarios/fling.json", "--set", "/expect={}", "--json", "-o", "x.h5").json["runs"]
-        return run
+        return self.path.read_text()
 
     def test_ranges_keep_their_width_and_nothing_else_changes(self):
         before = self.scenario('{"final_x_px":[ 0,\n 7 ], "final_y_px": [951.5, 1e3], "at_rest_since_s": [0, 0.5],\n'
                                '"contacts":{"left" : 0, "right": 5 ,"ground":[1, 3], "top": [2,5]}, "finite": true}')
-        run = self.measured()
+        run, = self.expect(AGREED, "run", "scenarios/fling.json", "--set", "/expect={}", "--json", "-o", "x.h5").json["runs"]
         x_px, since_s, ground = run["final"]["x_px"], run["at_rest_since_s"], run["contacts"]["ground"]
         self.assertEqual((run["contacts"]["right"], run["contacts"]["top"]), (1, 0))
         self.assertEqual(self.update(AGREED, "--dry-run"), before)
