@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""The documents that report the verdicts of `check`."""
+"""The JUnit document of `check`, and the commands that it suggests."""
 
 import json
 import os
 import re
 import xml.etree.ElementTree
 
-from check_program import CheckTest, nudge
+from check_program import CheckTest
 from process import run
 from program import AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, fling, main
 
@@ -27,17 +27,6 @@ class Document(CheckTest):
 
     def test_junit_is_not_written_to_a_device(self):
         self.expect(CANNOT_ACCESS, "check", "--junit", "/dev/stdout", says="/dev/stdout: cannot be written: is a device or a pipe")
-
-    def test_jobs_change_nothing_though_every_golden_file_is_read(self):
-        self.project("fourth", "fifth")
-        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
-        (self.folder / "golden/a/first.h5").unlink()
-        for path in self.folder.glob("golden/**/*.txt"):
-            path.write_text(path.read_text()[:-33] + 32 * "0" + "\n")
-        one = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", "1")
-        self.assertEqual(self.counts(one.json), (3, 1, 1, 0))
-        for jobs in ("2", "64"):
-            self.assertEqual(self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", jobs).out, one.out)
 
 
 class Suggested(CheckTest):

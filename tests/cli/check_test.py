@@ -266,13 +266,19 @@ class Selection(CheckTest):
 
 
 class Workers(CheckTest):
-    """If some threads cannot be started, the others do the work."""
+    """Any number of them gives the same document; if some threads cannot be started, the others do the work."""
 
-    def test_without_any_thread_all_verdicts_are_given(self):
-        one = self.expect(AGREED, "check", "--json", "--jobs", "1").out
-        for allowed in (0, 1):
-            outcome = self.expect(AGREED, "check", "--json", "--jobs", "8", env=few_threads(allowed))
-            self.assertEqual(outcome.out, one)
+    def test_all_verdicts_are_the_same_though_every_golden_file_is_read(self):
+        self.project("fourth", "fifth")
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        (self.folder / "golden/a/first.h5").unlink()
+        for path in self.folder.glob("golden/**/*.txt"):
+            path.write_text(path.read_text()[:-33] + 32 * "0" + "\n")
+        one = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", "1")
+        self.assertEqual(self.counts(one.json), (3, 1, 1, 0))
+        for jobs, environment in ((2, os.environ), (64, os.environ), (8, few_threads(0)), (8, few_threads(1))):
+            outcome = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", str(jobs), env=environment)
+            self.assertEqual(outcome.out, one.out)
 
 
 class ReadOnly(CheckTest):
