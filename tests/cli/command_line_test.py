@@ -23,20 +23,6 @@ class Literal(ProgramTest):
             results = self.expect(AGREED, "validate", "--json", *given).json["results"]
             self.assertEqual([entry["scenario"] for entry in results], paths)
 
-    def test_brackets_in_every_command(self):
-        path = self.write("scenarios/[a]/fling.json", fling())
-        self.write("scenarios/a/decoy.json", fling(name="decoy"))
-        self.bless("scenarios/[a]")
-        self.assertEqual(self.names("golden"), ["[a]"])
-        runs = self.expect(AGREED, "run", "--json", "scenarios/[a]", "-o", "[out]/").json["runs"]
-        self.assertEqual([(run["scenario"], run["output"]) for run in runs], [(path, "[out]/fling.h5")])
-        checked = self.expect(AGREED, "check", "--json", "scenarios/[a]", "--junit", "[x].xml", "--golden", "golden")
-        self.assertEqual([entry["scenario"] for entry in checked.json["results"]], [path])
-        self.assertIn("[x].xml", self.names())
-        drifts = self.expect(AGREED, "drift", "--json", "scenarios/[a]", "--reference", "closed").json["runs"]
-        self.assertEqual([run["scenario"] for run in drifts], [path])
-        self.expect(AGREED, "diff", "golden/[a]/fling.h5", "[out]/fling.h5")
-
     def test_a_value_may_look_like_an_option_or_be_in_brackets(self):
         self.write("fling.json", fling())
         self.expect(AGREED, "run", "fling.json", "-o", "--json.h5")
