@@ -3,7 +3,6 @@
 
 import h5py
 import numpy
-import xxhash
 
 from program import AGREED, DISAGREED, ProgramTest, fling, main
 
@@ -49,55 +48,38 @@ def write_big_endian(source, target):
 class BigEndian(ProgramTest):
     """A run of every kind of input, and its double in the other byte order."""
 
-    made_once = {}
-
-    def setUp(self):
-        super().setUp()
-        if not self.made_once:
-            self.expect(AGREED, "run", self.write("fling.json", fling(events=EVENTS)), "-o", "little.h5")
-            self.assertGreater(write_big_endian(self.folder / "little.h5", self.folder / "big.h5"), 20)
-            self.made_once.update({name: (self.folder / name).read_bytes() for name in ("little.h5", "big.h5")})
-        for name, content in self.made_once.items():
-            (self.folder / name).write_bytes(content)
-
-    def test_diff_finds_the_same_bits(self):
+    def test_diff_and_drift_read_the_same_numbers(self):
+        self.expect(AGREED, "run", self.write("fling.json", fling(events=EVENTS)), "-o", "little.h5")
+        self.assertGreater(write_big_endian(self.folder / "little.h5", self.folder / "big.h5"), 20)
+        runs = [self.expect(AGREED, "drift", name, "--json").json["runs"][0] for name in ("little.h5", "big.h5")]
+        self.assertEqual(*({key: run[key] for key in ("arcs", "contacts", "worst")} for run in runs))
         self.expect(AGREED, "diff", "little.h5", "big.h5")
         self.expect(AGREED, "diff", "big.h5", "little.h5")
-
-    def test_diff_finds_one_ulp(self):
         with h5py.File(self.folder / "big.h5", "r+") as file:
             file["trajectory/vy"][123] = numpy.nextafter(file["trajectory/vy"][123], numpy.inf)
         first = self.expect(DISAGREED, "diff", "little.h5", "big.h5", "--json").json["first_divergence"]
         self.assertEqual((first["step"], first["field"], first["ulps"]), (123, "vy", 1))
 
-    def test_numbers_in_the_wrong_order_are_no_numbers_of_the_run(self):
-        with h5py.File(self.folder / "little.h5", "r+") as file:
-            file["trajectory/x"][...] = file["trajectory/x"][...].byteswap()
-        self.assertEqual(self.expect(DISAGREED, "diff", "little.h5", "big.h5", "--json").json["first_divergence"]["field"],
-                         "x")
-
-    def test_drift_is_the_same(self):
-        runs = [self.expect(AGREED, "drift", name, "--json").json["runs"][0] for name in ("little.h5", "big.h5")]
-        self.assertEqual(*({key: run[key] for key in ("arcs", "contacts", "worst")} for run in runs))
-
-    def test_check_compares_a_run_with_golden_files_of_rows_and_of_blocks(self):
-        paths = [self.write("scenarios/rows.json", fling(name="rows", events=EVENTS)),
-                 self.write("scenarios/blocks.json", fling(name="blocks", events=EVENTS, steps=9000))]
-        self.bless("scenarios")
-        for path in paths:
-            golden = self.folder / path.replace("scenarios", "golden").replace(".json", ".h5")
-            write_big_endian(golden, self.folder / "other.h5")
-            golden.write_bytes((self.folder / "other.h5").read_bytes())
-            digest = golden.with_suffix(".txt")
-            text = digest.read_text(encoding="utf-8")
-            digest.write_text(text[:text.rindex(" ") + 1] + xxhash.xxh3_128_hexdigest(golden.read_bytes()) + "\n",
-                              encoding="utf-8")
-        self.expect(AGREED, "check")
-        for path, dataset in zip(paths, ("trajectory/x", "blocks/time_base"), strict=True):
-            golden = self.folder / path.replace("scenarios", "golden").replace(".json", ".h5")
+    def test_check_reads_the_rows_and_the_blocks_of_golden_files(self):
+        goldens = []
+        for name, steps in (("blocks", 9000), ("rows", 300)):
+            self.bless(self.write(f"scenarios/{name}.json", fling(name=name, events=EVENTS, steps=steps)))
+            goldens.append(self.folder / f"golden/{name}.h5")
+            write_big_endian(goldens[-1], self.folder / "other.h5")
+            goldens[-1].write_bytes((self.folder / "other.h5").read_bytes())
+        # Every row agrees; of the attributes that bless writes, lists and scales are not copied.
+        self.assertEqual(self.verdicts(), 2 * [("shape", None, 0)])
+        for golden, dataset, place in zip(goldens, ("blocks/digest", "trajectory/x"), (16, 123)):
             with h5py.File(golden, "r+") as file:
-                file[dataset][-1] += 1
-        self.expect(DISAGREED, "check")
+                file[dataset][place] += 1
+        self.assertEqual(self.verdicts(), [("values", (4096, "state"), 0), ("values", (123, "x"), 1)])
+
+    def verdicts(self):
+        """Class, first difference and largest distance of each scenario."""
+        results = self.expect(DISAGREED, "check", "--json").json["results"]
+        firsts = [entry["first_divergence"] for entry in results]
+        return [(entry["class"], first and (first["step"], first["field"]), entry["max_px"])
+                for entry, first in zip(results, firsts)]
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import shutil
 
 import h5py
 
-from program import AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
 
 
 class Accept(ProgramTest):
@@ -18,14 +18,12 @@ class Accept(ProgramTest):
         self.project("a", "b", "c")
 
     def differ(self, kind, name="a"):
-        """Changes the golden file, so that the run differs from it in this class, or in nothing."""
+        """Changes the golden file, so that the run differs from it in this class."""
         with h5py.File(self.folder / f"golden/{name}.h5", "r+") as file:
-            if kind in ("rounding", "values"):
-                file["trajectory/x"][100] += 1e-7 if kind == "rounding" else 0.5
-            elif kind == "contacts":
+            if kind == "contacts":
                 file["contacts/step"][1] += 1
-            elif kind == "shape":
-                file.attrs["steps"] = 299
+            else:
+                file["trajectory/x"][100] += 1e-7 if kind == "rounding" else 0.5
 
     def bless_accepting(self, exit_code, accepted, *options, **expected):
         """`bless --accept` of all; its document."""
@@ -54,13 +52,6 @@ class Accept(ProgramTest):
         self.differ("values")
         self.bless_accepting(AGREED, "contacts")
 
-    def test_rounding_is_the_default(self):
-        self.differ("rounding")
-        self.bless_accepting(AGREED, None)
-        self.differ("values")
-        self.bless_accepting(DISAGREED, None,
-                             says="--accept values accepts all of them, the widest of which is scenarios/a.json")
-
     def test_one_that_is_refused_keeps_all_from_being_written(self):
         self.differ("contacts", "c")
         self.differ("values", "b")
@@ -74,14 +65,6 @@ class Accept(ProgramTest):
         self.bless_accepting(AGREED, "contacts")
         self.expect(AGREED, "check")
 
-    def test_a_new_scenario_and_a_changed_one_need_no_class(self):
-        self.write("scenarios/a.json", fling(name="a", start=ANOTHER_START))
-        self.write("scenarios/new.json", fling(name="new"))
-        outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x")
-        self.assertIn("the scenario changed since it was blessed: /start/x_px 1100 -> 1000.\n",
-                      outcome.out)
-        self.expect(AGREED, "check")
-
     def test_a_golden_file_without_its_rows_needs_shape_unless_its_summary_has_the_run(self):
         damage = ((lambda: (self.folder / "golden/a.h5").unlink()), (lambda: self.write("golden/a.h5", "damaged")))
         for harm in damage:
@@ -93,24 +76,16 @@ class Accept(ProgramTest):
             self.bless_accepting(DISAGREED, "contacts", says="--accept shape accepts all of them")
             self.bless_accepting(AGREED, "shape")
 
-    def test_an_unknown_class_is_refused(self):
-        self.expect(BAD_INPUT, "bless", "scenarios", "--reason", "x", "--accept", "bits",
-                    says="rounding, values, contacts, shape")
-
     def test_a_dry_run_writes_nothing(self):
         self.differ("rounding")
         self.write("scenarios/new.json", fling(name="new", expect={"state_hash": 32 * "0"}))
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--dry-run", says="state_hash")
         before = self.state_of(".")
         outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--dry-run", "--update-hash")
-        for part in ("scenarios/a.json: changes golden/a.h5", "(class rounding)", "new.json: new golden file",
-                     "dry run: nothing written\n"):
+        for part in ("scenarios/a.json: changes golden/a.h5", "new.json: new golden file", "dry run: nothing written\n"):
             self.assertIn(part, outcome.out)
         self.assertNotIn(": blessed", outcome.out)
         self.assertFalse(self.bless_accepting(AGREED, None, "--dry-run", "--update-hash")["written"])
-        self.differ("values")
-        before = self.state_of(".")
-        self.bless_accepting(DISAGREED, None, "--dry-run", "--update-hash", says="--accept values")
         self.assertEqual(self.state_of("."), before)
 
 
@@ -120,31 +95,27 @@ class Update(ProgramTest):
     def setUp(self):
         super().setUp()
         self.text = json.dumps(fling(), indent=3).replace("1200", "1.2e3")[:-2]
+        self.path = self.folder / "scenarios/fling.json"
 
     def scenario(self, expect):
         """Writes the scenario with that text of `expect`, in a layout of its own."""
         self.write("scenarios/fling.json", f"{self.text} ,\n\n\t\"expect\":{expect}  }}\n ")
-        return (self.folder / "scenarios/fling.json").read_text()
+        return self.path.read_text()
 
 
 class UpdateHash(Update):
     """`--update-hash`: the scenario file gets the new state hash, and nothing else in it changes."""
 
-    def test_the_mode_of_the_file_is_kept(self):
-        self.scenario('{"state_hash": "%s"}' % (32 * "0"))
-        (self.folder / "scenarios/fling.json").chmod(0o600)
-        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
-        self.assertEqual((self.folder / "scenarios/fling.json").stat().st_mode & 0o777, 0o600)
-
-    def test_a_stale_hash_is_replaced(self):
+    def test_a_stale_hash_is_replaced_and_the_mode_of_the_file_kept(self):
         before = self.scenario('{"finite": true , "state_hash":"' + 32 * "0" + '"}')
+        self.path.chmod(0o600)
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", says="state_hash: wanted 0000")
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before)
+        self.assertEqual(self.path.read_text(), before)
         outcome = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
         self.assertIn("scenarios/fling.json: expect.state_hash updated\n", outcome.out)
         run = self.expect(AGREED, "run", "scenarios/fling.json", "--json").json["runs"][0]
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(),
-                         before.replace(32 * "0", run["state_hash"]))
+        self.assertEqual(self.path.read_text(), before.replace(32 * "0", run["state_hash"]))
+        self.assertEqual(self.path.stat().st_mode & 0o777, 0o600)
         self.expect(AGREED, "check")
         with h5py.File(self.folder / "golden/fling.h5") as file:
             self.assertEqual(json.loads(file.attrs["scenario"])["expect"]["state_hash"], run["state_hash"])
@@ -160,7 +131,7 @@ class UpdateHash(Update):
         document = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash", "--json").json
         self.assertEqual((document["unchanged"], document["results"][0]["updates_hash"]), (1, True))
         self.assertEqual(self.state_of("golden"), golden)
-        self.assertEqual(len((self.folder / "scenarios/fling.json").read_text()), len(before))
+        self.assertEqual(len(self.path.read_text()), len(before))
         self.expect(AGREED, "check")
 
     def test_a_missing_hash_is_added(self):
@@ -168,16 +139,15 @@ class UpdateHash(Update):
         self.bless("scenarios")
         self.assertIn("scenarios/fling.json: new expect.state_hash\n",
                       self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash", "--dry-run").out)
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before)
+        self.assertEqual(self.path.read_text(), before)
         self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
         state_hash = self.expect(AGREED, "run", "scenarios/fling.json", "--json").json["runs"][0]["state_hash"]
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(),
-                         before.replace("true}", f'true,"state_hash": "{state_hash}"}}'))
+        self.assertEqual(self.path.read_text(), before.replace("true}", f'true,"state_hash": "{state_hash}"}}'))
 
     def test_other_expectations_must_hold(self):
         before = self.scenario('{"final_x_px": [0, 1], "state_hash": "' + 32 * "f" + '"}')
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--update-hash", says="final_x_px")
-        self.assertEqual((self.folder / "scenarios/fling.json").read_text(), before)
+        self.assertEqual(self.path.read_text(), before)
         self.assertFalse((self.folder / "golden").exists())
 
 
@@ -187,17 +157,12 @@ class UpdateExpect(Update):
     def update(self, exit_code=AGREED, *options, **expected):
         """Blesses with --update-expect; the text of the scenario file then."""
         self.expect(exit_code, "bless", "scenarios", "--reason", "x", "--update-expect", *options, **expected)
-        return (self.folder / "scenarios/fling.json").read_text()
-
-    def measured(self):
-        """What the run has."""
-        run, = self.expect(AGREED, "run", "scenarios/fling.json", "--set", "/expect={}", "--json", "-o", "x.h5").json["runs"]
-        return run
+        return self.path.read_text()
 
     def test_ranges_keep_their_width_and_nothing_else_changes(self):
         before = self.scenario('{"final_x_px":[ 0,\n 7 ], "final_y_px": [951.5, 1e3], "at_rest_since_s": [0, 0.5],\n'
                                '"contacts":{"left" : 0, "right": 5 ,"ground":[1, 3], "top": [2,5]}, "finite": true}')
-        run = self.measured()
+        run, = self.expect(AGREED, "run", "scenarios/fling.json", "--set", "/expect={}", "--json", "-o", "x.h5").json["runs"]
         x_px, since_s, ground = run["final"]["x_px"], run["at_rest_since_s"], run["contacts"]["ground"]
         self.assertEqual((run["contacts"]["right"], run["contacts"]["top"]), (1, 0))
         self.assertEqual(self.update(AGREED, "--dry-run"), before)
@@ -241,7 +206,6 @@ class Prune(ProgramTest):
             (self.folder / f"scenarios/{name}.json").unlink()
         (self.folder / "golden/fling.txt").unlink()
         self.write("golden/README.md", "no golden file")
-        self.expect(DISAGREED, "check")
         before = self.state_of(".")
         outcome = self.expect(AGREED, "bless", "--prune", "--dry-run")
         self.assertIn("golden/fling.h5: has no scenario\n", outcome.out)

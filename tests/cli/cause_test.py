@@ -12,7 +12,6 @@ import shutil
 import h5py
 import numpy
 
-import program
 from check_program import CheckTest
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling, main
@@ -29,33 +28,12 @@ class CauseTest(CheckTest):
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         return outcome
 
-    _printed = {}
-
-    def stronger(self, *arguments):
-        """The outcome of `check` of the unchanged project with a stronger gravity; it is played once."""
-        if arguments not in self._printed:
-            self._printed[arguments] = self.altered("gravity_stronger", *arguments)
-        return self._printed[arguments]
-
-    def groups(self, core, *arguments, **options):
-        """The groups of the JSON document."""
-        return self.altered(core, "--json", *arguments, **options).json["groups"]
-
 
 class Causes(CauseTest):
-    """Groups of the JSON document."""
-
-    def test_without_a_difference_there_is_none(self):
-        outcome = self.altered("none", "--json", "--annotate", "github", exit_code=AGREED)
-        self.assertEqual(outcome.json["groups"], [])
-        self.assertNotIn("::", outcome.out + outcome.err)
-
     def test_the_core_is_named_where_the_accepted_one_gives_the_golden_files(self):
-        document = self.stronger("--json").json
+        document = self.altered("gravity_stronger", "--json").json
         group, = document["groups"]
-        self.assertEqual((group["operation"], group["detail"]), ("core", "GRAVITY 1200 -> 1250"))
-        self.assertEqual(group["scenarios"],
-                         ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/third.json"])
+        self.assertEqual((group["operation"], group["detail"], len(group["scenarios"])), ("core", "GRAVITY 1200 -> 1250", 3))
         self.assertEqual(group["max_px"], max(entry["max_px"] for entry in document["results"]))
         self.assertEqual(group["contacts_moved"], sum(entry["contacts_moved"] for entry in document["results"]))
         self.assertGreater(group["rest_shift_px"], 0)
@@ -85,7 +63,8 @@ class Causes(CauseTest):
             kept = (folder / "step.txt").read_bytes()
             for damage in (shutil.rmtree, lambda folder: (folder / "accepted.txt").unlink())[:1 if arguments else 2]:
                 damage(folder)
-                command = re.search("^core: .* this program's(?: core)?: (.*)", self.run_check(*arguments), re.MULTILINE)[1].split()
+                out = self.hyrax_sim("check", *arguments).out
+                command = re.search("^core: .* this program's(?: core)?: (.*)", out, re.MULTILINE)[1].split()
                 self.assertEqual(command[0], "hyrax-sim")
                 self.expect(AGREED, *command[1:])
                 self.assertEqual((folder / "step.txt").read_bytes(), kept)
@@ -104,10 +83,6 @@ class Causes(CauseTest):
                                    exit_code=AGREED if arguments else DISAGREED)
             self.assertIn("core of other/golden: changed\n", outcome.out)
         self.assertIn("core of golden: the accepted one\n", outcome.out)
-
-    def run_check(self, *arguments):
-        """What `check` prints, whatever its verdict."""
-        return run(program.PROGRAM, "check", *arguments, cwd=self.folder).out
 
     def test_a_damaged_accepted_core_is_a_disagreement(self):
         (self.folder / "golden/core/step.txt").unlink()
@@ -130,7 +105,8 @@ class Causes(CauseTest):
                                command=("bless",), exit_code=AGREED)
         self.assertIn("core: not accepted in golden/core: 2 of 3 scenarios do not agree", outcome.out)
         self.assertEqual(self.state_of("golden/core"), before)
-        self.assertEqual({group["operation"] for group in self.groups("none")}, {"unknown"})  # Another core's, put back.
+        groups = self.altered("none", "--json").json["groups"]
+        self.assertEqual({group["operation"] for group in groups}, {"unknown"})  # Another core's, put back.
         outcome = self.altered("gravity_stronger", "scenarios", "--reason", "x", "--accept", "contacts", command=("bless",),
                                exit_code=AGREED)
         self.assertIn("core: accepted in golden/core\n", outcome.out)
@@ -151,43 +127,17 @@ class Causes(CauseTest):
         entry, = self.altered("ceiling_stops", "--json", "scenarios/third.json").json["results"]
         self.assertGreaterEqual(entry["max_px"], apart_px[4096:].max())
 
-    def test_an_edited_scenario_is_no_change_of_the_core(self):
-        start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1181, "vy_px_per_s": -400}
-        self.write("scenarios/third.json", fling(name="third", start=start))
-        operations = {path: group["operation"] for group in self.groups("gravity_stronger") for path in group["scenarios"]}
-        self.assertEqual(operations, {"scenarios/a/first.json": "core", "scenarios/a/second.json": "core",
-                                      "scenarios/third.json": "scenario"})
-
 
 class Text(CauseTest):
-    """What is printed."""
-
-    def test_names_of_the_program_s_own_are_not(self):
-        for core in ("gravity_stronger", "frames_longer", "bounce_explodes"):
-            text = self.stronger("--verbose").out if core == "gravity_stronger" else self.altered(core, "--verbose").out
-            self.assertEqual(re.findall(r"\b[a-z]+_\w+", text.replace(f"ALTERED_CORE {core};", "")), [])
-
-    NEW_NUMBER = "give the physics model a new number (now hyrax-physics/1"
-
     def test_other_results_of_a_model_suggest_a_new_number_for_it(self):
         """Not rounding, nor an edited scenario or golden file."""
-        says, bless = self.NEW_NUMBER, ("bless", "scenarios", "--reason", "x", "--dry-run")
+        says, bless = "give the physics model a new number", ("bless", "scenarios", "--reason", "x", "--dry-run")
         self.assertIn(says, self.altered("gravity_stronger", "--accept", "contacts", command=bless, exit_code=AGREED).out)
         self.assertNotIn(says, self.altered("gravity_by_one_ulp", command=bless, exit_code=AGREED).out)
         self.write("scenarios/third.json", fling(name="third", steps=301))
         with h5py.File(self.folder / "golden/a/first.h5", "r+") as file:
             file["trajectory/x"][100] += 0.5
         self.assertNotIn(says, self.altered("none", command=bless).out)
-
-    def test_suggested_commands_work(self):
-        text = self.altered("drag_before_gravity").out
-        verbose, more, accept = (re.search(f"  to {what} +(.*)", text)[1] for what in ("see all", "see more", "accept it"))
-        for command in (verbose, *more.split("; "), accept.replace("TEXT", "again")):
-            words = command.split()
-            self.assertEqual(words[0], "hyrax-sim")
-            environment = {**os.environ, "HYRAX_ALTERED_CORE": "drag_before_gravity"}
-            outcome = run(ALTERED, *words[1:], cwd=self.folder, env=environment)
-            self.assertIn(outcome.exit_code, (AGREED, DISAGREED), outcome)
 
     def expecting(self, expect):
         """Gives the third scenario these expectations."""
@@ -205,16 +155,6 @@ class Text(CauseTest):
             self.altered("gravity_by_one_ulp", command=command.split()[1:], exit_code=AGREED)
         self.altered("gravity_by_one_ulp", exit_code=AGREED)
         self.assertEqual(self.state_of("scenarios/a"), others)
-
-    def test_expectations_that_bless_does_not_update_are_to_be_edited(self):
-        self.write("scenarios/fourth.json", fling(name="fourth", clock={"dt_s": 0}))  # Gravity changes nothing.
-        self.expect(AGREED, "bless", "scenarios/fourth.json", "--reason", "x")
-        self.write("scenarios/fourth.json", fling(name="fourth", clock={"dt_s": 0}, expect={"finite": False}))
-        self.expecting({"contacts": {"right": 7}})
-        text = self.altered("gravity_by_one_ulp").out
-        self.assertIn("  to edit         expect of scenarios/fourth.json: bless changes no boolean, error bound or one-sided "
-                      "limit\n  to accept it    hyrax-sim bless scenarios/third.json --reason TEXT --update-expect; hyrax-sim "
-                      "bless scenarios/a/first.json scenarios/a/second.json --reason TEXT\n", text)
 
     def test_a_missing_golden_file_does_not_hide_an_expectation(self):
         self.expecting({"contacts": {"right": 7}})
@@ -255,9 +195,7 @@ class Documents(CauseTest):
 
     def test_a_picture_that_cannot_be_drawn_changes_no_verdict(self):
         (self.folder / "check-1.svg").mkdir()
-        outcome = run(ALTERED, "check", "--summary", "check.md", cwd=self.folder,
-                      env={**os.environ, "HYRAX_ALTERED_CORE": "gravity_stronger"})
-        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.altered("gravity_stronger", "--summary", "check.md")
         self.assertIn("check-1.svg: cannot be written", (self.folder / "check.md").read_text())
 
     def test_hostile_names_stay_in_their_place(self):

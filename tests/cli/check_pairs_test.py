@@ -4,10 +4,9 @@
 import h5py
 import xxhash
 
-from check_program import nudge
+from check_program import THIRD, nudge
 from program import AGREED, DISAGREED, ProgramTest, fling, main
 
-START = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180, "vy_px_per_s": -400}
 DT_S = {"dt_s": 1 / 60}
 
 
@@ -30,19 +29,16 @@ class PairTest(ProgramTest):
     """Golden pairs, all of them blessed by one command, and all of them judged by one."""
 
     def pair(self, path):
-        """The two golden files of a scenario."""
         return [self.folder / f"golden/{path}.{suffix}" for suffix in ("h5", "txt")]
 
     def scenario(self, path, **changes):
-        """Writes the scenario of a pair."""
-        self.write(f"scenarios/{path}.json", fling(**{"name": path.rpartition("/")[2], "start": START, **changes}))
+        self.write(f"scenarios/{path}.json", fling(**{"name": path.rpartition("/")[2], "start": THIRD, **changes}))
 
 
 class OneVerdict(PairTest):
     """`check`, `check --quick` and `run` give the same verdict on every changed golden pair."""
 
     def edits(self, class_, *changes):
-        """Changes of the summary's text."""
         def edit(old, new):
             def change(_, txt):
                 self.assertIn(old, txt.read_text())
@@ -60,7 +56,7 @@ class OneVerdict(PairTest):
     def zero(self, sigma_s):
         """A run that is the same for a zero of either sign."""
         jitter = {"kind": "normal", "sigma_s": sigma_s, "seed": 1}
-        return {"start": {**START, "vx_px_per_s": 0}, "clock": {"rate_hz": 60, "jitter": jitter}}
+        return {"start": {**THIRD, "vx_px_per_s": 0}, "clock": {"rate_hz": 60, "jitter": jitter}}
 
     def test_on_every_pair(self):
         """Of each pair: the class, what the scenario was when it was blessed, what it is now, and what changes the files."""
@@ -68,16 +64,17 @@ class OneVerdict(PairTest):
         pairs = {
             "disagreed": [
                 *as_blessed("shape", {"record": {"every": 2}}, {"steps": None, "duration_s": 5}, {"clock": DT_S},
-                            {"start": {**START, "y_px": 500.0000000001}}, {"steps": 299}, {"steps": 301},
+                            {"start": {**THIRD, "y_px": 500.0000000001}}, {"steps": 299}, {"steps": 301},
                             {"events": [{"step": 299, "hitch": DT_S}]}),
                 *self.edits("shape", ("steps: 300", "steps: 301"), ("scenario: case", "scenario: casE"),
                             ("ground 8\n", "ground 7\n"), ("margin: any", "margin: ani"), ("nearest decision: right", "nearest decision: left"),
                             ("checksums: ", "checksums:  "), ("state hash: ", "state hash: 0"), ("reason: for", "reason for")),
                 ("shape", {}, {}, lambda _, txt: txt.write_text("nothing\n")),
+                ("shape", {}, {}, lambda h5, _: h5.write_bytes(h5.with_name("case-1.h5").read_bytes())),
                 self.nudged("contacts/overshoot", 0), self.nudged("trajectory/t", 7)],
             "agreed": [
                 *as_blessed(None, {}, {"name": "another"}, {"description": "another text"}, {"expect": {"finite": True}},
-                            {"$schema": "schema.json"}, {"start": {**START, "x_px": 1100.0}}),
+                            {"$schema": "schema.json"}, {"start": {**THIRD, "x_px": 1100.0}}),
                 (None, self.zero(0), self.zero(-0.0), None),
                 *self.edits(None, ("reason: for the test", "reason: for another test")),
                 (None, {}, {}, lambda h5, _: set_attribute(h5, "provenance", "compiler", "another"))],
@@ -106,20 +103,12 @@ class OneVerdict(PairTest):
         self.project("third")
         self.scenario("third", start=fling()["start"], expect={"contacts": {"right": 2}})
         full, quick = (self.expect(DISAGREED, "check", "--json", *option).json for option in ((), ("--quick",)))
-        self.assertEqual((full["disagreed"], quick), (1, full))
+        entry, = full["results"]
+        self.assertEqual((entry["status"], entry["class"], quick), ("disagreed", None, full))
 
 
 class Seal(PairTest):
     """A summary's checksums make reading the golden file unnecessary, and must never hide a fault in it."""
-
-    def test_a_damaged_file_is_found_under_valid_checksums(self):
-        self.project("third")
-        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
-        first = self.expect(DISAGREED, "check", "--json").json["results"][0]["first_divergence"]
-        self.assertEqual((first["step"], first["field"]), (5, "y"))
-        said = self.expect(DISAGREED, "check").out
-        self.assertIn(": the golden file was changed since it was blessed.\n", said)
-        self.assertIn("  to restore it   take golden/third.h5 from version control\n", said)
 
     def test_what_is_not_as_blessed_is_named_and_blessing_repairs_it(self):
         def with_text(change):

@@ -26,10 +26,5 @@ class CheckTest(ProgramTest):
         """The document of `check --json`."""
         return self.expect(exit_code, "check", "--json", *arguments, **options).json
 
-    def summaries(self):
-        """The .txt of every golden file."""
-        return [path.with_suffix(".txt") for path in self.folder.glob("golden/**/*.h5")]
-
     def counts(self, document):
-        """agreed, disagreed, missing and failed."""
         return tuple(document[key] for key in ("agreed", "disagreed", "missing", "failed"))

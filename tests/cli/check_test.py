@@ -13,43 +13,16 @@ from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING,
 
 
 class Verdict(CheckTest):
-    """Verdicts of `check`."""
-
     def test_the_default_is_scenarios_and_golden_of_this_folder(self):
         outcome = self.expect(AGREED, "check")
         self.assertEqual(outcome.out, "3 checked: 3 agreed, 0 disagreed, 0 without golden file, 0 failed\n")
         self.assertEqual(outcome.err, "")
-        document = self.check(AGREED)
-        self.assertEqual([entry["scenario"] for entry in document["results"]],
-                         ["scenarios/a/first.json", "scenarios/a/second.json", "scenarios/third.json"])
 
-    def test_it_takes_files_and_folders(self):
-        self.assertEqual(self.check(AGREED, "scenarios/a", "scenarios/third.json")["checked"], 3)
+    def test_it_takes_files_and_folders_each_scenario_once(self):
+        twice = ("scenarios/third.json", "./scenarios/third.json", "scenarios")
+        for arguments in (("scenarios/a", "scenarios/third.json"), (str(self.folder / "scenarios"),), twice):
+            self.assertEqual(self.check(AGREED, *arguments)["checked"], 3)
         self.assertEqual(self.check(AGREED, "third.json", cwd=self.folder / "scenarios")["checked"], 1)
-        self.assertEqual(self.check(AGREED, str(self.folder / "scenarios"))["checked"], 3)
-
-    def test_the_largest_distance_and_the_class_are_reported(self):
-        entries = self.check(AGREED)["results"]
-        self.assertEqual([(entry["max_px"], entry["contacts_moved"]) for entry in entries], 3 * [(0, 0)])
-        golden = self.folder / "golden/third.h5"
-        with h5py.File(golden, "r+") as file:
-            file["trajectory/x"][150] += 2.5
-            file["trajectory/x"][40] -= 1.25
-        document = self.check(DISAGREED)
-        self.assertEqual(self.counts(document), (2, 1, 0, 0))
-        entry = document["results"][2]
-        self.assertEqual((entry["status"], entry["class"], entry["contacts_moved"]), ("disagreed", "values", 0))
-        self.assertEqual((entry["first_divergence"]["step"], entry["first_divergence"]["field"]), (40, "x"))
-        self.assertAlmostEqual(entry["max_px"], 2.5, 11)
-        golden.unlink()
-        entry = self.check(GOLDEN_MISSING)["results"][2]
-        self.assertEqual((entry["class"], entry["max_px"], entry["contacts_moved"]), (None, None, None))
-
-    def test_a_golden_file_of_another_scenario_is_of_class_shape(self):
-        os.replace(self.folder / "golden/a/first.h5", self.folder / "golden/a/second.h5")
-        document = self.check(GOLDEN_MISSING)
-        self.assertEqual(document["results"][1]["class"], "shape")
-        self.assertIn("the scenario changed since it was blessed", self.expect(DISAGREED, "check", "scenarios/a/second.json").out)
 
     def test_another_scenario_in_the_golden_file_is_no_edit_of_the_scenario(self):
         with h5py.File(self.folder / "golden/third.h5", "r+") as file:
@@ -62,27 +35,8 @@ class Verdict(CheckTest):
         self.assertIn("1 of 3 scenarios differs: the golden file was changed since it was blessed: golden/third.h5: "
                       "its scenario does not give its rows; restore it", out)
         self.assertNotIn("the scenario changed", out)
-        self.assertIn("--accept shape", out)
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--dry-run",
                     says="nothing written: 1 of 3 scenarios differ by more than --accept allows; --accept shape")
-        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "shape")
-        self.check(AGREED)
-
-    def test_name_description_and_expectations_are_not_part_of_the_comparison(self):
-        for name in ("new-name", "third"):
-            start = {"x_px": 1100, "y_px": 500, "vx_px_per_s": 1180.0, "vy_px_per_s": -4e2}
-            self.write("scenarios/third.json", fling(name=name, start=start, description="another text",
-                                                     expect={"finite": True}, **{"$schema": "schema.json"}))
-            self.assertEqual(self.check(AGREED)["agreed"], 3)
-
-    def test_an_expectation_that_fails_disagrees_even_with_the_golden_file(self):
-        self.write("scenarios/third.json", fling(name="third", start=THIRD, expect={"contacts": {"right": 2}, "state_hash": "0" * 32}))
-        entry = self.check(DISAGREED)["results"][2]
-        self.assertEqual((entry["status"], entry["class"], entry["first_divergence"]), ("disagreed", None, None))
-        contacts, state_hash = entry["expect"]
-        self.assertEqual(contacts, {"rule": "contacts/right", "holds": False, "measured": 1})
-        self.assertIn(f"contacts/right: wanted 2, measured 1; state_hash: wanted {32 * '0'}, measured {state_hash['measured']}\n",
-                      self.expect(DISAGREED, "check").out)
 
     def test_many_missing_golden_files_are_one_line_and_one_command(self):
         self.project("a/third", "fourth", "fifth", "sixth")
@@ -91,12 +45,9 @@ class Verdict(CheckTest):
         self.assertEqual(out, "7 scenarios: missing: no golden file: scenarios/a/first.json, scenarios/a/second.json, "
                               "scenarios/a/third.json and 4 more\n  to create them  hyrax-sim bless scenarios --reason TEXT\n"
                               "7 checked: 0 agreed, 0 disagreed, 7 without golden file, 0 failed\n")
-        self.write("scenarios/bad.json", "{")
-        self.assertIn("hyrax-sim bless scenarios/a/first.json scenarios/a/second.json --reason TEXT\n",
-                      self.expect(BAD_INPUT, "check", "scenarios/a/first.json", "scenarios/a/second.json", "scenarios/bad.json").out)
 
     def test_converted_line_ends_are_one_paragraph(self):
-        for path in self.summaries():
+        for path in self.folder.glob("golden/**/*.txt"):
             path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
         document = self.check(DISAGREED)
         self.assertEqual([len(group["scenarios"]) for group in document["groups"]], [3])
@@ -118,10 +69,7 @@ class Verdict(CheckTest):
             if outcome.exit_code == 70:
                 self.assertIn("out of memory", outcome.out + outcome.err)
 
-    def test_a_scenario_outside_of_scenarios_has_no_golden_file(self):
-        self.expect(GOLDEN_MISSING, "check", self.write("alone.json", fling()))
-
-    def test_half_a_golden_file_is_missing_even_if_the_expectations_hold(self):
+    def test_an_expected_state_hash_replaces_a_missing_golden_file_but_not_half_of_one(self):
         run = self.expect(AGREED, "run", "scenarios/third.json", "--json").json["runs"][0]
         self.write("scenarios/third.json", fling(start=THIRD, expect={"state_hash": run["state_hash"]}))
         (self.folder / "golden/third.txt").unlink()
@@ -129,12 +77,7 @@ class Verdict(CheckTest):
         self.assertIn("golden/third.h5 exists, but golden/third.txt is missing", text)
         (self.folder / "golden/third.h5").unlink()
         self.check(AGREED)
-
-    def test_an_expected_state_hash_replaces_a_missing_golden_file(self):
-        run = self.expect(AGREED, "run", "scenarios/third.json", "--json").json["runs"][0]
-        for state_hash, exit_code in ((run["state_hash"], AGREED), ("0" * 32, DISAGREED)):
-            self.write("recorded.json", fling(start=THIRD, expect={"state_hash": state_hash}))
-            self.expect(exit_code, "check", "recorded.json")
+        self.expect(DISAGREED, "check", self.write("recorded.json", fling(start=THIRD, expect={"state_hash": "0" * 32})))
 
     def test_no_scenario_is_exit_2(self):
         (self.folder / "empty").mkdir()
@@ -152,9 +95,9 @@ class Verdict(CheckTest):
 
     def test_a_golden_file_that_is_none_is_bad_input(self):
         (self.folder / "golden/third.h5").write_text("no HDF5 file")
-        document = self.check(BAD_INPUT)
-        self.assertEqual(document["results"][2]["status"], "failed")
-        self.assertIn("golden/third.h5: is not an HDF5 file", document["results"][2]["error"])
+        entry = self.check(BAD_INPUT)["results"][2]
+        self.assertEqual(entry["status"], "failed")
+        self.assertIn("golden/third.h5: is not an HDF5 file", entry["error"])
 
     def test_one_that_is_a_pipe_is_not_waited_for(self):
         for name in ("golden/third.txt", "golden/third.h5"):
@@ -170,16 +113,6 @@ class Verdict(CheckTest):
                 path.unlink()
                 path.write_bytes(kept)
 
-    def test_files_without_valid_checksums_are_read_with_any_number_of_workers(self):
-        for path in self.summaries():
-            path.write_text(path.read_text()[:-33] + 32 * "0" + "\n")
-        for jobs in (1, 8):
-            self.assertEqual(self.counts(self.check(AGREED, "--jobs", str(jobs))), (3, 0, 0, 0))
-        for path in self.folder.glob("golden/**/*.h5"):
-            nudge(path, "trajectory/y", 5)
-        for jobs in (1, 8):
-            self.assertEqual(self.counts(self.check(DISAGREED, "--jobs", str(jobs))), (0, 3, 0, 0))
-
     def test_golden_names_another_folder(self):
         (self.folder / "golden").rename(self.folder / "elsewhere")
         self.check(GOLDEN_MISSING)
@@ -193,7 +126,6 @@ class Unreferenced(CheckTest):
     """Golden files whose scenario was deleted, moved or renamed."""
 
     def unreferenced(self, exit_code, *arguments, **options):
-        """The paths that are reported."""
         document = self.check(exit_code, *arguments, **options)
         found = [entry["scenario"] for entry in document["results"] if entry["status"] == "unreferenced"]
         self.assertEqual(len(found), document["unreferenced"])
@@ -210,15 +142,12 @@ class Unreferenced(CheckTest):
         succeed("sh", "-c", command, cwd=self.folder)
         self.check(AGREED)
 
-    def test_that_of_a_deleted_scenario_is_a_disagreement(self):
+    def test_that_of_a_deleted_scenario_is_a_disagreement_and_that_of_a_link_to_nowhere_is_not_reported(self):
         (self.folder / "scenarios/third.json").unlink()
         self.assertEqual(self.unreferenced(DISAGREED), ["golden/third"])
         self.assertEqual(self.expect(DISAGREED, "check").out,
                          "golden/third: unreferenced: no scenario for this golden file: the scenario was deleted, moved or renamed\n"
                          "2 checked: 2 agreed, 0 disagreed, 0 without golden file, 0 failed; 1 unreferenced\n")
-
-    def test_that_of_a_link_to_nowhere_is_not_reported(self):
-        (self.folder / "scenarios/third.json").unlink()
         (self.folder / "scenarios/third.json").symlink_to("nowhere")
         self.assertEqual(self.unreferenced(CANNOT_ACCESS), [])
 
@@ -252,13 +181,11 @@ class Unreferenced(CheckTest):
         self.assertEqual(self.unreferenced(GOLDEN_MISSING, "outside", "--golden", "elsewhere"), [])
 
     def test_without_any_scenario_they_are_reported_and_none_is_removed(self):
-        shutil.rmtree(self.folder / "scenarios/a")
-        (self.folder / "scenarios/third.json").unlink()
+        shutil.rmtree(self.folder / "scenarios")
+        (self.folder / "scenarios").mkdir()
         before = self.state_of(".")
-        self.assertEqual(self.unreferenced(BAD_INPUT), ["golden/a/first", "golden/a/second", "golden/third"])
-        outcome = self.expect(BAD_INPUT, "check")
-        self.assertEqual(outcome.err, "scenarios: no scenario found (*.json)\n")
-        self.assertIn("0 checked: 0 agreed, 0 disagreed, 0 without golden file, 0 failed; 3 unreferenced\n", outcome.out)
+        self.assertEqual(self.unreferenced(BAD_INPUT, says="scenarios: no scenario found (*.json)\n"),
+                         ["golden/a/first", "golden/a/second", "golden/third"])
         self.expect(BAD_INPUT, "bless", "--prune", says="nothing removed: scenarios: no scenario found (*.json); is it mounted")
         self.assertEqual(self.state_of("."), before)
 
@@ -278,7 +205,6 @@ class Selection(CheckTest):
     """Which scenarios are checked."""
 
     def listed(self, *arguments, exit_code=AGREED, **options):
-        """The paths that `check --list` prints."""
         return self.expect(exit_code, "check", "--list", *arguments, **options).out.splitlines()
 
     def test_list_plays_nothing(self):
@@ -340,13 +266,19 @@ class Selection(CheckTest):
 
 
 class Workers(CheckTest):
-    """If some threads cannot be started, the others do the work."""
+    """Any number of them gives the same document; if some threads cannot be started, the others do the work."""
 
-    def test_without_any_thread_all_verdicts_are_given(self):
-        one = self.expect(AGREED, "check", "--json", "--jobs", "1").out
-        for allowed in (0, 1):
-            outcome = self.expect(AGREED, "check", "--json", "--jobs", "8", env=few_threads(allowed))
-            self.assertEqual(outcome.out, one)
+    def test_all_verdicts_are_the_same_though_every_golden_file_is_read(self):
+        self.project("fourth", "fifth")
+        nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
+        (self.folder / "golden/a/first.h5").unlink()
+        for path in self.folder.glob("golden/**/*.txt"):
+            path.write_text(path.read_text()[:-33] + 32 * "0" + "\n")
+        one = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", "1")
+        self.assertEqual(self.counts(one.json), (3, 1, 1, 0))
+        for jobs, environment in ((2, os.environ), (64, os.environ), (8, few_threads(0)), (8, few_threads(1))):
+            outcome = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", str(jobs), env=environment)
+            self.assertEqual(outcome.out, one.out)
 
 
 class ReadOnly(CheckTest):

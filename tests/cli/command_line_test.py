@@ -4,9 +4,8 @@
 import os
 import re
 
-from process import run, skip_for_lack_of
-from program import (AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, ProgramTest, fling,
-                     main)
+from process import skip_for_lack_of
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
 
 ESCAPE = "\x1b[31m"
 HOSTILE = f"a{ESCAPE}\x7f\u009b1m\udc9b\udcff.json"  # ESC, DEL, CSI as one character, and bytes that are no UTF-8.
@@ -23,20 +22,6 @@ class Literal(ProgramTest):
         for given in (names, paths):
             results = self.expect(AGREED, "validate", "--json", *given).json["results"]
             self.assertEqual([entry["scenario"] for entry in results], paths)
-
-    def test_brackets_in_every_command(self):
-        path = self.write("scenarios/[a]/fling.json", fling())
-        self.write("scenarios/a/decoy.json", fling(name="decoy"))
-        self.bless("scenarios/[a]")
-        self.assertEqual(self.names("golden"), ["[a]"])
-        runs = self.expect(AGREED, "run", "--json", "scenarios/[a]", "-o", "[out]/").json["runs"]
-        self.assertEqual([(run["scenario"], run["output"]) for run in runs], [(path, "[out]/fling.h5")])
-        checked = self.expect(AGREED, "check", "--json", "scenarios/[a]", "--junit", "[x].xml", "--golden", "golden")
-        self.assertEqual([entry["scenario"] for entry in checked.json["results"]], [path])
-        self.assertIn("[x].xml", self.names())
-        drifts = self.expect(AGREED, "drift", "--json", "scenarios/[a]", "--reference", "closed").json["runs"]
-        self.assertEqual([run["scenario"] for run in drifts], [path])
-        self.expect(AGREED, "diff", "golden/[a]/fling.h5", "[out]/fling.h5")
 
     def test_a_value_may_look_like_an_option_or_be_in_brackets(self):
         self.write("fling.json", fling())
@@ -58,9 +43,6 @@ class Literal(ProgramTest):
             self.expect(BAD_INPUT, "run", *arguments, says=f"hyrax-sim run: {name}: must not be empty; see `")
         self.expect(BAD_INPUT, "run", "", says="SCENARIO: must not be empty")
         self.assertEqual(self.names(), ["fling.json"])
-
-    def test_an_option_given_twice_is_refused(self):
-        self.expect(BAD_INPUT, "check", "--jobs", "1", "--jobs=2", says="--jobs: given twice")
 
     def test_a_flag_takes_no_value(self):
         self.expect(BAD_INPUT, "check", "--json=false", says="--json: takes no value (found --json=false)")
@@ -90,17 +72,11 @@ class Order(ProgramTest):
             self.assert_any_order(command, given, options, count)
 
     def test_set_takes_one_value_each_time(self):
-        self.write("fling.json", fling())
+        files = [self.write(f"{name}.json", fling(name=name)) for name in ("one", "two")]
         first, second = ("--set", "/steps=9"), ("--set=/start/x_px=5",)
-        for arguments in (("fling.json", *first, *second), (*second, "fling.json", *first), (*first, *second, "fling.json")):
-            run, = self.expect(AGREED, "run", *arguments, "--json").json["runs"]
-            self.assertEqual((run["scenario"], run["steps"]), ("fling.json", 9))
-
-    def test_set_before_several_files(self):
-        self.write("one.json", fling(name="one"))
-        self.write("two.json", fling(name="two"))
-        runs = self.expect(AGREED, "run", "--set", "/steps=9", "one.json", "two.json", "--json").json["runs"]
-        self.assertEqual([(run["scenario"], run["steps"]) for run in runs], [("one.json", 9), ("two.json", 9)])
+        for arguments in ((*files, *first, *second), (*second, *files, *first), (*first, *second, *files)):
+            runs = self.expect(AGREED, "run", *arguments, "--json").json["runs"]
+            self.assertEqual([(run["scenario"], run["steps"]) for run in runs], [(path, 9) for path in files])
 
 
 class Number(ProgramTest):
@@ -152,10 +128,7 @@ class OneDocument(ProgramTest):
         listed = re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)
         self.assertEqual(sorted([*commands, *with_page]), sorted(listed))
         for command, arguments in commands.items():
-            self.assertIn(f"\n  {command} ", screen)
             self.assertIsInstance(self.expect(AGREED, command, *arguments, "--json").json, dict, command)
-
-    def test_the_schema_is_the_same(self):
         self.assertEqual(self.expect(AGREED, "schema").out, self.expect(AGREED, "schema", "--json").out)
 
     def test_a_path_of_bad_utf_8_leaves_it_well_formed(self):
@@ -188,26 +161,6 @@ class Terminal(ProgramTest):
             for obeyed in ("\x1b", "\x7f", "\u009b"):
                 self.assertNotIn(obeyed, text(outcome), str(arguments))
 
-    def test_suggested_commands_work_when_pasted(self):
-        names = ("a b", "it's", "-x", "$HOME", HOSTILE.removesuffix(".json"), "a\nb")
-        paths = [self.write(f"scenarios/{name}.json", fling(name=f"fling-{number}")) for number, name in enumerate(names)]
-        text = self.expect(AGREED, "run", *paths, "--golden", "my golden", "-v").out
-        hints = re.findall("to create it: (hyrax-sim bless .*)", text)
-        self.assertEqual(len(hints), len(names))
-        done = run("bash", "-ec", "\n".join(hints).replace("hyrax-sim", str(PROGRAM)), cwd=self.folder)
-        self.assertEqual(done.exit_code, AGREED, done)
-        self.assertEqual(self.expect(AGREED, "check", "--golden", "my golden", "--json", "--", *paths).json["agreed"], len(names))
-
-    def test_the_suggested_diff_works_when_pasted(self):
-        path = self.write("scenarios/it's.json", fling(name="it-s"))
-        self.bless(path)
-        self.write(path, fling(name="it-s", start={"x_px": 1, "y_px": 2}))
-        for output in ("a b.h5", "a b.csv"):
-            text = self.expect(DISAGREED, "run", path, "-o", output).out
-            hint, = (line.split("more", 1)[1] for line in text.splitlines() if line.startswith("  more "))
-            done = run("bash", "-c", hint.replace("hyrax-sim", str(PROGRAM)), cwd=self.folder)
-            self.assertIn("DIFFER", done.out, done.err)
-
 
 class Streams(ProgramTest):
     """Standard streams that are full or closed."""
@@ -236,7 +189,6 @@ class Streams(ProgramTest):
             self.assertTrue(outcome.err.endswith("hyrax-sim: standard output cannot be written\n"), outcome)
 
     def closed(self, number, *arguments):
-        """Runs the program with that stream closed."""
         return self.hyrax_sim(*arguments, preexec_fn=lambda: os.close(number))
 
     def test_a_closed_standard_output_is_exit_3(self):

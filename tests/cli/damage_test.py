@@ -27,7 +27,6 @@ NOT_COMPARED = {"name", "NX_class", "default"}
 
 
 def flip_element(dataset, index, bit):
-    """Flips one bit of one element, of any type."""
     values = dataset[...]
     values.view(numpy.uint8).reshape(len(values), -1)[index, bit // 8] ^= 1 << bit % 8
     dataset[...] = values

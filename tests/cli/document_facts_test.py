@@ -1,19 +1,16 @@
 #!/usr/bin/python3
 """Numbers and totals that a document states are those of the source that decides them."""
 
-import functools
 import json
 import math
 import pathlib
 import re
-import struct
 import sys
 import tempfile
 import types
 import unittest
 
 import h5py
-import xxhash
 
 from documentation_test import DOCUMENTS, text_of
 from process import run
@@ -334,10 +331,14 @@ def computed():
 class Facts(unittest.TestCase):
     """What a reader relies on."""
 
-    def test_what_is_stated_is_what_the_source_has(self):
-        for document, words, source, names in STATED:
+    def test_what_is_stated_is_what_decides_it(self):
+        """A source, constants from which it follows, or what was printed."""
+        rows = [*((document, words, decided(source, names)) for document, words, source, names in STATED), *computed(),
+                *((document, words, [number for place in printed for number in stated(*place)] or None)
+                  for document, words, *printed in SAID_AGAIN)]
+        for document, words, numbers in rows:
             with self.subTest(document=document, words=words):
-                self.assertEqual(stated(document, words), decided(source, names), source)
+                self.assertEqual(stated(document, words), numbers)
 
     def test_every_number_has_a_source_or_is_in_the_list(self):
         rows = [row[:2] for row in (*STATED, *SAID_AGAIN, *computed())]
@@ -350,11 +351,6 @@ class Facts(unittest.TestCase):
             numbers = re.findall(r"(?<![\w./-])\d[\w.:,']*\b(?:(?<=e)-\d+)?", text)
             self.assertEqual(" ".join(numbers), NO_SOURCE.get(path, ""), path)
 
-    def test_what_is_said_again_is_what_was_printed(self):
-        for document, words, *printed in SAID_AGAIN:
-            with self.subTest(document=document, words=words):
-                self.assertEqual(stated(document, words), [number for place in printed for number in stated(*place)] or None)
-
     def test_every_exit_code_in_a_document_is_one_of_these(self):
         helps = [each for folder in ("app", "files", "hyrax-compare", "hyrax-sim") for each in (SOURCE / "tools" / folder).rglob("*") if each.suffix in (".cpp", ".json")]
         for document in {row[0] for row in STATED if row[0].endswith((".md", ".txt"))} | {
@@ -366,7 +362,6 @@ class Facts(unittest.TestCase):
 
     def test_how_long_a_recording_is(self):
         exponent, hours = stated(HYRAX, "ends after 2^{} frames, about {} hours of motion")
-        self.assertIn(f"kFramesMax = std::int64_t{{1}} << {exponent:.0f};", text_of("tools/hyrax/recording.h"))
         self.assertEqual([hours], [round(2**exponent / 60 / 3600)])
         self.assertEqual(stated("tools/hyrax/help.txt", "after about {} hours of motion"), [hours])
         saves, part = decided("tools/hyrax/recording.h", "kSavesPerSecond, kPartFrames")
@@ -380,11 +375,6 @@ class Facts(unittest.TestCase):
         for where, words in ((script, "fuzz for half a minute;"), (script, "fuzz for an hour, and"), (script, "=(asan-clang) fuzzing_s=30 "),
                              (script, "debug) fuzzing_s=3600 "), (tests, "fuzzes for an hour instead of half a minute")):
             self.assertIn(words, where)
-
-    def test_numbers_that_follow_from_the_constants(self):
-        for document, words, numbers in computed():
-            with self.subTest(document=document, words=words):
-                self.assertEqual(stated(document, words), numbers)
 
     def test_figures_of_speed_reach_their_goal_or_are_marked(self):
         sources = re.sub(r'"\s*\n\s*"', "", "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "tests/benchmarks").glob("*_figures.cpp")))
@@ -404,12 +394,6 @@ class Facts(unittest.TestCase):
                 self.assertEqual({(each, float(stated_goal)) for each, stated_goal in found}, {(kind, float(goal))})
             with_source += len(found)
         self.assertGreaterEqual(with_source, 10)
-
-    def test_inputs_have_the_codes_of_their_list(self):
-        listed = re.search(r"`/events/kind` \| enum uint8 \[E\] \| (.*?) \|", text_of(FILES))[1]
-        codes = {name: int(code) for name, code in re.findall(r"([a-z-]+) (\d)", listed)}
-        names = re.findall(r'"([a-z-]+)"', re.search(r"kNames = \{(.*?)\}", text_of("tools/store/input_record.cpp"), re.DOTALL)[1])
-        self.assertEqual(codes, {name: code for code, name in enumerate(names)})
 
     def test_every_total_is_that_of_its_table(self):
         text = text_of("tests/README.md")
@@ -463,7 +447,10 @@ class Facts(unittest.TestCase):
         tabled = {name if name.startswith("/") else f"{names[0].rpartition('/')[0]}/{name}": (kind, length)
                   for cell, kind, length in rows for names in [re.findall("`(.*?)`", cell)] for name in names}
         found = {}
+        inputs = re.search(r"`/events/kind` \| enum uint8 \[E\] \| (.*?) \|", text_of(FILES))[1]
         with h5py.File(SOURCE / "golden/flings/corner-fling.h5") as file:
+            codes = {name: int(code) for name, code in re.findall(r"([a-z-]+) (\d)", inputs)}
+            self.assertEqual(codes, h5py.check_enum_dtype(file["events/kind"].dtype))
             lengths = {"trajectory": "N", "contacts": "M", "events": "E"}
             for group, length in lengths.items():
                 found.update({dataset.name: (dataset.dtype.name, length) for dataset in file[group].values()})
@@ -471,41 +458,6 @@ class Facts(unittest.TestCase):
             self.assertEqual(set(re.findall(r"`(\w+)`", re.search(r"\| `/`, attributes \|.*?\n", text_of(FILES))[0])) -
                              set(PHYSICS_CONSTANTS.split(", ")), set(file.attrs) - {"default", "NX_class"})
         self.assertEqual(tabled, found)
-
-    def test_the_state_hash_is_the_one_that_is_described(self):
-        fields = re.search(r"little-endian binary64 ([\w, ]+),\s+and the contact byte\. Each block .*?with XXH3-128,\s+seed 0, in canonical",
-                           text_of(FILES), re.DOTALL)[1].split(", ")
-        with h5py.File(SOURCE / "golden/flings/corner-fling.h5") as file:  # Of one block.
-            rows = zip(*(file["trajectory"][name][...] for name in (*fields, "contact")))
-            packed = b"".join(struct.pack(f"<{len(fields)}dB", *row) for row in rows)
-            self.assertEqual(xxhash.xxh3_128_hexdigest(xxhash.xxh3_128_digest(packed)), file.attrs["state_hash"])
-
-    def test_frames_are_those_of_the_formulas(self):
-        text = text_of(FORMAT)
-        index, gamma = re.search(r"`mix\(s \+ (\(k .*?\)) \* (\w+)\)` modulo 2\^64", text).groups()
-        *shifts, last = map(int, re.search(r"shifts by (\d+), (\d+), (\d+)", text).groups())
-        factors = [int(each, 16) for each in re.search(r"multiplies by\s+(\w+) and (\w+);", text).groups()]
-        unit = re.search(r"u_k = (\(output.*?)\. ", text)[1].replace("^", "**")
-
-        def draw(seed, k):
-            output = (seed + eval(index, {"k": k}) * int(gamma, 16)) % 2 ** 64  # pylint: disable=eval-used
-            for shift, factor in zip(shifts, factors):
-                output = (output ^ output >> shift) * factor % 2 ** 64
-            return eval(unit, {"output": output ^ output >> last})  # pylint: disable=eval-used
-
-        rules = dict(re.findall(r"^\| `(uniform|normal|missed_frames)` \|.*?\| (`dt .*?) \|$", text, re.MULTILINE))
-        first, end = re.search(r"S the sum of u_(\d+)i \.\. u_\1i\+(\d+) from left to right, starting at 0\.0", rules["normal"]).groups()
-        self.assertIn("a result <= 0 becomes 0.0", rules["normal"])
-        formulas = {kind: rule.replace("`", "").replace(", else", " else") if " if " in rule else rule.split("`")[1]
-                    for kind, rule in rules.items()}
-        for entry in json.loads(text_of("tests/oracle/vectors.json"))["jitter"]:
-            known = {name: float.fromhex(value) for name, value in entry.items() if name in ("fraction", "sigma_s", "probability")}
-            known["dt"] = float.fromhex(entry["dt_s"])
-            for i, dt_s in enumerate(entry["frames_dt_s"]):
-                draws = [draw(int(entry["seed"], 0), int(first) * i + each) for each in range(int(end) + 1)]
-                names = {**known, "u_i": draw(int(entry["seed"], 0), i), "S": functools.reduce(float.__add__, draws, 0.0)}
-                found = eval(formulas[entry["kind"]], names)  # pylint: disable=eval-used
-                self.assertEqual(min(max(found, 0.0), 1e9), float.fromhex(dt_s), entry["kind"])
 
     def test_the_menu_of_hyrax_has_what_is_listed(self):
         entries = re.findall(r'\{Choice::\w+, (?:state.is_paused \? "&Go on" : )?"(.*?)"', text_of("tools/hyrax/menu.cpp"))

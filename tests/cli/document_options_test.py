@@ -49,8 +49,6 @@ def options_of(text):
 
 
 class Options(unittest.TestCase):
-    """Of every document."""
-
     def test_every_option_in_a_document_is_one_of_the_programs(self):
         known = set(re.findall(r"--[a-z][a-z-]+", "".join(help_screens())))
         self.assertGreater(len(known), 40)

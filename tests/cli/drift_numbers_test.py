@@ -190,8 +190,6 @@ class Arc:
 
 
 class Numbers(DriftTest):
-    """Every one."""
-
     def play(self, cases):
         """Each scenario, what `drift` has of it, the file of its run and the rows."""
         for case in cases:

@@ -14,11 +14,9 @@ class DriftTest(ProgramTest):
     """The commands that the tests share."""
 
     def drift(self, *arguments):
-        """The measured runs, as JSON."""
         return self.expect(AGREED, "drift", *arguments, "--json").json["runs"]
 
     def drift_of(self, document, *arguments):
-        """The one measured run of a document."""
         return self.drift(self.write("scenario.json", document), *arguments)[0]
 
     def errors(self, run):

@@ -12,16 +12,6 @@ WIDTH_MAX = 100
 
 
 class Errors(DriftTest):
-    """The numbers."""
-
-    def test_the_worst_are_the_largest_of_the_arcs(self):
-        run = self.drift_of(fling())
-        self.assertEqual(run["scenario"], "scenario.json")
-        self.assertGreater(len(run["arcs"]), 3)
-        for key in ("implementation_px", "truncation_px", "model_px", "energy_drift_rel_max", "energy_drift_max",
-                    "gsl_vs_closed_px"):
-            self.assertEqual(run["worst"][key], max(arc[key] for arc in run["arcs"]))
-
     def test_the_parts_add_up_to_the_energy_change_of_the_run(self):
         for rate_hz in (60, 2):
             run = self.drift_of(fling(clock={"rate_hz": rate_hz}, steps=5 * rate_hz))
@@ -35,16 +25,13 @@ class Errors(DriftTest):
 
     def test_the_end_moves_with_the_start(self):
         (xx, _, xv, _), (_, yy, _, _), *_ = self.drift_of(flight(60))["sensitivity"]
-        damped_s = sum(0.999 ** frame for frame in range(1, 61)) / 60
         self.assertEqual((xx, yy), (1, 1))
-        self.assertAlmostEqual(xv, damped_s, delta=1e-12)
-        self.assertIn("end moves by", self.expect(AGREED, "drift", self.write("one.json", fling()), "-v").out)
+        self.assertAlmostEqual(xv, sum(0.999 ** frame for frame in range(1, 61)) / 60, delta=1e-12)
+        self.assertIn("end moves by", self.expect(AGREED, "drift", "scenario.json", "-v").out)
 
-    def test_a_coarser_stepper_is_reported_but_changes_no_verdict(self):
+    def test_a_coarser_stepper_is_reported_but_changes_no_verdict_and_without_gsl_its_distance_is_null(self):
         run = self.drift_of(fling(), "--stepper", "msbdf", "--tolerance", 1e-3)
         self.assertGreater(run["worst"]["gsl_vs_closed_px"], 1e-9)
-
-    def test_without_gsl_its_distance_is_null(self):
         run = self.drift_of(fling(), "--reference", "closed")
         self.assertEqual({arc["gsl_vs_closed_px"] for arc in run["arcs"]}, {None})
         self.assertIsNone(run["worst"]["gsl_vs_closed_px"])
@@ -57,7 +44,8 @@ class Errors(DriftTest):
     def test_a_long_rest_is_counted_without_being_played(self):
         steps = 60_000
         self.expect(AGREED, "run", self.write("long.json", fling(name="long", steps=steps)))
-        live, stored = self.drift("long.json", "long.h5", "--reference", "closed")
+        (self.folder / "long.h5").rename(self.folder / "of any name")
+        live, stored = self.drift("long.json", "of any name", "--reference", "closed")
         self.assertEqual(self.errors(live), self.errors(stored))
         endless = self.drift_of(fling(name="endless", steps=1e12), "--reference", "closed")
         self.assertGreater(endless["skipped_arcs"], 999_999_000_000)
@@ -66,12 +54,6 @@ class Errors(DriftTest):
 
 class Files(DriftTest):
     """Trajectories instead of scenarios."""
-
-    def test_a_file_with_every_row_is_measured_as_its_scenario_is(self):
-        self.expect(AGREED, "run", self.write("fling.json", fling()))
-        (self.folder / "fling.h5").rename(self.folder / "of any name")
-        live, stored = self.drift("fling.json", "of any name")
-        self.assertEqual(self.errors(live), self.errors(stored))
 
     def test_a_decimated_file_is_replayed_from_its_scenario(self):
         self.expect(AGREED, "run", self.write("fling.json", fling(record={"every": 7})))
@@ -89,19 +71,17 @@ class Files(DriftTest):
             live, stored = self.drift(SOURCE / f"scenarios/{name}.json", SOURCE / f"golden/{name}.h5")
             self.assertEqual(self.errors(live), self.errors(stored))
 
-    def test_a_row_that_is_not_finite_ends_the_measuring(self):
+    def test_a_row_that_is_not_finite_ends_the_measuring_and_one_out_of_order_is_refused(self):
         self.expect(AGREED, "run", self.write("fling.json", fling()))
         with h5py.File(self.folder / "fling.h5", "r+") as file:
             file["trajectory/y"][50] = math.nan
         outcome = self.expect(DISAGREED, "drift", "fling.h5")
         self.assertIn("does not hold: NOT FINITE from row 50", outcome.out)
         self.assertEqual(self.expect(DISAGREED, "drift", "fling.h5", "--json").json["runs"][0]["non_finite_step"], 50)
-
-    def test_rows_that_do_not_count_up_are_refused(self):
-        self.expect(AGREED, "run", self.write("fling.json", fling()))
         with h5py.File(self.folder / "fling.h5", "r+") as file:
-            file["trajectory/step"][50] = 7
-        self.expect(BAD_INPUT, "drift", "fling.h5", says="/trajectory/step: must be 50 (found 7)")
+            file["trajectory/step"][40] = 7
+        self.expect(BAD_INPUT, "drift", "fling.h5", says="/trajectory/step: must be 40 (found 7)")
+        self.expect(BAD_INPUT, "drift", "fling.h5", "-o", "x.h5", says="fling.h5: is a trajectory; -o needs a scenario")
 
     def test_a_failure_does_not_end_the_other_runs(self):
         self.write("good.json", fling())
@@ -113,41 +93,27 @@ class Files(DriftTest):
 
 
 class Table(DriftTest):
-    """The text for a terminal."""
-
-    def table_of(self, document, *arguments):
-        return self.expect(AGREED, "drift", self.write("scenario.json", document), *arguments).out
+    """The text for a terminal, and options that make no sense."""
 
     def test_it_fits_a_terminal(self):
         for line in self.expect(AGREED, "drift", *(SOURCE / f"scenarios/{folder}" for folder in ("flings", "hard"))).out.splitlines():
             self.assertLessEqual(len(line), WIDTH_MAX, line)
 
     def test_it_says_that_and_why_the_step_does_not_converge(self):
-        part = "does not converge"
-        self.assertIn(part, self.table_of(flight(240)))
-        self.assertNotIn(part, self.table_of(flight(20)))
-
-
-class Usage(DriftTest):
-    """Bad input and options."""
+        for rate_hz, assert_ in ((240, self.assertIn), (20, self.assertNotIn)):
+            path = self.write("scenario.json", flight(rate_hz))
+            assert_("does not converge", self.expect(AGREED, "drift", path).out)
 
     def test_options_that_make_no_sense(self):
         self.write("fling.json", fling())
         self.write("other.json", fling(name="other"))
         for arguments, message in (
                 (("--tolerance", 1), "--tolerance: must be at most 0.1 (found 1)"),
-                (("--tolerance", 1e-15), "--tolerance"),
-                (("--stepper", "euler"), "--stepper"),
                 (("--reference", "closed", "--stepper", "rk4"), "need --reference gsl"),
                 (("--rows",), "--rows: needs -o FILE.h5"),
                 (("other.json", "-o", "x.h5"), "-o: allowed for one scenario only (found 2)")):
             self.expect(BAD_INPUT, "drift", "fling.json", *arguments, says=message)
-        self.expect(BAD_INPUT, "drift", says="drift")
         self.assertEqual(self.names(), ["fling.json", "other.json"])
-
-    def test_a_trajectory_is_not_played_into_a_file(self):
-        self.expect(AGREED, "run", self.write("fling.json", fling()))
-        self.expect(BAD_INPUT, "drift", "fling.h5", "-o", "x.h5", says="fling.h5: is a trajectory; -o needs a scenario")
 
 
 if __name__ == "__main__":
