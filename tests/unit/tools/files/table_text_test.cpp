@@ -10,33 +10,21 @@
 namespace hyrax {
 namespace {
 
-TEST(CsvText, HeadsNameTheirUnits) {
-  const Table table{"t",
-                    "",
-                    {{"speed", "px/s", "", std::vector<double>{}},
-                     {"energy", "px2/s2", "", std::vector<double>{}},
-                     {"order", "1", "", std::vector<double>{}},
-                     {"method", "", "", std::vector<std::string>{}}}};
-  EXPECT_EQ(csv_text(table), "speed_px_per_s,energy_px2_per_s2,order,method\n");
-}
-
-TEST(CsvText, NumbersAreShortestRoundTripAndWhatDoesNotExistIsEmpty) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Table table{"t",
-                    "",
-                    {{"a", "s", "", std::vector<double>{0.1, nan, infinity}},
-                     {"n", "1", "", std::vector<std::int64_t>{-7, 0, 1'000'000'000'000}}}};
-  EXPECT_EQ(csv_text(table), "a_s,n\n0.1,-7\n,0\ninf,1000000000000\n");
-}
-
-TEST(CsvText, TextIsQuotedWhereItMustBe) {
-  const Table table{
-      "t", "", {{"texts", "", "", std::vector<std::string>{"plain", "a, b", "the \"step\"", "two\nlines"}}}};
-  EXPECT_EQ(csv_text(table), "texts\nplain\n\"a, b\"\n\"the \"\"step\"\"\"\n\"two\nlines\"\n");
-}
-
 const double kMissing = std::numeric_limits<double>::quiet_NaN();
+const double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(CsvText, HasHeadsWithUnitsShortestNumbersAndQuotesWhereTheyMustBe) {
+  const Table table{
+      "t",
+      "",
+      {{"speed", "px/s", "", std::vector<double>{0.1, kMissing, kInfinity, -2.0}},
+       {"energy", "px2/s2", "", std::vector<double>{1.0, 2.0, 3.0, 4.0}},
+       {"order", "1", "", std::vector<std::int64_t>{-7, 0, 1'000'000'000'000, 1}},
+       {"method", "", "", std::vector<std::string>{"plain", "a, b", "the \"step\"", "two\nlines"}}}};
+  EXPECT_EQ(csv_text(table),
+            "speed_px_per_s,energy_px2_per_s2,order,method\n0.1,1,-7,plain\n,2,0,\"a, b\"\n"
+            "inf,3,1000000000000,\"the \"\"step\"\"\"\n-2,4,1,\"two\nlines\"\n");
+}
 
 Table two_rates() {
   return {"rates",
@@ -53,11 +41,11 @@ TEST(AlignedText, NumbersAreAtTheRightUnderNamesWithUnits) {
             "  method  rate, Hz  path length, px  contacts  agrees\n"
             "  paper         60           3214.0         3    true\n"
             "  größer       144                -        12   false\n");
+  EXPECT_EQ(aligned_text({"t", "", {{"rate", "Hz", "", std::vector<double>{}}}}), "  rate, Hz\n");
 }
 
 TEST(AlignedText, ValuesOfVeryDifferentSizeEachHaveTheirDigits) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Table table{"t", "", {{"error", "px", "", std::vector<double>{1.23456e-9, 0.5, 0.0, infinity}, 3}}};
+  const Table table{"t", "", {{"error", "px", "", std::vector<double>{1.23456e-9, 0.5, 0.0, kInfinity}, 3}}};
   EXPECT_EQ(aligned_text(table), "  error, px\n   1.23e-09\n        0.5\n          0\n   no bound\n");
 }
 
@@ -70,10 +58,6 @@ TEST(AlignedText, ValuesOfOneColumnCanEachHaveTheirDigits) {
             "  error, px\n       17.4\n      0.261\n          0\n   no bound\n          -\n");
 }
 
-TEST(AlignedText, ATableWithoutRowsIsItsHead) {
-  EXPECT_EQ(aligned_text({"t", "", {{"rate", "Hz", "", std::vector<double>{}}}}), "  rate, Hz\n");
-}
-
 std::string json_text(const Table& table) { return to_text(json_of(table)); }
 
 TEST(JsonOfTable, RowsAreObjectsAndAMissingNumberIsNull) {
@@ -83,23 +67,16 @@ TEST(JsonOfTable, RowsAreObjectsAndAMissingNumberIsNull) {
       R"({ "method": "größer", "rate_hz": 144, "path_length_px": null, "contacts": 12, "agrees": false }])");
 }
 
-TEST(JsonOfTable, ByFirstIsKeyedByTheFirstColumn) {
-  Table table = two_rates();
-  table.columns.resize(2);
-  table.shape = JsonShape::by_first;
-  EXPECT_EQ(json_text(table), R"({ "paper": { "rate_hz": 60 }, "größer": { "rate_hz": 144 } })");
-}
-
-TEST(JsonOfTable, ValuesAreThoseOfTheFirstColumn) {
+TEST(JsonOfTable, HasTheShapeThatIsAskedFor) {
   Table table = two_rates();
   table.shape = JsonShape::values;
   EXPECT_EQ(json_text(table), R"(["paper", "größer"])");
-}
-
-TEST(JsonOfTable, OneIsItsFirstRowOrNull) {
-  Table table{"t", "", {{"rate", "Hz", "", std::vector<double>{60.0}}}, JsonShape::one};
-  EXPECT_EQ(json_text(table), R"({ "rate_hz": 60 })");
-  table.columns[0].values = std::vector<double>{};
+  table.columns.resize(2);
+  table.shape = JsonShape::by_first;
+  EXPECT_EQ(json_text(table), R"({ "paper": { "rate_hz": 60 }, "größer": { "rate_hz": 144 } })");
+  table.shape = JsonShape::one;
+  EXPECT_EQ(json_text(table), R"({ "method": "paper", "rate_hz": 60 })");
+  table.columns = {{"rate", "Hz", "", std::vector<double>{}}};
   EXPECT_EQ(json_text(table), "null");
 }
 
