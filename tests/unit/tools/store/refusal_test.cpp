@@ -54,10 +54,6 @@ class Refusal : public testing::Test {
   std::string whole_;
 };
 
-TEST_F(Refusal, DoesNotOccurForACompleteFile) {
-  EXPECT_EQ(refusal_of([&] { read_all(path_); }), "");
-}
-
 TEST_F(Refusal, OfAFileCutShortAtAnyLength) {
   const std::size_t stride = whole_.size() / 199;
   for (std::size_t length = 0; length < whole_.size(); length += stride) {
@@ -70,13 +66,16 @@ TEST_F(Refusal, OfAFileCutShortAtAnyLength) {
   }
 }
 
-TEST_F(Refusal, OfAFileOfAnotherKind) {
+TEST_F(Refusal, OfAFileOfAnotherKindAFolderAndAFileThatIsMissing) {
   for (const char* const text : {"step,t,x,y\n0,0,0,0\n", ""}) {
     write_bytes(path_, text);
     expect_refused("is not an HDF5 file, or is truncated");
   }
   ASSERT_TRUE(h5::create_file(path_, 0).is_open());
   expect_refused("attribute format: unknown format (found none); allowed: hyrax-trajectory/1");
+  EXPECT_THROW(read_all(folder_.at("")), Failure);
+  EXPECT_EQ(refusal_of([] { read_all("/no/such/run.h5"); }, ExitCode::cannot_access),
+            "/no/such/run.h5: cannot be read: No such file or directory");
 }
 
 TEST_F(Refusal, OfAMissingAttribute) {
@@ -228,16 +227,6 @@ TEST_F(BlockRefusal, OfAStateThatNoReplayHas) {
     set(dataset.c_str(), 1, value);
     expect_refused_as_golden(dataset + ": not a state of a replay (found " + std::to_string(value) + ")");
   }
-}
-
-TEST(Reading, AMissingFileCannotBeAccessed) {
-  EXPECT_EQ(refusal_of([] { read_all("/no/such/run.h5"); }, ExitCode::cannot_access),
-            "/no/such/run.h5: cannot be read: No such file or directory");
-}
-
-TEST(Reading, AFolderIsNoTrajectory) {
-  const TempFolder folder;
-  EXPECT_THROW(read_all(folder.at("")), Failure);
 }
 
 }  // namespace

@@ -101,18 +101,17 @@ TEST_F(StudyTables, WithSomethingMissingAreRefused) {
   EXPECT_EQ(refusal(), path_ + ": names no tables: an older version wrote it; run the study again");
 }
 
-TEST_F(StudyTables, WithAColumnOfAnotherLengthAreRefused) {
-  write_study_file(path_, kHead, some_tables());
-  replace_column("first/rows", H5T_STD_I64LE, {3});
-  EXPECT_EQ(refusal(), path_ + ": first/rows: has another length than error");
-}
-
-TEST_F(StudyTables, WithAColumnThatIsNoListOrTooLongAreRefused) {
-  for (const std::vector<hsize_t>& shape : {std::vector<hsize_t>{2, 1}, {10'000'001}}) {
+TEST_F(StudyTables, WithAColumnOfAnotherLengthOrThatIsNoListOrTooLongAreRefused) {
+  const auto with = [&](const char* column, hid_t type, const std::vector<hsize_t>& shape,
+                        const std::string& sentence) {
     write_study_file(path_, kHead, some_tables());
-    replace_column("first/error", H5T_IEEE_F64LE, shape);
-    EXPECT_EQ(refusal(), path_ + ": first/error: is damaged: must be a list of at most 10000000 values");
-  }
+    replace_column(column, type, shape);
+    EXPECT_EQ(refusal(), path_ + ": " + column + ": " + sentence);
+  };
+  const std::string no_list = "is damaged: must be a list of at most 10000000 values";
+  with("first/rows", H5T_STD_I64LE, {3}, "has another length than error");
+  with("first/error", H5T_IEEE_F64LE, {2, 1}, no_list);
+  with("first/error", H5T_IEEE_F64LE, {10'000'001}, no_list);
 }
 
 TEST_F(StudyTables, WithAColumnWhoseValuesCannotBeReadAreRefused) {
