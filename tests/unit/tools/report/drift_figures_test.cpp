@@ -70,7 +70,7 @@ TEST(DriftFigures, MarkNoMoreThanReadersCanDistinguishAndSaySo) {
   EXPECT_TRUE(plot_of(restitution_of(MeasuredRun(21))).x.ticks.empty());
 }
 
-TEST(EnergyFigure, HasOneToThreeDigitsBeforeThePoint) {
+TEST(EnergyFigure, HasOneToThreeDigitsBeforeThePointAndIsLogarithmicUnlessEnergyIsNegative) {
   MeasuredRun run(1);
   for (const auto& [most, unit, shown] : {std::tuple(999.0, "px²/s²", 999.0),
                                           {1000.0, "10³ px²/s²", 1.0},
@@ -81,33 +81,19 @@ TEST(EnergyFigure, HasOneToThreeDigitsBeforeThePoint) {
     const Plot plot = plot_of(energy_of(run));
     EXPECT_EQ(plot.y.label, std::string("specific energy, ") + unit);
     for (const Series& series : plot.series) EXPECT_DOUBLE_EQ(series.y.front(), shown);
+    EXPECT_TRUE(plot.y.is_logarithmic);
   }
+  run.rows[3].errors.energy_px2_per_s2 = -1.0;
+  EXPECT_FALSE(plot_of(energy_of(run)).y.is_logarithmic);
 }
 
 TEST(ErrorsFigure, HasAStripForRoundingAndNoLogarithmOfZero) {
   MeasuredRun run(1);
-  const Figure figure = errors_of(run);
-  const Plot& plot = plot_of(figure);
+  const Plot plot = plot_of(errors_of(run));
   EXPECT_DOUBLE_EQ(plot.y.strip_below, 2.0 * 9e-13);
   for (const Series& series : plot.series) EXPECT_TRUE(std::isnan(series.y.front()));
   for (DrawnRow& row : run.rows) row.errors.implementation_px *= 1e9;
   EXPECT_TRUE(std::isnan(plot_of(errors_of(run)).y.strip_below)) << "more than rounding";
-}
-
-TEST(ErrorsFigure, ErrorsThatAreTheSameAreOneLine) {
-  MeasuredRun run(1);
-  EXPECT_EQ(plot_of(errors_of(run)).series.size(), 3u);
-  for (DrawnRow& row : run.rows) row.errors.model_px = row.errors.truncation_px;
-  const Figure figure = errors_of(run);
-  ASSERT_EQ(plot_of(figure).series.size(), 2u);
-  EXPECT_EQ(plot_of(figure).series[0].name, "model and truncation error: the same at this dt");
-}
-
-TEST(EnergyFigure, IsLogarithmicUnlessEnergyIsNegative) {
-  MeasuredRun run(2);
-  EXPECT_TRUE(plot_of(energy_of(run)).y.is_logarithmic);
-  run.rows[3].errors.energy_px2_per_s2 = -1.0;
-  EXPECT_FALSE(plot_of(energy_of(run)).y.is_logarithmic);
 }
 
 TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {

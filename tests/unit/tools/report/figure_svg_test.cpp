@@ -85,12 +85,6 @@ TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).gap()) << "nothing is empty between them";
 }
 
-TEST(PlotScale, APowerOfTenIsWrittenAsPeopleDo) {
-  EXPECT_EQ(power_of_ten(6), "10⁶");
-  EXPECT_EQ(power_of_ten(-12), "10⁻¹²");
-  EXPECT_EQ(power_of_ten(0), "10⁰");
-}
-
 TEST(PlotSvg, TextsKeepOffCurvesAndOneAnother) {
   Plot plot{.x = {.low = 0.0, .high = 10.0},
             .y = {.low = 0.0, .high = 10.0},
