@@ -1,5 +1,5 @@
 // How fast a hand was when it let go.
-#include "tools/hyrax/pet.h"
+#include "tools/hyrax/hand.h"
 
 #include <gtest/gtest.h>
 

@@ -128,16 +128,12 @@ TEST_F(PetOnADesk, DropsWhenTheHandIsTakenAway) {
   EXPECT_GT(row().vy_px_per_s, 0.0);
 }
 
-TEST_F(PetOnADesk, SleepsAfterItKeptItsPlaceForSixtyFrames) {
+TEST_F(PetOnADesk, SleepsAndWakesToAFrameThatDoesNotHoldTheNight) {
   sleep();
   EXPECT_EQ(pet.pose(), Pose::sleep);
   const std::int64_t step = row().step;
   frames(100);
   EXPECT_EQ(row().step, step);
-}
-
-TEST_F(PetOnADesk, WakesToAFrameThatDoesNotHoldTheNight) {
-  sleep();
   ticks += 3600 * kTicksPerS;
   pet.fling({500.0, -500.0}, ticks);
   frames(1);
@@ -177,22 +173,18 @@ TEST_F(PetOnADesk, IsResetToItsFirstPosition) {
   frames(10);
 }
 
-TEST_F(PetOnADesk, IsPushedUpByAWorkAreaThatShrinks) {
+TEST_F(PetOnADesk, IsPushedUpByAWorkAreaThatShrinksAndFallsOnWhenItGrows) {
   sleep();
-  Desk lower = kDesk;
-  lower.work_area.height_px = 600;
-  pet.move_to(lower, ticks += kTicksPerS);
+  Desk desk = kDesk;
+  desk.work_area.height_px = 600;
+  pet.move_to(desk, ticks += kTicksPerS);
   EXPECT_FALSE(pet.is_asleep());
   frames(1);
   EXPECT_TRUE(same_bits(row().y_px, 600.0 - 128.0));
   EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Resize{Size{1024, 600}, {}}}));
-}
-
-TEST_F(PetOnADesk, FallsOnWhenTheWorkAreaGrows) {
   sleep();
-  Desk higher = kDesk;
-  higher.work_area.height_px = 1000;
-  pet.move_to(higher, ticks += kTicksPerS);
+  desk.work_area.height_px = 1000;
+  pet.move_to(desk, ticks += kTicksPerS);
   frames(200);
   EXPECT_TRUE(same_bits(row().y_px, 1000.0 - 128.0));
 }

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "tests/unit/tools/report/picture_faults.h"
 #include "tools/report/look.h"
@@ -153,19 +152,6 @@ TEST(PictureFaults, FindsOverlapsCutTextsAndPaleOnes) {
   EXPECT_EQ(picture_faults("<svg><style>svg{height:auto}</style></svg>").size(), 1u);
   const Series one{.name = "a", .x = {1}, .y = {1}};
   EXPECT_EQ(shared_looks({one, one}).size(), 1u);
-}
-
-// Viridis, of which the darkest third is left out on a dark page, and the lightest on a light one.
-TEST(Look, SpeedsHaveColoursThatStandOutOnTheirPage) {
-  const auto on_dark = [](double part) {
-    return std::ranges::find(light_and_dark(), speed_colour(part),
-                             &std::pair<std::string, std::string>::first)
-        ->second;
-  };
-  EXPECT_EQ(speed_colour(0.0), "#440154");
-  EXPECT_EQ(on_dark(0.0), "#31688e");
-  EXPECT_EQ(speed_colour(1.0), "#35b779");
-  EXPECT_EQ(on_dark(1.0), "#fde725");
 }
 
 }  // namespace

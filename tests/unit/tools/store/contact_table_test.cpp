@@ -1,5 +1,4 @@
 // Contacts that arrive one by one and end late, few and many.
-#include "sim/core/shipped_core.h"
 #include "tools/store/trajectory_parts.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 
 #include "tests/unit/tools/store/stored_flings.h"
 #include "tools/files/summary_text.h"
-#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {
