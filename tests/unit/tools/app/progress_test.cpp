@@ -1,4 +1,3 @@
-// The progress line.
 #include <gtest/gtest.h>
 
 #include "tools/app/command_line/progress.h"

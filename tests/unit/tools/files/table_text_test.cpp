@@ -1,4 +1,3 @@
-// Tables as text, comma-separated values and JSON.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// How fast a hand was when it let go.
 #include "tools/hyrax/hand.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-// The command line of hyrax.exe.
 #include "tools/hyrax/options.h"
 
 #include <gtest/gtest.h>

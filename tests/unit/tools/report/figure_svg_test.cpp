@@ -1,4 +1,3 @@
-// Figures made by hand, as SVG.
 #include "tools/report/figure_svg.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-// The summary of a golden file.
 #include "tools/store/golden_summary.h"
 
 #include <gtest/gtest.h>

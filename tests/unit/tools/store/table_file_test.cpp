@@ -1,4 +1,3 @@
-// A study's tables in HDF5.
 #include <gtest/gtest.h>
 
 #include "tests/unit/tools/files/refusal.h"
