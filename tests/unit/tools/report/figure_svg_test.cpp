@@ -63,17 +63,11 @@ TEST(PlotScale, ZeroHasATickOnALogarithmicAxisWhereThereIsOneAndNoneBelow) {
   EXPECT_EQ(scale_of(rounding, {1e-14, 100.0}).at(1e-14), scale_of(rounding, {1e-14, 100.0}).at(0.1));
 }
 
-TEST(PlotScale, EqualScalesWidenTheAxisThatIsTooLong) {
-  const Axis axis;
-  PlotScale x = scale_of(axis, {0.0, 10.0}), y = scale_of(axis, {0.0, 10.0}, 100.0);
-  PlotScale::make_equal(x, y);
-  EXPECT_NEAR(x.at(1.0) - x.at(0.0), y.at(1.0) - y.at(0.0), 1e-9);
-  EXPECT_NEAR(y.at(10.0) - y.at(0.0), 100.0 / 1.1, 1e-9) << "the other stays";
-  EXPECT_NEAR(x.at(5.0), 200.0, 1e-9) << "to both sides";
-  const Axis given{.low = 0.0, .high = 10.0};
-  PlotScale fixed = scale_of(given, {});
+TEST(PlotScale, EqualScalesLeaveAnAxisWhoseEndsAreGiven) {
+  const Axis axis, given{.low = 0.0, .high = 10.0};
+  PlotScale fixed = scale_of(given, {}), y = scale_of(axis, {0.0, 10.0}, 100.0);
   PlotScale::make_equal(fixed, y);
-  EXPECT_EQ(fixed.at(10.0), 400.0) << "its ends are given";
+  EXPECT_EQ(fixed.at(10.0), 400.0);
 }
 
 TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {

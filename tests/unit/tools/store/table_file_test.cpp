@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/store/hdf5.h"
@@ -64,21 +65,9 @@ TEST_F(StudyTables, AreReadBackInTheirOrder) {
   EXPECT_EQ(study.head.long_name, kHead.long_name);
   EXPECT_TRUE(std::ranges::all_of(study.provenance, [](const auto& text) { return text.has_value(); }));
   ASSERT_EQ(study.tables.size(), 2u);
-  EXPECT_EQ(study.tables[0].name, "first");
-  EXPECT_EQ(study.tables[0].long_name, "numbers");
-  ASSERT_EQ(study.tables[0].columns.size(), 3u);
-  for (std::size_t column = 0; column < 3; ++column) {
-    const Column written = some_tables()[0].columns[column];
-    EXPECT_EQ(study.tables[0].columns[column].name, written.name);
-    EXPECT_EQ(study.tables[0].columns[column].unit, written.unit);
-    EXPECT_EQ(study.tables[0].columns[column].long_name, written.long_name);
-  }
-  EXPECT_EQ(std::get<std::vector<double>>(study.tables[0].columns[0].values), (std::vector{1.5, 2.5}));
-  EXPECT_EQ(std::get<std::vector<std::int64_t>>(study.tables[0].columns[1].values),
-            (std::vector<std::int64_t>{3, 4}));
-  EXPECT_EQ(std::get<std::vector<std::string>>(study.tables[0].columns[2].values),
-            (std::vector<std::string>{"exact", "the paper's"}));
-  EXPECT_EQ(row_count(study.tables[1]), 0u);
+  for (std::size_t table = 0; table < 2; ++table)
+    EXPECT_EQ(described(study.tables[table]), described(some_tables()[table]));
+  EXPECT_TRUE(std::holds_alternative<std::vector<std::int64_t>>(study.tables[0].columns[1].values));
 }
 
 TEST_F(StudyTables, OfAFileOfAnotherKindAreRefused) {
