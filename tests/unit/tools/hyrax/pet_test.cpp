@@ -74,17 +74,13 @@ TEST_F(PetOnADesk, MovesByTheTimeThatPassed) {
   }
 }
 
-TEST_F(PetOnADesk, IsOnlyDampedWhileTheClockIsStopped) {
+TEST_F(PetOnADesk, IsOnlyDampedAndDoesNotSleepInTheAirWhileTheClockIsStopped) {
   frames(5);
   const Row before = row();
   frames(1, 0);
   EXPECT_TRUE(same_bits(row().dt_s, 0.0));
   EXPECT_TRUE(same_bits(row().y_px, before.y_px));
   EXPECT_TRUE(same_bits(row().vy_px_per_s, before.vy_px_per_s * 0.999));
-}
-
-TEST_F(PetOnADesk, DoesNotSleepInTheAirWhileTheClockIsStopped) {
-  frames(5);
   frames(10 * Session::kStillFrames, 0);
   EXPECT_FALSE(pet.is_asleep());
 }
