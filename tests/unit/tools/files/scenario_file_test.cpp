@@ -11,7 +11,6 @@
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
-#include "tools/files/text_file.h"
 
 namespace hyrax {
 namespace {
