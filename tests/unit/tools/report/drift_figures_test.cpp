@@ -12,8 +12,6 @@ namespace {
 // Arcs of ten rows each, that end at the ground.
 struct MeasuredRun : DriftRun {
   explicit MeasuredRun(std::size_t count) {
-    scenario.name = "some-fling";
-    simulated_s = 10.0;
     for (std::size_t arc = 0; arc < count; ++arc) {
       const auto first = static_cast<std::int64_t>(10 * arc);
       arcs.push_back({.first_step = first,
@@ -44,24 +42,10 @@ Figure energy_of(const MeasuredRun& run) { return drift_figures(run)[1]; }
 Figure errors_of(const MeasuredRun& run) { return drift_figures(run)[2]; }
 Figure restitution_of(const MeasuredRun& run) { return drift_figures(run)[3]; }
 
-TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
-  MeasuredRun run(1);
-  run.whole.why_not = "gravity is 0";
-  EXPECT_EQ(plot_of(drift_figures(run)[0]).when_empty, "no exact fling: gravity is 0");
-  run.whole = {.run = WholeRun{.end_px = 3.0, .max_px = 7.0, .energy_end_px = -2.0, .energy_max_px = 9.0},
-               .why_not = ""};
-  run.whole_rows = {{1.0, 5.0}, {2.0, 7.0}};
-  EXPECT_TRUE(drift_figures(run)[0].subtitle.ends_with("; at the end 3 px, -2 px of height"));
-  const Series series = plot_of(drift_figures(run)[0]).series[0];
-  EXPECT_EQ(series.x, (std::vector{1.0, 2.0, 10.0}));
-  EXPECT_EQ(series.y, (std::vector{5.0, 7.0, 3.0}));
-}
-
 TEST(DriftFigures, MarkNoMoreThanReadersCanDistinguishAndSaySo) {
   EXPECT_EQ(plot_of(energy_of(MeasuredRun(80))).top_dots.size(), 80u);
   EXPECT_TRUE(plot_of(energy_of(MeasuredRun(81))).top_dots.empty());
   MeasuredRun run(2);
-  EXPECT_EQ(energy_of(run).note, "2 arcs, 2 contacts");
   run.summary.arcs = 7;
   EXPECT_EQ(energy_of(run).note, "the first 2 of 7 arcs");
   run.scenario = fling_at(60.0, 100, {13, {std::int64_t{5}, Stop{}}});
