@@ -1,4 +1,3 @@
-// The part of the screen that the hyrax lives in.
 #include "tools/hyrax/desk.h"
 
 #include <gtest/gtest.h>
