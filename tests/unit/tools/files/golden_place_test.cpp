@@ -1,4 +1,3 @@
-// The path of a scenario's golden file.
 #include "tools/files/golden_place.h"
 
 #include <gtest/gtest.h>

@@ -42,18 +42,14 @@ TEST(JsonEdit, FindsTheHashByItsKeyHoweverItIsWritten) {
   expect_text(text(kOldHash), text(kHash));
 }
 
-TEST(JsonEdit, AddsAHashToExpectationsInTheirLayout) {
+TEST(JsonEdit, AddsAHashToExpectationsInTheirLayoutOrWithThem) {
   const std::string added = std::string("\"state_hash\": \"") + kHash + '"';
   expect_text(scenario_with(R"(, "expect": { "finite": true } })"),
               scenario_with(R"(, "expect": { "finite": true, )" + added + " } }"));
   expect_text(scenario_with(",\n \"expect\": {\n    \"finite\": true\n  }\n}\n"),
               scenario_with(",\n \"expect\": {\n    \"finite\": true,\n    " + added + "\n  }\n}\n"));
   expect_text(scenario_with(R"(, "expect": {}})"), scenario_with(R"(, "expect": { )" + added + " }}"));
-}
-
-TEST(JsonEdit, AddsExpectations) {
-  expect_text(scenario_with("}\n"),
-              scenario_with(std::string(R"(,"expect": { "state_hash": ")") + kHash + "\" }}\n"));
+  expect_text(scenario_with("}\n"), scenario_with(R"(,"expect": { )" + added + " }}\n"));
 }
 
 TEST(JsonEdit, SetsTheElementsOfAnArray) {

@@ -1,4 +1,3 @@
-// The parts of a path.
 #include "tools/files/path.h"
 
 #include <gtest/gtest.h>

@@ -38,29 +38,22 @@ TEST(Printable, KeepsPlainTextAndUtf8) {
     EXPECT_EQ(printable(text), text);
 }
 
-TEST(Printable, EscapesWhatATerminalObeys) {
-  EXPECT_EQ(printable("\x1b[31m"), "\\u001b[31m");
-  EXPECT_EQ(printable("a\nb\tc\x7f"), "a\\u000ab\\u0009c\\u007f");
-  EXPECT_EQ(printable("\xc2\x9b"), "\\u009b");  // CSI as one character.
+TEST(Printable, EscapesWhatATerminalObeysAndBytesThatAreNoUtf8) {
+  for (const auto& [text, shown] : {std::pair{"\x1b[31m", "\\u001b[31m"},
+                                    {"a\nb\tc\x7f", "a\\u000ab\\u0009c\\u007f"},
+                                    {"\xc2\x9b", "\\u009b"},  // CSI as one character.
+                                    {"\x9b", "\\x9b"},
+                                    {"\xc3(", "\\xc3("},
+                                    {"\xe0\x82\x9b", "\\xe0\\x82\\x9b"}})  // Overlong.
+    EXPECT_EQ(printable(text), shown);
   EXPECT_EQ(printable(std::string_view("\0", 1)), "\\u0000");
+  EXPECT_EQ(printable_lines("a\n\tb\x1b\r"), "a\n\tb\\u001b\\u000d");
 }
 
-TEST(Printable, EscapesBytesThatAreNoUtf8) {
-  EXPECT_EQ(printable("\x9b"), "\\x9b");
-  EXPECT_EQ(printable("\xc3("), "\\xc3(");
-  EXPECT_EQ(printable("\xe0\x82\x9b"), "\\xe0\\x82\\x9b");  // Overlong.
-}
-
-TEST(Printable, KeepsLines) { EXPECT_EQ(printable_lines("a\n\tb\x1b\r"), "a\n\tb\\u001b\\u000d"); }
-
-TEST(Shortened, KeepsSixtyBytes) {
-  const std::string sixty(60, 'a');
-  EXPECT_EQ(shortened(sixty), sixty);
-  EXPECT_EQ(shortened(sixty + "b"), sixty + "...");
-}
-
-TEST(Shortened, CutsBetweenCharacters) {
+TEST(Shortened, KeepsSixtyBytesAndCutsBetweenCharacters) {
   const std::string before(58, 'a');
+  EXPECT_EQ(shortened(before + "aa"), before + "aa");
+  EXPECT_EQ(shortened(before + "aab"), before + "aa...");
   EXPECT_EQ(shortened(before + "\xe2\x82\xac and more"), before + "...");
   EXPECT_EQ(shortened(before + "\xc3\xa9 and more"), before + "\xc3\xa9...");
 }

@@ -1,4 +1,3 @@
-// What the text of a summary states.
 #include "tools/files/summary_text.h"
 
 #include <gtest/gtest.h>

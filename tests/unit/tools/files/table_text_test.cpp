@@ -1,112 +1,27 @@
-// Tables as text, comma-separated values and JSON.
+#include "tools/files/table_text.h"
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "tools/files/table_text.h"
+#include "tests/unit/sim/result/described.h"
 
 namespace hyrax {
 namespace {
 
-TEST(CsvText, HeadsNameTheirUnits) {
-  const Table table{"t",
-                    "",
-                    {{"speed", "px/s", "", std::vector<double>{}},
-                     {"energy", "px2/s2", "", std::vector<double>{}},
-                     {"order", "1", "", std::vector<double>{}},
-                     {"method", "", "", std::vector<std::string>{}}}};
-  EXPECT_EQ(csv_text(table), "speed_px_per_s,energy_px2_per_s2,order,method\n");
-}
-
-TEST(CsvText, NumbersAreShortestRoundTripAndWhatDoesNotExistIsEmpty) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Table table{"t",
-                    "",
-                    {{"a", "s", "", std::vector<double>{0.1, nan, infinity}},
-                     {"n", "1", "", std::vector<std::int64_t>{-7, 0, 1'000'000'000'000}}}};
-  EXPECT_EQ(csv_text(table), "a_s,n\n0.1,-7\n,0\ninf,1000000000000\n");
-}
-
-TEST(CsvText, TextIsQuotedWhereItMustBe) {
-  const Table table{
-      "t", "", {{"texts", "", "", std::vector<std::string>{"plain", "a, b", "the \"step\"", "two\nlines"}}}};
-  EXPECT_EQ(csv_text(table), "texts\nplain\n\"a, b\"\n\"the \"\"step\"\"\"\n\"two\nlines\"\n");
-}
-
-const double kMissing = std::numeric_limits<double>::quiet_NaN();
-
-Table two_rates() {
+Table two_rates(JsonShape shape) {
   return {"rates",
           "",
           {{"method", "", "", std::vector<std::string>{"paper", "größer"}},
            {"rate", "Hz", "", std::vector<double>{60.0, 144.0}},
-           {"path_length", "px", "", std::vector<double>{3214.04, kMissing}, 5},
+           {"path_length", "px", "", std::vector<double>{3214.04, kNotGiven}, 5},
            {"contacts", "1", "", std::vector<std::int64_t>{3, 12}},
-           {"agrees", "", "", std::vector<bool>{true, false}}}};
+           {"agrees", "", "", std::vector<bool>{true, false}}},
+          shape};
 }
 
-TEST(AlignedText, NumbersAreAtTheRightUnderNamesWithUnits) {
-  EXPECT_EQ(aligned_text(two_rates()),
-            "  method  rate, Hz  path length, px  contacts  agrees\n"
-            "  paper         60           3214.0         3    true\n"
-            "  größer       144                -        12   false\n");
-}
-
-TEST(AlignedText, ValuesOfVeryDifferentSizeEachHaveTheirDigits) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Table table{"t", "", {{"error", "px", "", std::vector<double>{1.23456e-9, 0.5, 0.0, infinity}, 3}}};
-  EXPECT_EQ(aligned_text(table), "  error, px\n   1.23e-09\n        0.5\n          0\n   no bound\n");
-}
-
-TEST(AlignedText, ValuesOfOneColumnCanEachHaveTheirDigits) {
-  Table table{"t", "", {{"error", "px", "", std::vector{17.35, 0.2614, 0.0, HUGE_VAL, std::nan("")}, 3}}};
-  EXPECT_EQ(aligned_text(table),
-            "  error, px\n       17.4\n        0.3\n        0.0\n   no bound\n          -\n");
-  table.columns[0].is_each_rounded = true;
-  EXPECT_EQ(aligned_text(table),
-            "  error, px\n       17.4\n      0.261\n          0\n   no bound\n          -\n");
-}
-
-TEST(AlignedText, ATableWithoutRowsIsItsHead) {
-  EXPECT_EQ(aligned_text({"t", "", {{"rate", "Hz", "", std::vector<double>{}}}}), "  rate, Hz\n");
-}
-
-std::string json_text(const Table& table) { return to_text(json_of(table)); }
-
-TEST(JsonOfTable, RowsAreObjectsAndAMissingNumberIsNull) {
-  EXPECT_EQ(
-      json_text(two_rates()),
-      R"([{ "method": "paper", "rate_hz": 60, "path_length_px": 3214.04, "contacts": 3, "agrees": true }, )"
-      R"({ "method": "größer", "rate_hz": 144, "path_length_px": null, "contacts": 12, "agrees": false }])");
-}
-
-TEST(JsonOfTable, ByFirstIsKeyedByTheFirstColumn) {
-  Table table = two_rates();
-  table.columns.resize(2);
-  table.shape = JsonShape::by_first;
-  EXPECT_EQ(json_text(table), R"({ "paper": { "rate_hz": 60 }, "größer": { "rate_hz": 144 } })");
-}
-
-TEST(JsonOfTable, ValuesAreThoseOfTheFirstColumn) {
-  Table table = two_rates();
-  table.shape = JsonShape::values;
-  EXPECT_EQ(json_text(table), R"(["paper", "größer"])");
-}
-
-TEST(JsonOfTable, OneIsItsFirstRowOrNull) {
-  Table table{"t", "", {{"rate", "Hz", "", std::vector<double>{60.0}}}, JsonShape::one};
-  EXPECT_EQ(json_text(table), R"({ "rate_hz": 60 })");
-  table.columns[0].values = std::vector<double>{};
-  EXPECT_EQ(json_text(table), "null");
-}
-
-TEST(JsonOfTable, ACellMayHoldATable) {
-  const Table inner{"inner", "", {{"n", "1", "", std::vector<std::int64_t>{7}}}};
-  const Table table{"t", "", {{"parts", "", "", std::vector<Table>{inner}}}};
-  EXPECT_EQ(json_text(table), R"([{ "parts": [{ "n": 7 }] }])");
+Table column_of(const Column& column, std::size_t count = 1) {
+  return {"t", "", std::vector<Column>(count, column), JsonShape::one};
 }
 
 struct Throw {
@@ -125,32 +40,28 @@ constexpr ColumnOf<Throw> kColumns[] = {
     {"speed_rel", "1", "", [](const Throw& each) { return each.speed_px_per_s / 2000.0; }, "-"},
 };
 
-TEST(AlignedText, UnitsHaveALineOfTheirOwnWhereOnlyThatFits) {
-  Table table;
-  for (int column = 0; column < 12; ++column)
-    table.columns.push_back({"error", "px", "", std::vector<double>{1.5}});
-  const std::string text = aligned_text(table);
-  EXPECT_EQ(text.find("  error  error"), 0u) << text;
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
-  table.columns.resize(9);
-  EXPECT_EQ(aligned_text(table).find("  error, px  error, px"), 0u);
-}
-
-TEST(TableOfRecords, HasNamesOfCodesMembersOfObjectsAndOnlyWhatHasAKey) {
-  const Table table{.columns =
-                        columns_of(kColumns, std::vector<Throw>{{1000.0, 2.5, 7, 4}, {500.0, {}, {}, 1}})};
-  EXPECT_EQ(json_text(table),
-            R"([{ "speed_px_per_s": 1000, "where": { "x": 2.5, "row": 7 }, "wall": "top" }, )"
-            R"({ "speed_px_per_s": 500, "where": { "x": null, "row": null }, "wall": "left" }])");
-  EXPECT_EQ(csv_text(table),
-            "speed_px_per_s,landing_px,row,wall,speed_rel\n1000,2.5,7,top,0.5\n500,,,left,0.25\n");
-}
-
-TEST(AddMembers, MembersJoinTheObjectAndOthersAreNamed) {
-  Json::Object object;
-  add_members(object, {{"", "", {{"within", "px", "", std::vector<double>{1.0}}}, JsonShape::members},
-                       {"rates", "", {{"rate", "Hz", "", std::vector<double>{60.0}}}}});
-  EXPECT_EQ(to_text(Json(object)), R"({ "within_px": 1, "rates": [{ "rate_hz": 60 }] })");
+// Aligned, comma-separated, and as JSON.
+TEST(TableText, OfTablesIsTheOneApproved) {
+  const Column errors{"error", "px", "", std::vector{17.35, 0.2614, 0.0, HUGE_VAL, kNotGiven}, 3};
+  Column rounded = errors, of_all_sizes = errors;
+  rounded.is_each_rounded = true;
+  of_all_sizes.values = std::vector{1.23456e-9, 0.5, 0.0, -HUGE_VAL};
+  const Column energy{"energy", "px2/s2", "", std::vector{1.5}};
+  const std::vector<Throw> throws = {{1000.0, 2.5, 7, 4}, {500.0, {}, {}, 1}};
+  std::string text;
+  for (const Table& table :
+       {two_rates(JsonShape::rows), two_rates(JsonShape::values), two_rates(JsonShape::by_first),
+        two_rates(JsonShape::one), column_of(errors, 9), column_of(errors, 10), column_of(rounded),
+        column_of(of_all_sizes), column_of({"no_rows", "Hz", "", std::vector<double>{}}),
+        column_of({"large", "1", "", std::vector<std::int64_t>{-7, 1'000'000'000'000}}),
+        column_of({"text", "", "", std::vector<std::string>{"a, b", "the \"step\"", "two\nlines"}}),
+        Table{.columns = columns_of(kColumns, throws)}})
+    text += aligned_text(table) + csv_text(table) + to_text(json_of(table)) + "\n\n";
+  const Table parts = column_of({"parts", "", "", std::vector{two_rates(JsonShape::rows)}});
+  Json::Object members;
+  add_members(members, {two_rates(JsonShape::rows), {"", "", {energy}, JsonShape::members}});
+  expect_approved("tests/unit/tools/files/tables.txt",
+                  text + to_text(json_of(parts)) + "\n" + to_text(Json(members)) + "\n");
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-// The log of frames, line by line.
 #include "tools/hyrax/frame_log.h"
 
 #include <gtest/gtest.h>

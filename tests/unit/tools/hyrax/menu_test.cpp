@@ -155,6 +155,7 @@ TEST_F(ChosenFromMenu, AFailureToSaveIsReportedOnce) {
   EXPECT_EQ(notes.size(), 1u);
   EXPECT_TRUE(notes.front().starts_with(path("gone/fling.json") + ": cannot be written")) << notes.front();
   EXPECT_THROW(recorder.finish(), Failure);
+  EXPECT_FALSE(pet.session().is_recording());
 }
 
 }  // namespace

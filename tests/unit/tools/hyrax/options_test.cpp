@@ -1,4 +1,3 @@
-// The command line of hyrax.exe.
 #include "tools/hyrax/options.h"
 
 #include <gtest/gtest.h>
@@ -12,13 +11,10 @@ std::string refusal(const std::vector<std::string>& arguments) {
   return refusal_of([&] { static_cast<void>(parse_options(arguments)); });
 }
 
-TEST(PetOptions, AreAllLeftOut) {
-  const PetOptions options = parse_options({});
-  EXPECT_FALSE(options.record_path || options.replay_path || options.log_path || options.seconds);
-  EXPECT_FALSE(options.only_exits || options.wants_help || options.wants_version);
-}
-
-TEST(PetOptions, AcceptTheirValueAfterASpaceOrAnEqualsSign) {
+TEST(PetOptions, MayBeLeftOutAndAcceptTheirValueAfterASpaceOrAnEqualsSign) {
+  const PetOptions none = parse_options({});
+  EXPECT_FALSE(none.record_path || none.replay_path || none.log_path || none.seconds);
+  EXPECT_FALSE(none.only_exits || none.wants_help || none.wants_version);
   const PetOptions options = parse_options({"--record", "a b.json", "--log=run.log", "--seconds", "2.5"});
   EXPECT_EQ(options.record_path, "a b.json");
   EXPECT_EQ(options.log_path, "run.log");

@@ -43,6 +43,7 @@ class PetOnADesk : public testing::Test {
     pet.grab(hand, ticks);
   }
   const Row& row() const { return pet.session().now().row; }
+  Velocity velocity() const { return {row().vx_px_per_s, row().vy_px_per_s}; }
 
   // After every test: the shown frames replay to the same bits.
   void TearDown() override {
@@ -65,49 +66,35 @@ TEST_F(PetOnADesk, FallsFromTheMiddleOfTheTop) {
 }
 
 TEST_F(PetOnADesk, MovesByTheTimeThatPassed) {
-  frames(1, 5 * kMs);
-  EXPECT_TRUE(same_bits(row().dt_s, 0.005));
-  frames(1, 3 * kTicksPerS);  // The program was stopped for three seconds.
-  EXPECT_TRUE(same_bits(row().dt_s, 3.0));
+  for (const auto& [frame_ticks, dt_s] : {std::pair{5 * kMs, 0.005},
+                                          {3 * kTicksPerS, 3.0},  // The program was stopped.
+                                          {-5 * kMs, 0.0}}) {
+    frames(1, frame_ticks);
+    EXPECT_TRUE(same_bits(row().dt_s, dt_s)) << frame_ticks;
+  }
 }
 
-TEST_F(PetOnADesk, IsOnlyDampedWhileTheClockIsStopped) {
+TEST_F(PetOnADesk, IsOnlyDampedAndDoesNotSleepInTheAirWhileTheClockIsStopped) {
   frames(5);
   const Row before = row();
   frames(1, 0);
   EXPECT_TRUE(same_bits(row().dt_s, 0.0));
   EXPECT_TRUE(same_bits(row().y_px, before.y_px));
   EXPECT_TRUE(same_bits(row().vy_px_per_s, before.vy_px_per_s * 0.999));
-}
-
-TEST_F(PetOnADesk, DoesNotSleepInTheAirWhileTheClockIsStopped) {
-  frames(5);
   frames(10 * Session::kStillFrames, 0);
   EXPECT_FALSE(pet.is_asleep());
 }
 
-TEST_F(PetOnADesk, TreatsAClockThatGoesBackAsStopped) {
-  frames(2);
-  frames(1, -5 * kMs);
-  EXPECT_TRUE(same_bits(row().dt_s, 0.0));
-}
-
-TEST_F(PetOnADesk, FollowsTheHand) {
+TEST_F(PetOnADesk, FollowsTheHandAndFliesAsFastAsItWhenItIsLetGo) {
   frames(10);
   const ScreenPoint before = pet.place();
   grab();
   drag_away(10);
   EXPECT_EQ(pet.place(), (ScreenPoint{before.x_px + 120, before.y_px - 90}));
   EXPECT_EQ(pet.pose(), Pose::held);
-}
-
-TEST_F(PetOnADesk, FliesAsFastAsTheHandThatLetItGo) {
-  frames(10);
-  grab();
-  drag_away(30);
+  drag_away(20);
   pet.let_go(hand, ticks, kDesk);
-  const Velocity velocity{row().vx_px_per_s, row().vy_px_per_s};
-  EXPECT_EQ(velocity, (Velocity{1200.0, -900.0}));
+  EXPECT_EQ(velocity(), (Velocity{1200.0, -900.0}));
   EXPECT_FALSE(pet.is_held());
 }
 
@@ -132,22 +119,17 @@ TEST_F(PetOnADesk, DropsWhenTheHandIsTakenAway) {
   grab();
   drag_away(10);
   pet.drop(ticks);
-  const Velocity velocity{row().vx_px_per_s, row().vy_px_per_s};
-  EXPECT_EQ(velocity, Velocity{});
+  EXPECT_EQ(velocity(), Velocity{});
   frames(20);
   EXPECT_GT(row().vy_px_per_s, 0.0);
 }
 
-TEST_F(PetOnADesk, SleepsAfterItKeptItsPlaceForSixtyFrames) {
+TEST_F(PetOnADesk, SleepsAndWakesToAFrameThatDoesNotHoldTheNight) {
   sleep();
   EXPECT_EQ(pet.pose(), Pose::sleep);
   const std::int64_t step = row().step;
   frames(100);
   EXPECT_EQ(row().step, step);
-}
-
-TEST_F(PetOnADesk, WakesToAFrameThatDoesNotHoldTheNight) {
-  sleep();
   ticks += 3600 * kTicksPerS;
   pet.fling({500.0, -500.0}, ticks);
   frames(1);
@@ -165,7 +147,7 @@ TEST_F(PetOnADesk, SleepsInAHandThatDoesNotMove) {
   frames(10);
 }
 
-TEST_F(PetOnADesk, DoesNotMoveWhilePaused) {
+TEST_F(PetOnADesk, DoesNotMoveWhilePausedUntilItIsGrabbed) {
   frames(10);
   pet.pause();
   frames(10);
@@ -173,10 +155,6 @@ TEST_F(PetOnADesk, DoesNotMoveWhilePaused) {
   pet.resume(ticks);
   frames(1);
   EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS));
-}
-
-TEST_F(PetOnADesk, ContinuesWhenItIsGrabbedInAPause) {
-  frames(10);
   pet.pause();
   grab();
   EXPECT_FALSE(pet.is_paused());
@@ -191,22 +169,18 @@ TEST_F(PetOnADesk, IsResetToItsFirstPosition) {
   frames(10);
 }
 
-TEST_F(PetOnADesk, IsPushedUpByAWorkAreaThatShrinks) {
+TEST_F(PetOnADesk, IsPushedUpByAWorkAreaThatShrinksAndFallsOnWhenItGrows) {
   sleep();
-  Desk lower = kDesk;
-  lower.work_area.height_px = 600;
-  pet.move_to(lower, ticks += kTicksPerS);
+  Desk desk = kDesk;
+  desk.work_area.height_px = 600;
+  pet.move_to(desk, ticks += kTicksPerS);
   EXPECT_FALSE(pet.is_asleep());
   frames(1);
   EXPECT_TRUE(same_bits(row().y_px, 600.0 - 128.0));
   EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Resize{Size{1024, 600}, {}}}));
-}
-
-TEST_F(PetOnADesk, FallsOnWhenTheWorkAreaGrows) {
   sleep();
-  Desk higher = kDesk;
-  higher.work_area.height_px = 1000;
-  pet.move_to(higher, ticks += kTicksPerS);
+  desk.work_area.height_px = 1000;
+  pet.move_to(desk, ticks += kTicksPerS);
   frames(200);
   EXPECT_TRUE(same_bits(row().y_px, 1000.0 - 128.0));
 }

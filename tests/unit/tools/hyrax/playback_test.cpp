@@ -1,4 +1,3 @@
-// Playback of a scenario in the window.
 #include "tools/hyrax/playback.h"
 #include "sim/core/shipped_core.h"
 

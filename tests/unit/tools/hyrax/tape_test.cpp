@@ -76,14 +76,6 @@ TEST(Tape, OfASessionReplaysToTheSameBits) {
   expect_replays(session.just_happened(), session.now());
 }
 
-TEST(Tape, OfManyBlocksReplaysToTheSameBits) {
-  Session session(shipped_core(), start());
-  for (int life = 0; life < 15; ++life) live(session);
-  const Tape tape = session.just_happened();
-  EXPECT_GT(tape.frames(), 2 * static_cast<std::int64_t>(kBlockRows));
-  expect_replays(tape, session.now());
-}
-
 // A control: the hash is of what was shown, not of its replay.
 TEST(Tape, WithAnotherStateThanTheModelsDoesNotReplay) {
   Session session(shipped_core(), start());

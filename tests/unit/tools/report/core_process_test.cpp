@@ -15,14 +15,10 @@ namespace {
 
 using Work = std::function<std::string(PlayWatch&)>;
 
-std::string card_of(const Work& work) {
-  return in_core_process({"base.h", "new.h"}, 60, TemporaryFolder(), work);
-}
-
-// The exit code and the message.
-std::pair<ExitCode, std::string> failure_of(const Work& work) {
+// The exit code, and the card or the message.
+std::pair<ExitCode, std::string> outcome_of(const Work& work) {
   try {
-    return {ExitCode::agreed, card_of(work)};
+    return {ExitCode::agreed, in_core_process({"base.h", "new.h"}, 60, TemporaryFolder(), work)};
   } catch (const Failure& failure) {
     return {failure.exit_code(), failure.what()};
   }
@@ -31,19 +27,19 @@ std::pair<ExitCode, std::string> failure_of(const Work& work) {
 TEST(CoreProcess, WhatACorePrintsIsNoPartOfTheCard) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const std::string card = card_of([](PlayWatch&) {
+  const auto outcome = outcome_of([](PlayWatch&) {
     for (std::FILE* const stream : {stdout, stderr}) std::fputs("loud\n", stream);
     std::fflush(nullptr);
     return std::string("the card\n");
   });
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(card, "the card\n");
+  EXPECT_EQ(outcome.second, "the card\n");
 }
 
 TEST(CoreProcess, HowItEndsNamesTheCoreAndThePlace) {
   const auto playing = [](void (*end)()) {
-    return failure_of([end](PlayWatch& watch) {
+    return outcome_of([end](PlayWatch& watch) {
       watch.core = 1;
       watch.set_place("fling 3");
       watch.begin_call(40, 10);

@@ -12,8 +12,6 @@ namespace {
 // Arcs of ten rows each, that end at the ground.
 struct MeasuredRun : DriftRun {
   explicit MeasuredRun(std::size_t count) {
-    scenario.name = "some-fling";
-    simulated_s = 10.0;
     for (std::size_t arc = 0; arc < count; ++arc) {
       const auto first = static_cast<std::int64_t>(10 * arc);
       arcs.push_back({.first_step = first,
@@ -44,24 +42,10 @@ Figure energy_of(const MeasuredRun& run) { return drift_figures(run)[1]; }
 Figure errors_of(const MeasuredRun& run) { return drift_figures(run)[2]; }
 Figure restitution_of(const MeasuredRun& run) { return drift_figures(run)[3]; }
 
-TEST(WholeFigure, ReachesTheEndOfTheRunOrSaysWhyThereIsNone) {
-  MeasuredRun run(1);
-  run.whole.why_not = "gravity is 0";
-  EXPECT_EQ(plot_of(drift_figures(run)[0]).when_empty, "no exact fling: gravity is 0");
-  run.whole = {.run = WholeRun{.end_px = 3.0, .max_px = 7.0, .energy_end_px = -2.0, .energy_max_px = 9.0},
-               .why_not = ""};
-  run.whole_rows = {{1.0, 5.0}, {2.0, 7.0}};
-  EXPECT_TRUE(drift_figures(run)[0].subtitle.ends_with("; at the end 3 px, -2 px of height"));
-  const Series series = plot_of(drift_figures(run)[0]).series[0];
-  EXPECT_EQ(series.x, (std::vector{1.0, 2.0, 10.0}));
-  EXPECT_EQ(series.y, (std::vector{5.0, 7.0, 3.0}));
-}
-
 TEST(DriftFigures, MarkNoMoreThanReadersCanDistinguishAndSaySo) {
   EXPECT_EQ(plot_of(energy_of(MeasuredRun(80))).top_dots.size(), 80u);
   EXPECT_TRUE(plot_of(energy_of(MeasuredRun(81))).top_dots.empty());
   MeasuredRun run(2);
-  EXPECT_EQ(energy_of(run).note, "2 arcs, 2 contacts");
   run.summary.arcs = 7;
   EXPECT_EQ(energy_of(run).note, "the first 2 of 7 arcs");
   run.scenario = fling_at(60.0, 100, {13, {std::int64_t{5}, Stop{}}});
@@ -70,7 +54,7 @@ TEST(DriftFigures, MarkNoMoreThanReadersCanDistinguishAndSaySo) {
   EXPECT_TRUE(plot_of(restitution_of(MeasuredRun(21))).x.ticks.empty());
 }
 
-TEST(EnergyFigure, HasOneToThreeDigitsBeforeThePoint) {
+TEST(EnergyFigure, HasOneToThreeDigitsBeforeThePointAndIsLogarithmicUnlessEnergyIsNegative) {
   MeasuredRun run(1);
   for (const auto& [most, unit, shown] : {std::tuple(999.0, "px²/s²", 999.0),
                                           {1000.0, "10³ px²/s²", 1.0},
@@ -81,33 +65,19 @@ TEST(EnergyFigure, HasOneToThreeDigitsBeforeThePoint) {
     const Plot plot = plot_of(energy_of(run));
     EXPECT_EQ(plot.y.label, std::string("specific energy, ") + unit);
     for (const Series& series : plot.series) EXPECT_DOUBLE_EQ(series.y.front(), shown);
+    EXPECT_TRUE(plot.y.is_logarithmic);
   }
+  run.rows[3].errors.energy_px2_per_s2 = -1.0;
+  EXPECT_FALSE(plot_of(energy_of(run)).y.is_logarithmic);
 }
 
 TEST(ErrorsFigure, HasAStripForRoundingAndNoLogarithmOfZero) {
   MeasuredRun run(1);
-  const Figure figure = errors_of(run);
-  const Plot& plot = plot_of(figure);
+  const Plot plot = plot_of(errors_of(run));
   EXPECT_DOUBLE_EQ(plot.y.strip_below, 2.0 * 9e-13);
   for (const Series& series : plot.series) EXPECT_TRUE(std::isnan(series.y.front()));
   for (DrawnRow& row : run.rows) row.errors.implementation_px *= 1e9;
   EXPECT_TRUE(std::isnan(plot_of(errors_of(run)).y.strip_below)) << "more than rounding";
-}
-
-TEST(ErrorsFigure, ErrorsThatAreTheSameAreOneLine) {
-  MeasuredRun run(1);
-  EXPECT_EQ(plot_of(errors_of(run)).series.size(), 3u);
-  for (DrawnRow& row : run.rows) row.errors.model_px = row.errors.truncation_px;
-  const Figure figure = errors_of(run);
-  ASSERT_EQ(plot_of(figure).series.size(), 2u);
-  EXPECT_EQ(plot_of(figure).series[0].name, "model and truncation error: the same at this dt");
-}
-
-TEST(EnergyFigure, IsLogarithmicUnlessEnergyIsNegative) {
-  MeasuredRun run(2);
-  EXPECT_TRUE(plot_of(energy_of(run)).y.is_logarithmic);
-  run.rows[3].errors.energy_px2_per_s2 = -1.0;
-  EXPECT_FALSE(plot_of(energy_of(run)).y.is_logarithmic);
 }
 
 TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {

@@ -1,7 +1,6 @@
 // Figures, tables and verdicts as the report page reads them.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <regex>
 
 #include "tests/unit/sim/result/described.h"
@@ -35,15 +34,6 @@ TEST(FigureJson, RefusesWhatIsNoFigureAndSaysWhere) {
               "figures/0/body/plots/0/series/0: its lists must have equal lengths");
   EXPECT_EQ(refused(R"([{"body": {"list_columns": [{}], "list_rows": [[]]}}])"),
             "figures/0/body: list_rows: each needs all columns");
-}
-
-TEST(FigureJson, ReadsInfinityAsAFileHasIt) {
-  const std::vector<Figure> figures = figures_of(
-      parse_json(R"([{"body": {"plots": [{"marks": [{"at": "-Infinity"}, {"at": "Infinity"}]}]}}])", "text"),
-      "");
-  const std::vector<Mark>& marks = std::get<std::vector<Plot>>(figures[0].body)[0].marks;
-  EXPECT_EQ(marks[0].at, -HUGE_VAL);
-  EXPECT_EQ(marks[1].at, HUGE_VAL);
 }
 
 // Whole numbers are exact in a page; of a table there are all rows, of one in JSON the first.

@@ -1,10 +1,8 @@
-// Figures made by hand, as SVG.
 #include "tools/report/figure_svg.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "tests/unit/tools/report/picture_faults.h"
 #include "tools/report/look.h"
@@ -65,17 +63,11 @@ TEST(PlotScale, ZeroHasATickOnALogarithmicAxisWhereThereIsOneAndNoneBelow) {
   EXPECT_EQ(scale_of(rounding, {1e-14, 100.0}).at(1e-14), scale_of(rounding, {1e-14, 100.0}).at(0.1));
 }
 
-TEST(PlotScale, EqualScalesWidenTheAxisThatIsTooLong) {
-  const Axis axis;
-  PlotScale x = scale_of(axis, {0.0, 10.0}), y = scale_of(axis, {0.0, 10.0}, 100.0);
-  PlotScale::make_equal(x, y);
-  EXPECT_NEAR(x.at(1.0) - x.at(0.0), y.at(1.0) - y.at(0.0), 1e-9);
-  EXPECT_NEAR(y.at(10.0) - y.at(0.0), 100.0 / 1.1, 1e-9) << "the other stays";
-  EXPECT_NEAR(x.at(5.0), 200.0, 1e-9) << "to both sides";
-  const Axis given{.low = 0.0, .high = 10.0};
-  PlotScale fixed = scale_of(given, {});
+TEST(PlotScale, EqualScalesLeaveAnAxisWhoseEndsAreGiven) {
+  const Axis axis, given{.low = 0.0, .high = 10.0};
+  PlotScale fixed = scale_of(given, {}), y = scale_of(axis, {0.0, 10.0}, 100.0);
   PlotScale::make_equal(fixed, y);
-  EXPECT_EQ(fixed.at(10.0), 400.0) << "its ends are given";
+  EXPECT_EQ(fixed.at(10.0), 400.0);
 }
 
 TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
@@ -83,12 +75,6 @@ TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   EXPECT_TRUE(scale_of(axis, {1e-9, 1.01e-7, 1.0}).gap());
   EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).gap());
   EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).gap()) << "nothing is empty between them";
-}
-
-TEST(PlotScale, APowerOfTenIsWrittenAsPeopleDo) {
-  EXPECT_EQ(power_of_ten(6), "10⁶");
-  EXPECT_EQ(power_of_ten(-12), "10⁻¹²");
-  EXPECT_EQ(power_of_ten(0), "10⁰");
 }
 
 TEST(PlotSvg, TextsKeepOffCurvesAndOneAnother) {
@@ -159,19 +145,6 @@ TEST(PictureFaults, FindsOverlapsCutTextsAndPaleOnes) {
   EXPECT_EQ(picture_faults("<svg><style>svg{height:auto}</style></svg>").size(), 1u);
   const Series one{.name = "a", .x = {1}, .y = {1}};
   EXPECT_EQ(shared_looks({one, one}).size(), 1u);
-}
-
-// Viridis, of which the darkest third is left out on a dark page, and the lightest on a light one.
-TEST(Look, SpeedsHaveColoursThatStandOutOnTheirPage) {
-  const auto on_dark = [](double part) {
-    return std::ranges::find(light_and_dark(), speed_colour(part),
-                             &std::pair<std::string, std::string>::first)
-        ->second;
-  };
-  EXPECT_EQ(speed_colour(0.0), "#440154");
-  EXPECT_EQ(on_dark(0.0), "#31688e");
-  EXPECT_EQ(speed_colour(1.0), "#35b779");
-  EXPECT_EQ(on_dark(1.0), "#fde725");
 }
 
 }  // namespace

@@ -7,7 +7,6 @@ import { base64, count, frame, later, load, page, textOf } from './stand_in.mjs'
 const [cells, csv, data, lists, { Moment }, numbers, { scenarioText }, replay, series, { judgementOf, verdictOf }] =
   await Promise.all(['cells', 'csv', 'data', 'lists', 'moment', 'numbers', 'record', 'replay', 'series', 'verdict'].map(load));
 
-
 // Five rows, of which every second step is recorded; the window and the sprite grow in step 5.
 const rows = { step: [0, 2, 4, 6, 8], t: [0, 0.5, 1, 2, 3], dt: [0, 0.25, 0.25, 0.5, 0.5], x: [0, 3, 6, 9, 12], y: [0, 10, 20, 30, 40],
   vx: [6, 6, 6, 6, -8], vy: [8, 10, 20, 30, 0], contact: [0, 0, 0, 0, 8] };

@@ -1,6 +1,8 @@
 // Pictures, compared with approved ones to the last line of their SVG.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/trajectory/stored_run.h"
@@ -48,6 +50,8 @@ Figure stacked_plots() {
   errors.marks = {{.at = 6.0, .text = "six", .tone = Tone::vermilion},
                   {.at = 5.9, .text = "a little earlier"},
                   {.at = 13.0, .text = "beyond"},
+                  {.at = HUGE_VAL, .text = "never"},
+                  {.is_vertical = false, .at = -HUGE_VAL, .text = "below all"},
                   {.is_vertical = false, .at = 0.1, .text = "allowed", .tone = Tone::orange}};
   errors.texts = {{9, 20, "the end"}, {9, 20, "said twice", Tone::blue}, {2, 2, "two"}};
   errors.spans = {{1, 2}, {11, 14}};

@@ -1,5 +1,4 @@
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <regex>
@@ -120,10 +119,9 @@ TEST(RunSvg, CountsAndSpeedsAreWrittenForPeople) {
   fast.start_velocity = {11'400, 0};
   rows.vx_px_per_s[0] = 11'400;
   EXPECT_TRUE(has_text(run_svg(fast, rows, {}), "11,400 px/s"));
-  EXPECT_TRUE(has_text(run_svg(fast, rows, {}), "speed, px/s"));
 }
 
-TEST(RunSvg, ARunThatBecomesNonFiniteSaysSoAndMarksThePlace) {
+TEST(RunSvg, ARunThatBecomesNonFiniteSaysSoMarksThePlaceAndLeavesOutTheseRows) {
   Columns rows = colourful_rows(100);
   const auto has_mark = [&] {
     const std::string svg = run_svg(some_fling(), rows, {});
@@ -137,10 +135,6 @@ TEST(RunSvg, ARunThatBecomesNonFiniteSaysSoAndMarksThePlace) {
   EXPECT_FALSE(has_mark());
   rows.append({100, 100.0 / 60, 1.0 / 60, std::nan(""), 500.0, std::nan(""), 0.0, 0});
   EXPECT_TRUE(has_mark());
-}
-
-TEST(RunSvg, LeavesOutRowsThatAreNotFinite) {
-  Columns rows = colourful_rows(100);
   rows.x_px[50] = std::numeric_limits<double>::quiet_NaN();
   rows.vy_px_per_s[51] = std::numeric_limits<double>::infinity();
   const std::string path = part_of(run_svg(some_fling(), rows, {}), "path of the centre");

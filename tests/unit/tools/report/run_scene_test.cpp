@@ -50,25 +50,6 @@ std::string described(const RunScene& scene) {
   return text + "\n\n";
 }
 
-TEST(RunScene, HasTheThrowsThatAreFlown) {
-  const Scenario scenario = fling_at(60.0, 90,
-                                     {{10, Fling{{1.0, 2.0}}},
-                                      {10, Stop{}},
-                                      {20, Grab{}},
-                                      {21, Fling{{3.0, 4.0}}},
-                                      {22, Release{{5.0, 6.0}}},
-                                      {30, Fling{{7.0, 8.0}}},
-                                      {30, Place{{100.0, 200.0}}}});
-  RunRecorder recorder(step_count(scenario));
-  static_cast<void>(replay(shipped_core(), scenario, recorder));
-  const StoredRun run = recorder.take();
-  const std::vector<Throw> throws = make_run_scene(scenario, run.rows, run.contacts, 640.0).throws;
-  ASSERT_EQ(throws.size(), 3u);  // The start's is the first.
-  EXPECT_EQ(throws[1].velocity.vx_px_per_s, 5.0);
-  EXPECT_EQ(throws[2].velocity.vx_px_per_s, 7.0);
-  EXPECT_EQ(throws[2].x_px, 100.0 + scenario.sprite.width_px / 2.0);
-}
-
 TEST(RunScene, OfRunsAreThoseApproved) {
   std::vector<Event> many;
   for (std::int64_t frame = 10; frame < 300; frame += 20)
@@ -77,7 +58,15 @@ TEST(RunScene, OfRunsAreThoseApproved) {
   Scenario steep = fling_at(144.0, 400, many);
   steep.window = {200, 3000};
   steep.record_every = 7;
-  Scenario fast = fling_at(24.0, 90);
+  // Of the throws one is stopped, one placed elsewhere, and one released by a hand.
+  Scenario fast = fling_at(24.0, 90,
+                           {{10, Fling{{1.0, 2.0}}},
+                            {10, Stop{}},
+                            {20, Grab{}},
+                            {21, Fling{{3.0, 4.0}}},
+                            {22, Release{{5.0, 6.0}}},
+                            {30, Fling{{7.0, 8.0}}},
+                            {30, Place{{100.0, 200.0}}}});
   fast.start_velocity = {60'000.0, -700.0};
   Scenario wide = fling_at(60.0, 60);  // Not finite at the end; more windows than are drawn.
   wide.window = {9000, 200};

@@ -54,10 +54,6 @@ class Refusal : public testing::Test {
   std::string whole_;
 };
 
-TEST_F(Refusal, DoesNotOccurForACompleteFile) {
-  EXPECT_EQ(refusal_of([&] { read_all(path_); }), "");
-}
-
 TEST_F(Refusal, OfAFileCutShortAtAnyLength) {
   const std::size_t stride = whole_.size() / 199;
   for (std::size_t length = 0; length < whole_.size(); length += stride) {
@@ -70,44 +66,40 @@ TEST_F(Refusal, OfAFileCutShortAtAnyLength) {
   }
 }
 
-TEST_F(Refusal, OfAFileOfAnotherKind) {
+TEST_F(Refusal, OfAFileOfAnotherKindAFolderAndAFileThatIsMissing) {
   for (const char* const text : {"step,t,x,y\n0,0,0,0\n", ""}) {
     write_bytes(path_, text);
     expect_refused("is not an HDF5 file, or is truncated");
   }
   ASSERT_TRUE(h5::create_file(path_, 0).is_open());
   expect_refused("attribute format: unknown format (found none); allowed: hyrax-trajectory/1");
+  EXPECT_THROW(read_all(folder_.at("")), Failure);
+  EXPECT_EQ(refusal_of([] { read_all("/no/such/run.h5"); }, ExitCode::cannot_access),
+            "/no/such/run.h5: cannot be read: No such file or directory");
 }
 
-TEST_F(Refusal, OfAMissingAttribute) {
-  for (const std::string attribute : {"scenario", "steps", "physics", "state_hash", "format"}) {
+TEST_F(Refusal, OfAnAttributeThatIsMissingOrHasAnotherValue) {
+  const auto with = [&](const std::string& sentence, const std::string& attribute, const auto&... value) {
     write_bytes(path_, whole_);
     ASSERT_GE(H5Adelete(open(), attribute.c_str()), 0);
-    expect_refused("attribute " + attribute +
-                   (attribute == "format"  ? ": unknown format (found none)"
-                    : attribute == "steps" ? ": is missing or not an integer 0 .. 1e12"
-                                           : ": is missing or not text"));
-  }
-}
-
-TEST_F(Refusal, OfAnAttributeOfAnotherValue) {
-  const auto with = [&](const char* attribute, auto value, const std::string& sentence) {
-    write_bytes(path_, whole_);
-    H5Adelete(open(), attribute);
-    h5::write_attribute(open(), attribute, value);
+    (h5::write_attribute(open(), attribute.c_str(), value), ...);
     expect_refused(sentence);
   };
+  for (const std::string attribute : {"scenario", "physics", "state_hash"}) {
+    with("attribute " + attribute + ": is missing or not text", attribute);
+    with("attribute " + attribute + ": is missing or not text", attribute, std::int64_t{1});
+  }
+  with("attribute scenario: /name: is missing", "scenario", R"({"format": "hyrax-scenario/1"})");
+  with("attribute format: unknown format (found none)", "format");
+  with("attribute format: unknown format (found none)", "format", std::int64_t{1});
+  with("attribute format: unknown format (found hyrax-trajectory/2)", "format", "hyrax-trajectory/2");
   const std::string no_steps = "attribute steps: is missing or not an integer 0 .. 1e12";
-  with("format", "hyrax-trajectory/2", "attribute format: unknown format (found hyrax-trajectory/2)");
-  with("scenario", R"({"format": "hyrax-scenario/1"})", "attribute scenario: /name: is missing");
-  with("steps", std::int64_t{331},
-       "/trajectory/step: ends at the wrong row (found 330); the attribute steps is 331");
-  with("steps", std::int64_t{-1}, no_steps);
-  with("steps", kStepsMax + 1, no_steps);
-  with("steps", "330", no_steps);
-  for (const std::string attribute : {"scenario", "physics", "state_hash"})
-    with(attribute.c_str(), std::int64_t{1}, "attribute " + attribute + ": is missing or not text");
-  with("format", std::int64_t{1}, "attribute format: unknown format (found none)");
+  with(no_steps, "steps");
+  with(no_steps, "steps", "330");
+  with(no_steps, "steps", std::int64_t{-1});
+  with(no_steps, "steps", kStepsMax + 1);
+  with("/trajectory/step: ends at the wrong row (found 330); the attribute steps is 331", "steps",
+       std::int64_t{331});
 }
 
 TEST_F(Refusal, OfAMissingDatasetOrGroup) {
@@ -228,16 +220,6 @@ TEST_F(BlockRefusal, OfAStateThatNoReplayHas) {
     set(dataset.c_str(), 1, value);
     expect_refused_as_golden(dataset + ": not a state of a replay (found " + std::to_string(value) + ")");
   }
-}
-
-TEST(Reading, AMissingFileCannotBeAccessed) {
-  EXPECT_EQ(refusal_of([] { read_all("/no/such/run.h5"); }, ExitCode::cannot_access),
-            "/no/such/run.h5: cannot be read: No such file or directory");
-}
-
-TEST(Reading, AFolderIsNoTrajectory) {
-  const TempFolder folder;
-  EXPECT_THROW(read_all(folder.at("")), Failure);
 }
 
 }  // namespace

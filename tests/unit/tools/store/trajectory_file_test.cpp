@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/unit/tools/store/stored_flings.h"
 
 namespace hyrax {
@@ -56,21 +58,6 @@ TEST_F(StoredRunFile, HoldsRowsInTheirOrderWhateverBatchesTheyComeIn) {
   EXPECT_EQ(in_place, steps + 1);
 }
 
-TEST_F(StoredRunFile, HoldsEmptyListsAsDatasetsOfLengthZero) {
-  Scenario scenario = fling_at(60.0, 3);
-  scenario.start_velocity = {};
-  write_run(path_, scenario);
-  const TrajectoryFile file(path_);
-  EXPECT_TRUE(file.contacts().empty());
-  EXPECT_TRUE(file.inputs().empty());
-  for (const char* name : {"/contacts/step", "/contacts/wall", "/contacts/overshoot", "/events/frame"})
-    EXPECT_EQ(file.column(name, std::string_view(name).ends_with("overshoot") ? H5T_FLOAT : H5T_INTEGER,
-                          std::string_view(name).ends_with("wall") ? 1 : 8)
-                  .length(),
-              0)
-        << name;
-}
-
 TEST_F(StoredRunFile, IsTheSameBytesEachTime) {
   const std::string again = folder_.at("again.h5");
   for (const std::int64_t steps : {0, 330, 70'000}) {
@@ -105,6 +92,16 @@ TEST_F(StoredRunFile, DoesNotExistBeforeItIsComplete) {
     EXPECT_EQ(folder_.names().size(), 1u);
   }
   EXPECT_TRUE(folder_.names().empty()) << "an unfinished part file is left behind";
+}
+
+TEST(InputRecord, ThatNoInputHasIsNone) {
+  EXPECT_FALSE(input_of({0, 8, 0.0, 0.0}));
+  EXPECT_FALSE(input_of({0, 3, 800.5, 600.0}));
+  EXPECT_FALSE(input_of({0, 3, -1.0, 600.0}));
+  EXPECT_FALSE(input_of({0, 4, 64.0, 1e300}));
+  EXPECT_FALSE(input_of({0, 4, std::nan(""), 32.0}));
+  EXPECT_FALSE(input_of({0, 5, 0.5, 1.0}));
+  EXPECT_FALSE(input_of({0, 6, -0.0, 0.0}));
 }
 
 }  // namespace
