@@ -201,7 +201,7 @@ class Interrupted(FilesTest):
         whole = self.whole(document(members=66_000, keep=["final", "contacts"]))
         duration_s = time.monotonic() - begin
         kills = 0
-        while kills < 10 and not (self.folder / "out.h5").exists():
+        while kills < 5 and not (self.folder / "out.h5").exists():
             with Process(PROGRAM, "sweep", "sweep.json", "--resume", "-o", "out.h5", cwd=self.folder,
                          env=NO_CLUSTER) as process:
                 time.sleep(draws.uniform(0.02, max(0.05, duration_s / 3)))
