@@ -5,6 +5,7 @@ corners with uneven clocks; of the whole run by the exact fling of tests/oracle,
 import decimal
 import math
 import random
+import re
 import statistics
 import sys
 
@@ -189,6 +190,16 @@ class Arc:
         return None
 
 
+def documented_lifts():
+    """By wall, the sign with which sim/reference/README.md counts the overshoot."""
+    text = (SOURCE / "sim/reference/README.md").read_text(encoding="utf-8")
+    signs = re.search(r"([+-]) G times the overshoot at the ground, ([+-]) G times it at the top", text).groups()
+    return {wall: 1 if sign == "+" else -1 for wall, sign in zip((GROUND, TOP), signs)}
+
+
+LIFTS = documented_lifts()
+
+
 class Numbers(DriftTest):
     def play(self, cases):
         """Each scenario, what `drift` has of it, the file of its run and the rows."""
@@ -326,6 +337,8 @@ class Numbers(DriftTest):
         self.assertEqual(contact["overshoot_px"], stored["overshoot"][index])
         parts = arc.contact_parts()
         self.check_number(contact["energy_parts"], parts, "energy_parts")
+        if wall in LIFTS:
+            self.assert_near(LIFTS[wall] * contact["overshoot_px"], parts["lift"] / GRAVITY, D("1e-6"))
         self.assert_near(contact["energy_jump_rel"], sum(parts.values()) / max(arc.largest_energy(), GRAVITY), D("1e-9"))
         impact = arc.impact(wall)
         if impact is None:

@@ -36,6 +36,18 @@ TEST(ProblemOfScenario, JitterGoesWithTheRate) {
   EXPECT_LT(largest_s, 0.0006);
 }
 
+TEST(ProblemOfScenario, AFrameIsMissedAsOftenAtEveryRate) {
+  Scenario scenario = fling();
+  scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.5, 3};
+  const Problem problem = problem_of(scenario).problem.value();
+  for (const double rate_hz : {60.0, 600.0}) {
+    const std::vector<double> frames_s = stage_frames_s(problem, rate_hz).front();
+    const auto missed =
+        std::ranges::count_if(frames_s, [&](double frame_s) { return frame_s > 1.5 / rate_hz; });
+    EXPECT_NEAR(static_cast<double>(missed) / static_cast<double>(frames_s.size()), 0.5, 0.1) << rate_hz;
+  }
+}
+
 TEST(ProblemOfScenario, IsCutOnlyAboveItsLimits) {
   Scenario scenario = fling();
   scenario.clock.base = FixedStep{0.5};
