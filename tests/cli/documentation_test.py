@@ -104,6 +104,7 @@ class Scratch:
         self.folder.mkdir()
         succeed("cp", "-R", "--parents", *self.copied, self.folder, cwd=SOURCE)
         (self.top / "bin").mkdir()
+        (self.top / "of temporary files").mkdir()
         self.text = ""  # That the last console block printed.
         return self
 
@@ -115,7 +116,8 @@ class Scratch:
         link = self.top / "bin/hyrax-sim"
         link.unlink(missing_ok=True)
         link.symlink_to(program)
-        return {**os.environ, "PATH": f"{link.parent}:{os.environ['PATH']}", "HYRAX_ALTERED_CORE": core or "none"}
+        return {**os.environ, "PATH": f"{link.parent}:{os.environ['PATH']}", "HYRAX_ALTERED_CORE": core or "none",
+                "TMPDIR": str(self.top / "of temporary files")}
 
     def run(self, command, environment):
         """Runs a command by bash; returns its exit code and its output."""

@@ -84,6 +84,9 @@ class EveryMember(SweepTest):
         assert_same_bits(self, datasets(self.folder / "beside.h5"), datasets(self.folder / "sweep.h5"), "base")
         with h5py.File(self.folder / "beside.h5") as file:
             self.assertNotIn("expect", json.loads(file.attrs["sweep"])["base"])
+        self.write("deep/base.json", fling(name=None))
+        self.sweep("deep/sweep.json", "--member", "7", "-o", "member.json")
+        self.assertEqual(json.loads((self.folder / "member.json").read_text())["name"], "base-member-7")
 
 
 class Outputs(SweepTest):

@@ -117,8 +117,10 @@ TEST_F(PetOnADesk, IsGrabbedAndLetGoWithinOneFrame) {
 
 TEST_F(PetOnADesk, DropsWhenTheHandIsTakenAway) {
   grab();
-  drag_away(10);
+  drag_away(11);  // The last of it no frame has shown.
   pet.drop(ticks);
+  EXPECT_EQ(row().x_px, hand.x_px - 64 - kDesk.origin.x_px);
+  EXPECT_EQ(row().y_px, hand.y_px - 64 - kDesk.origin.y_px);
   EXPECT_EQ(velocity(), Velocity{});
   frames(20);
   EXPECT_GT(row().vy_px_per_s, 0.0);

@@ -72,8 +72,11 @@ TEST(RunScene, OfRunsAreThoseApproved) {
   wide.window = {9000, 200};
   for (std::int64_t frame = 1; frame < 30; ++frame)
     wide.events.push_back({frame, Resize{Size{static_cast<std::int32_t>(9000 - frame), 200}, {}}});
+  Scenario endless = fling_at(60.0, 1'200, {});  // More beads than are drawn.
+  for (std::int64_t frame = 60; frame < 1'200; frame += 60)
+    endless.events.push_back({frame, Fling{{2000.0, -900.0}}});
   std::string text;
-  for (const Scenario& scenario : {eventful_fling(), steep, fast, wide}) {
+  for (const Scenario& scenario : {eventful_fling(), steep, fast, wide, endless}) {
     RunRecorder recorder(step_count(scenario));
     static_cast<void>(replay(shipped_core(), scenario, recorder));
     StoredRun run = recorder.take();
