@@ -4,7 +4,7 @@
 
 packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev
   libfmt-dev libxxhash-dev libhwy-dev nlohmann-json3-dev)
-packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev hdf5-tools git groff-base python3 python3-h5py python3-xarray python3-h5netcdf
+packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev git groff-base python3 python3-h5py python3-xarray python3-h5netcdf
   python3-jsonschema python3-xxhash locales)
 packages_for_all=(clang lld libclang-rt-dev libbenchmark-dev)
 # Compilers and emulators of tests/platforms. Not g++-multilib: it conflicts with all cross compilers.

@@ -130,7 +130,7 @@ class Seal(PairTest):
                 ("trajectory", "signal", "x", changed), ("trajectory/y", "scale", "1", changed)):
             change = lambda h5, _, change=(place, name, value): set_attribute(h5, *change)
             cases.append((change, says.replace("{place}", place).replace("{name}", name)))
-        cases.append((lambda h5, _: h5py.File(h5, "r+").create_dataset("more", data=1).file.close(), "{h5}.*/more"))
+        cases.append((lambda h5, _: h5py.File(h5, "r+").create_dataset("more", data=1).file.close(), "{h5}.*holds /more, which bless does not write"))
         self.project(*(f"case-{number}" for number in range(len(cases))))
         for number, (change, _) in enumerate(cases):
             change(*self.pair(f"case-{number}"))

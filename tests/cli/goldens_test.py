@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The folder golden/: summaries of the rows, small files and no others. `check` finds what has no scenario."""
+"""The folder golden/: a pair of files of each scenario, summaries of the rows, small files and no others."""
 
 import pathlib
 import re
@@ -71,11 +71,13 @@ class Goldens(unittest.TestCase):
         self.assertEqual(taken[:2], [core["paths"] for core in paths[:2]])
         self.assertIn(taken[2], range(1, paths[2]["paths"]))  # The control: one scenario takes some of them only.
 
-    def test_they_are_small_and_nothing_else_is_there(self):
+    def test_each_scenario_has_its_two_and_nothing_else_is_there(self):
         files = [path for path in (SOURCE / "golden").rglob("*") if path.is_file()]
         self.assertLess(sum(path.stat().st_size for path in files), BYTES_MAX)
-        self.assertEqual({path for path in files if path.suffix not in (".h5", ".txt")},
-                         {SOURCE / "golden/README.md", SOURCE / "golden/core/physics.h"})
+        scenarios = [path.relative_to(SOURCE / "scenarios") for path in (SOURCE / "scenarios").rglob("*.json")]
+        pairs = [str(path.with_suffix(suffix)) for path in scenarios for suffix in (".h5", ".txt")]
+        self.assertEqual(sorted(str(path.relative_to(SOURCE / "golden")) for path in files),
+                         sorted(["README.md", "core/accepted.txt", "core/physics.h", "core/step.txt", *pairs]))
 
 
 if __name__ == "__main__":

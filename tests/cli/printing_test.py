@@ -118,7 +118,8 @@ class Progress(ProgramTest):
             clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}})
 
     def test_fuzz_shows_how_far_it_is(self):
-        _, shown = self.on_terminal("stderr", "fuzz", "--time", "1s", "--json")
+        outcome, shown = self.on_terminal("stderr", "fuzz", "--time", "1s", "--json")
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
         self.assertRegex(shown, r"\d+ runs, [\d.e+]+ per second, [01] s left")
 
 

@@ -120,7 +120,7 @@ def at_ground(name, condition, effect="m_vx *= 0.9;"):
     return changed(name, FRICTION, f"{FRICTION}\n      if ({condition}) {effect}", condition)
 
 
-# Others are in the unit test of sim/trace, which searches as `check` does.
+# Further ones are in the unit test of sim/trace, which searches as `check` does.
 CONDITIONAL = (
     when("right_bound_of_1", "rightBound == 1.0"),
     when("window_3840_wide", "screenWidth == 3840"),

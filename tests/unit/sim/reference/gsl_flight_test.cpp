@@ -51,6 +51,27 @@ TEST(GslFlight, KeepsItsDigitsOverManyFrames) {
   EXPECT_LT(apart_px(gsl, std::vector<double>(100'000, 1e-3), kVelocity), 1e-8);
 }
 
+TEST(GslFlight, FliesTheModelAtItsOwnRate) {
+  GslFlight gsl;
+  ArcSolution closed((Model()));
+  for (const double dt_s : {1e-3, 1.0 / 60.0, 20.0}) {
+    closed.start(kVelocity, true);
+    gsl.start(kVelocity, true);
+    for (int frame = 0; frame < 50; ++frame) closed.advance(dt_s);
+    const auto model = gsl.model(50 * dt_s);
+    ASSERT_TRUE(model);
+    const Position expected = closed.model();
+    EXPECT_NEAR(model->dx_px, expected.x_px, 1e-13 * std::fabs(expected.x_px) + 1e-11) << dt_s;
+    EXPECT_NEAR(model->dy_px, expected.y_px, 1e-13 * std::fabs(expected.y_px) + 1e-11) << dt_s;
+  }
+}
+
+// The two share nothing: Halley's steps on the closed form, and Brent's method on GSL's solution.
+TEST(GslFlight, FindsTheTimeOfImpactAfterAllSpeedIsLost) {
+  const Approach fall{-300.0, 0.0, 1200.0, 100.0};
+  EXPECT_NEAR(GslFlight().time_of_impact(fall, 100.0).value().t_s, time_of_impact(fall, 100.0).value().t_s, 1e-10);
+}
+
 TEST(GslFlight, CrossesAWallAtOnceWhenOnIt) {
   GslFlight gsl;
   EXPECT_EQ(gsl.time_of_impact({0.0, 10.0, 0.0, 0.06}, 1.0)->t_s, 0.0);
