@@ -153,7 +153,7 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
   const CorePair cores{pair, *accepted_core_, core_};
   std::vector<bool> noticed(pair.differences().size());
-  std::vector<UnlistedFolder> unlisted;
+  std::vector<Failure> unlisted;
   for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
       if (std::ranges::find(noticed, false) == noticed.end()) break;
       notice(cores, load_scenario(path), noticed);
