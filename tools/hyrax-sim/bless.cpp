@@ -1,4 +1,3 @@
-
 #include <algorithm>
 
 #include "tools/app/bless/bless_report.h"
@@ -34,6 +33,7 @@ void complete(BlessRequest& request) {
     refuse_input(
         "hyrax-sim bless: --reason must say why the golden files change, as in --reason 'wider window'");
   request.options.reason = printable_lines(request.options.reason);
+  std::ranges::replace(request.options.reason, '\n', ' ');
   request.options.accepted = *std::ranges::find(kDifferenceClasses, request.accepted,
                                                 [](DifferenceClass value) { return name_of(value); });
 }
