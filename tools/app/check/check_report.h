@@ -35,7 +35,7 @@ class CheckReport {
   /// Looks for changes of the core that none of the libraries' scenarios notices.
   void judge_cores(const std::vector<Library>& libraries);
 
-  [[nodiscard]] std::int64_t count(CheckVerdict::Status status) const;
+  [[nodiscard]] std::int64_t count(CheckStatus status) const;
   /// Unreferenced golden files and folders are no scenarios.
   [[nodiscard]] std::int64_t scenario_count() const;
   /// The group of a scenario whose run differs; nullptr: it is in none.
