@@ -11,7 +11,7 @@ namespace hyrax {
 namespace {
 
 [[noreturn]] void fail_at(std::string_view pointer, const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, printable(std::string(pointer) + ": " + sentence));
+  refuse_input(printable(std::string(pointer) + ": " + sentence));
 }
 
 std::vector<std::string> tokens_of(std::string_view pointer) {

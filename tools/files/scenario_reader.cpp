@@ -200,8 +200,7 @@ std::string read_scenario_text(const std::string& path) {
   const std::string_view suffix = file_name(path).extension;
   if (suffix == ".json" && is_device_or_pipe(path))
     throw Failure(ExitCode::cannot_access, path + ": cannot be read: is a pipe or a device");
-  if (suffix == ".JSON")
-    throw Failure(ExitCode::bad_input, path + ": unknown suffix (found .JSON); allowed: .json");
+  if (suffix == ".JSON") refuse_input(path + ": unknown suffix (found .JSON); allowed: .json");
   return read_text_file(path == "-" ? "/dev/stdin" : path);
 }
 

@@ -263,8 +263,7 @@ void check_keys(const Sweep& sweep, const std::string& source) {
   Scenario base = sweep.base;
   for (const VariedKey& key : sweep.vary) {
     const std::string place = source + ": " + pointer_to("/vary", key.pointer) + ": ";
-    if (!number_at(base, key.pointer))
-      throw Failure(ExitCode::bad_input, printable(place + "is no number of a scenario"));
+    if (!number_at(base, key.pointer)) refuse_input(printable(place + "is no number of a scenario"));
   }
 }
 

@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kRowsDone = "rows_done";
 
 [[noreturn]] void refuse(const std::string& path, const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, path + ": " + sentence);
+  refuse_input(path + ": " + sentence);
 }
 
 void write_head(hid_t file, const EnsembleHead& head) {

@@ -104,9 +104,8 @@ WrittenRun write_run(const Core& core, const std::string& output, const Scenario
 }
 
 bool ScenarioRun::is_as_expected() const {
-  const bool all_hold =
-      std::all_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.holds; });
-  return all_hold && !summary.non_finite_step && (!comparison || comparison->agrees);
+  return std::ranges::all_of(expectations, &Expectation::holds) && !summary.non_finite_step &&
+         (!comparison || comparison->agrees);
 }
 
 const char* ScenarioRun::status() const {
