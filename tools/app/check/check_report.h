@@ -54,7 +54,6 @@ class CheckReport {
   std::string golden_folder_;
 };
 
-/// counts_sentence of the verdicts.
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
 
 /// The verdict on a scenario of one of its groups.
