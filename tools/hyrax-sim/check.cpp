@@ -97,7 +97,6 @@ void annotate(const CheckReport& report, const CheckRequest& request) {
     print_error(annotations.substr(0, annotations.size() - 1));  // It ends the line.
 }
 
-// What is checked.
 struct Selection {
   std::vector<std::string> paths;
   std::vector<CheckVerdict> unreferenced;  // And golden folders that cannot be read.

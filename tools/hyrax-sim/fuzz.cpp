@@ -156,8 +156,7 @@ ExitCode run_fuzz(const Core& core, const FuzzRequest& request) {
   constexpr double kLastBatch_s = 1.0;  // After the time is over.
   constexpr double kShrinking_s = 10.0;
   if (!request.against.empty()) {
-    const std::string option = "hyrax-sim fuzz: --against";
-    other.emplace(request.against, option,
+    other.emplace(request.against, "hyrax-sim fuzz: --against",
                   limits.runs ? std::nullopt : std::optional(in_s(limits.time_s + kLastBatch_s)));
   }
   const OtherProgram* const against = other ? &*other : nullptr;

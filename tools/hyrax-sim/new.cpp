@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "sim/result/number_text.h"
-#include "sim/scenario/scenario.h"
 #include "tools/app/clock/frame_times.h"
 #include "tools/app/command_line/options.h"
 #include "tools/files/json_pointer.h"

@@ -80,7 +80,6 @@ void place_on_stdout(const RunRequest& request, std::vector<Candidate>& candidat
   candidates.front().output = kStandardOutput;
 }
 
-// Sets the output of each run.
 void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Candidate>& candidates) {
   if (request.output == "-" || request.output == "/dev/stdout") return place_on_stdout(request, candidates);
   for (Candidate& candidate : candidates) {

@@ -8,7 +8,6 @@
 
 #include <sys/stat.h>
 
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"

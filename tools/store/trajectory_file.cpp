@@ -18,10 +18,6 @@
 namespace hyrax {
 namespace {
 
-[[noreturn]] void refuse_file(const std::string& path, const std::string& sentence) {
-  refuse_input(path + ": " + sentence);
-}
-
 // By the kind of lock that HDF5 takes. A file that cannot be locked at all counts as not locked.
 bool is_locked(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -33,12 +29,12 @@ bool is_locked(const std::string& path) {
 
 h5::Handle open_readable(const std::string& path) {
   if (access(path.c_str(), R_OK) != 0) fail_to_read(path, errno);
-  if (!is_regular_file(path)) refuse_file(path, "is not a regular file");
+  if (!is_regular_file(path)) refuse_input(path + ": is not a regular file");
   h5::Handle file = h5::open_file(path);
   if (!file.is_open() && is_locked(path))
     throw Failure(ExitCode::cannot_access,
                   path + ": cannot be read: locked by another program, which may be writing it");
-  if (!file.is_open()) refuse_file(path, "is not an HDF5 file, or is truncated");
+  if (!file.is_open()) refuse_input(path + ": is not an HDF5 file, or is truncated");
   return file;
 }
 
@@ -247,6 +243,6 @@ NumberColumn TrajectoryFile::column(const std::string& dataset, H5T_class_t type
   return {file_, path_, dataset, type_class, element_bytes};
 }
 
-void TrajectoryFile::refuse(const std::string& sentence) const { refuse_file(path_, sentence); }
+void TrajectoryFile::refuse(const std::string& sentence) const { refuse_input(path_ + ": " + sentence); }
 
 }  // namespace hyrax

@@ -1,8 +1,6 @@
 // The report of `check` for programs: JSON, JUnit XML, annotations.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "tools/app/check/check_report.h"
 #include "tools/app/diff/difference_text.h"
 #include "tools/app/expect/judged_run.h"

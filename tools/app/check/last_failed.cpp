@@ -6,7 +6,6 @@
 
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/json.h"
-#include "tools/files/path.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {

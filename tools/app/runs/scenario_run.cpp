@@ -13,7 +13,6 @@
 #include "tools/files/text_file.h"
 #include "tools/report/run_scene.h"
 #include "tools/store/drift_tables.h"
-#include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_writer.h"
 
 namespace hyrax {
