@@ -28,7 +28,7 @@ class Bless(ProgramTest):
 
     def test_it_makes_a_golden_file_that_check_agrees_with(self):
         self.expect(GOLDEN_MISSING, "check")
-        outcome = self.expect(AGREED, "bless", "scenarios/new.json", "--reason", os.fsdecode(b"a\x1b[31m\xff \xc3\xa9"))
+        outcome = self.expect(AGREED, "bless", "scenarios/new.json", "--reason", os.fsdecode(b"a\x1b[31m\xff\n\xc3\xa9"))
         self.assertIn("scenarios/new.json: new golden file", outcome.out)
         self.assertIn("golden/new.h5", outcome.out)
         self.assertEqual(self.names("golden"), ["a", "core", "fling.h5", "fling.txt", "new.h5", "new.txt"])

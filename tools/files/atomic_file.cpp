@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -146,10 +145,6 @@ void AtomicFile::commit_as_new() {
   if (link(part_path_.c_str(), path_.c_str()) == 0) return;
   if (errno == EEXIST || is_there(path_)) fail_to_write(path_, EEXIST);
   commit();
-}
-
-void fail_to_write(const std::string& path, int error_number) {
-  throw Failure(ExitCode::cannot_access, path + ": cannot be written: " + std::strerror(error_number));
 }
 
 }  // namespace hyrax

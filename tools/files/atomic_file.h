@@ -41,7 +41,4 @@ class AtomicFile {
 /// may not read the old file may not read the new one, nor while it is written. Not on Windows.
 void take_mode(int descriptor, const std::string& replaced, unsigned more);
 
-/// "PATH: cannot be written: REASON" for the error number that the system gave.
-[[noreturn]] void fail_to_write(const std::string& path, int error_number);
-
 }  // namespace hyrax

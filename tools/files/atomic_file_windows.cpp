@@ -1,6 +1,5 @@
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <system_error>
 
 #include <io.h>
@@ -68,10 +67,6 @@ void AtomicFile::commit() {
 void AtomicFile::commit_as_new() {
   if (!rename_to(part_path_, path_, 0)) fail_to_move(path_);
   part_path_.clear();
-}
-
-void fail_to_write(const std::string& path, int error_number) {
-  throw Failure(ExitCode::cannot_access, path + ": cannot be written: " + std::strerror(error_number));
 }
 
 }  // namespace hyrax

@@ -9,7 +9,6 @@
 
 namespace hyrax {
 
-/// How a program ended.
 struct ChildEnd {
   int exit_code = 0;  ///< 128 + the signal's number if a signal ended it, as a shell says it.
   bool is_timed_out = false;

@@ -1,6 +1,7 @@
 // How a command ends: the exit codes, and the one exception that carries them.
 #pragma once
 
+#include <cstring>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -41,6 +42,16 @@ class Failure : public std::runtime_error {
 /// Throws Failure(bad_input).
 [[noreturn]] inline void refuse_input(const std::string& sentences) {
   throw Failure(ExitCode::bad_input, sentences);
+}
+
+/// Throws Failure(cannot_access) "PATH: cannot be read: REASON" for the error number that the system gave.
+[[noreturn]] inline void fail_to_read(const std::string& path, int error_number) {
+  throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(error_number));
+}
+
+/// As fail_to_read, "PATH: cannot be written: REASON".
+[[noreturn]] inline void fail_to_write(const std::string& path, int error_number) {
+  throw Failure(ExitCode::cannot_access, path + ": cannot be written: " + std::strerror(error_number));
 }
 
 }  // namespace hyrax

@@ -83,14 +83,12 @@ std::string scenarios_folder_of(const std::string& scenario_path) {
 
 bool has_golden_file(const GoldenPlace& place) {
   if (place.is_reserved)
-    throw Failure(ExitCode::bad_input,
-                  place.h5_path +
-                      ": is where the accepted core is kept; `core` is a reserved name at "
-                      "the top of scenarios: rename that folder");
+    refuse_input(place.h5_path +
+                 ": is where the accepted core is kept; `core` is a reserved name at "
+                 "the top of scenarios: rename that folder");
   for (const std::string& path : {place.h5_path, place.txt_path})
     if (is_device_or_pipe(path))
-      throw Failure(ExitCode::bad_input,
-                    path + ": is a pipe or a device; a golden file must be a regular file");
+      refuse_input(path + ": is a pipe or a device; a golden file must be a regular file");
   return is_there(place.h5_path) && is_there(place.txt_path);
 }
 

@@ -36,8 +36,8 @@ TextPlace place_of(std::string_view text, std::size_t end) {
 [[noreturn]] void fail(std::string_view text, const std::string& source, std::size_t end,
                        const std::string& sentence) {
   const TextPlace place = place_of(text, end);
-  throw Failure(ExitCode::bad_input, source + ": line " + std::to_string(place.line) + ", column " +
-                                         std::to_string(place.column) + ": " + sentence);
+  refuse_input(source + ": line " + std::to_string(place.line) + ", column " + std::to_string(place.column) +
+               ": " + sentence);
 }
 
 // The parser quotes the whole token it was reading, of any length and with any bytes. Only its end is

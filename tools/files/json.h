@@ -62,6 +62,12 @@ class Json {
 
   /// The first member of that key; nullptr if there is none or this is not an object.
   [[nodiscard]] const Json* find(std::string_view key) const;
+  /// Its value if it is of that type, else nullptr.
+  template <class T>
+  [[nodiscard]] const T* get(std::string_view key) const {
+    const Json* const member = find(key);
+    return member == nullptr ? nullptr : member->get<T>();
+  }
 
  private:
   // A non-negative integer up to 2^64 - 1 is unsigned, a negative one signed, every other number

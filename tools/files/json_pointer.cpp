@@ -10,13 +10,13 @@
 namespace hyrax {
 namespace {
 
-[[noreturn]] void fail_at(std::string_view pointer, const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, printable(std::string(pointer) + ": " + sentence));
+[[noreturn]] void fail_at(const std::string& source, std::string_view pointer, const std::string& sentence) {
+  refuse_input((source.empty() ? "" : source + ": ") + printable(std::string(pointer) + ": " + sentence));
 }
 
-std::vector<std::string> tokens_of(std::string_view pointer) {
+std::vector<std::string> tokens_of(std::string_view pointer, const std::string& source) {
   if (std::count(pointer.begin(), pointer.end(), '/') > kJsonNestingMax)
-    fail_at(pointer.substr(0, 40), "nested more than " + std::to_string(kJsonNestingMax) + " levels");
+    fail_at(source, pointer.substr(0, 40), "nested more than " + std::to_string(kJsonNestingMax) + " levels");
   std::vector<std::string> tokens;
   for (std::size_t at = 0; at < pointer.size(); ++at) {
     const std::string_view escape = pointer.substr(at, 2);
@@ -24,9 +24,9 @@ std::vector<std::string> tokens_of(std::string_view pointer) {
     if (pointer[at] == '/')
       tokens.emplace_back();
     else if (tokens.empty())
-      fail_at(pointer, "is not a JSON Pointer; it must begin with '/', as in /clock/rate_hz");
+      fail_at(source, pointer, "is not a JSON Pointer; it must begin with '/', as in /clock/rate_hz");
     else if (pointer[at] == '~' && !is_escape)
-      fail_at(pointer, "is not a JSON Pointer; '~' is written ~0");
+      fail_at(source, pointer, "is not a JSON Pointer; '~' is written ~0");
     else
       tokens.back() += !is_escape ? pointer[at] : escape == "~1" ? '/' : '~';
     if (is_escape) ++at;
@@ -68,11 +68,11 @@ std::string pointer_to(const std::string& pointer, std::string_view token) {
   return text;
 }
 
-void set_at(Json& document, std::string_view pointer, Json value) {
+void set_at(Json& document, std::string_view pointer, Json value, const std::string& source) {
   Json* at = &document;
-  for (const std::string& token : tokens_of(pointer)) {
+  for (const std::string& token : tokens_of(pointer, source)) {
     at = member_at(*at, token);
-    if (at == nullptr) fail_at(pointer, "does not exist (found no '" + token + "')");
+    if (at == nullptr) fail_at(source, pointer, "does not exist (found no '" + token + "')");
   }
   *at = std::move(value);
 }

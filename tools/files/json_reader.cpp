@@ -35,7 +35,7 @@ void JsonProblems::throw_if_any(const std::string& source) const {
                           problem.sentence));
   if (const std::size_t more = count - listed.size(); more > 0)
     sentences.append("\n").append(printable(source)).append(": and " + std::to_string(more) + " more errors");
-  throw Failure(ExitCode::bad_input, sentences);
+  refuse_input(sentences);
 }
 
 void JsonPlace::wrong(const std::string& sentence) const {

@@ -30,7 +30,6 @@ struct JsonProblems {
   void throw_if_any(const std::string& source) const;
 };
 
-/// Which numbers are allowed.
 struct NumberRule {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();

@@ -13,6 +13,12 @@ constexpr std::string_view kSeparators = "/\\:";
 constexpr std::string_view kSeparators = "/";
 #endif
 
+// Its kind and mode; 0 if it cannot be looked at.
+unsigned mode_of(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 ? status.st_mode : 0;
+}
+
 }  // namespace
 
 FileName file_name(std::string_view path) {
@@ -29,19 +35,13 @@ bool is_there(const std::string& path) {
   return stat(path.c_str(), &status) == 0 || (errno != ENOENT && errno != ENOTDIR);
 }
 
-bool is_folder(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
-}
+bool is_folder(const std::string& path) { return S_ISDIR(mode_of(path)); }
 
-bool is_regular_file(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
-}
+bool is_regular_file(const std::string& path) { return S_ISREG(mode_of(path)); }
 
 bool is_device_or_pipe(const std::string& path) {
-  struct stat status {};
-  return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+  const unsigned mode = mode_of(path);
+  return mode != 0 && !S_ISREG(mode) && !S_ISDIR(mode);
 }
 
 }  // namespace hyrax

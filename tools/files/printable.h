@@ -8,7 +8,6 @@
 
 namespace hyrax {
 
-/// One character of a text.
 struct Utf8Character {
   std::size_t bytes = 1;   ///< 1 to 4; 1 if no character begins there.
   std::int32_t code = -1;  ///< Its code point; -1 if the byte is not UTF-8.

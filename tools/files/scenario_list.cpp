@@ -46,8 +46,8 @@ class Walk {
  private:
   void add(const fs::path& path) {
     if (++entries_ > kEntriesMax)
-      throw Failure(ExitCode::bad_input, path.string() + ": more than " + std::to_string(kEntriesMax) +
-                                             " files; name the folders one by one");
+      refuse_input(path.string() + ": more than " + std::to_string(kEntriesMax) +
+                   " files; name the folders one by one");
     std::error_code unknown;
     const fs::file_status status = fs::status(path, unknown);
     if (fs::is_directory(status)) return enter(path);
@@ -66,7 +66,7 @@ class Walk {
 std::vector<std::string> scenarios_in(const std::string& folder) {
   Walk walk;
   walk.enter(folder);
-  if (walk.paths.empty()) throw Failure(ExitCode::bad_input, folder + ": no scenario found (*.json)");
+  if (walk.paths.empty()) refuse_input(folder + ": no scenario found (*.json)");
   std::sort(walk.paths.begin(), walk.paths.end());
   return std::move(walk.paths);
 }
@@ -74,7 +74,7 @@ std::vector<std::string> scenarios_in(const std::string& folder) {
 }  // namespace
 
 std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments,
-                                        std::vector<UnlistedFolder>& unlisted) {
+                                        std::vector<Failure>& unlisted) {
   std::vector<std::string> paths;
   for (const std::string& argument : arguments) {
     if (!is_folder(argument)) {
@@ -84,24 +84,23 @@ std::vector<std::string> list_scenarios(const std::vector<std::string>& argument
     try {
       std::ranges::move(scenarios_in(argument), std::back_inserter(paths));
     } catch (const Failure& failure) {
-      unlisted.push_back({argument, failure});
+      unlisted.push_back(failure);
     }
   }
   return paths;
 }
 
 std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments) {
-  std::vector<UnlistedFolder> unlisted;
+  std::vector<Failure> unlisted;
   std::vector<std::string> paths = list_scenarios(arguments, unlisted);
-  if (!unlisted.empty()) throw unlisted.front().failure;
+  if (!unlisted.empty()) throw unlisted.front();
   return paths;
 }
 
 void set_default_folders(std::vector<std::string>& arguments, std::string& golden_folder) {
   if (!arguments.empty()) return;
   if (!is_folder("scenarios"))
-    throw Failure(ExitCode::bad_input,
-                  "scenarios: no such folder in the current one; name the scenarios or folders to check");
+    refuse_input("scenarios: no such folder in the current one; name the scenarios or folders to check");
   arguments = {"scenarios"};
   if (golden_folder.empty()) golden_folder = "golden";
 }

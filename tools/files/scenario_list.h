@@ -15,15 +15,10 @@ namespace hyrax {
 /// ERRORS: Failure(bad_input) if a folder has no scenario, or more than a million files.
 [[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments);
 
-/// A folder that list_scenarios refuses.
-struct UnlistedFolder {
-  std::string path;
-  Failure failure;
-};
-
-/// As above, but folders that it would refuse are added to `unlisted`, and the others are listed.
+/// As above, but its failures are added to `unlisted`, one a folder that it refuses, and the others are
+/// listed.
 [[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments,
-                                                      std::vector<UnlistedFolder>& unlisted);
+                                                      std::vector<Failure>& unlisted);
 
 /// With no arguments: `scenarios` of the current folder, and its `golden` if no golden folder was given.
 /// ERRORS: Failure(bad_input) if there are no arguments and no folder `scenarios`.

@@ -53,8 +53,7 @@ std::optional<Interval> read_count(const JsonPlace& here) {
 
 std::optional<std::string> read_hash(const JsonPlace& here) {
   const auto text = here.text();
-  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-  if (text && (text->size() != 32 || !std::all_of(text->begin(), text->end(), is_digit)))
+  if (text && (text->size() != 32 || text->find_first_not_of("0123456789abcdef") != std::string::npos))
     here.breaks_rule("must be 32 hex digits, 0-9 and a-f");
   return text;
 }

@@ -44,12 +44,6 @@ void read_start(const JsonPlace& here, Scenario& scenario) {
                              here.member("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
 }
 
-std::vector<std::string_view> jitter_kinds() {
-  std::vector<std::string_view> kinds;
-  for (const JitterRule& rule : kJitterRules) kinds.push_back(rule.kind);
-  return kinds;
-}
-
 // If the kind is unknown, the keys of all kinds are allowed, each with its own rule.
 Jitter read_jitter_of_unknown_kind(const JsonPlace& here) {
   static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
@@ -67,7 +61,9 @@ Jitter read_jitter(const JsonPlace& here) {
   const auto kind = here.required("kind").text();
   const auto rule = std::ranges::find_if(kJitterRules, [&](const JitterRule& r) { return kind == r.kind; });
   if (rule == kJitterRules.end()) {
-    if (kind) here.member("kind").wrong(unknown_word("value", *kind, jitter_kinds()));
+    std::vector<std::string_view> kinds;
+    for (const JitterRule& each : kJitterRules) kinds.push_back(each.kind);
+    if (kind) here.member("kind").wrong(unknown_word("value", *kind, kinds));
     return read_jitter_of_unknown_kind(here);
   }
   static_cast<void>(here.is_object_of({"kind", rule->amount_key, "seed"}));
@@ -189,19 +185,14 @@ Scenario to_scenario(const Json& document, const std::string& source, const std:
 }
 
 void replace_value(Json& document, const Override& given, const std::string& source) {
-  try {
-    set_at(document, given.pointer, value_of(given));
-  } catch (const Failure& failure) {
-    throw Failure(failure.exit_code(), source + ": " + failure.what());
-  }
+  set_at(document, given.pointer, value_of(given), source);
 }
 
 std::string read_scenario_text(const std::string& path) {
   const std::string_view suffix = file_name(path).extension;
   if (suffix == ".json" && is_device_or_pipe(path))
     throw Failure(ExitCode::cannot_access, path + ": cannot be read: is a pipe or a device");
-  if (suffix == ".JSON")
-    throw Failure(ExitCode::bad_input, path + ": unknown suffix (found .JSON); allowed: .json");
+  if (suffix == ".JSON") refuse_input(path + ": unknown suffix (found .JSON); allowed: .json");
   return read_text_file(path == "-" ? "/dev/stdin" : path);
 }
 

@@ -9,26 +9,25 @@ bool is_hash(const std::string& text) {
   return text.size() == kHashDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-// Of the first line that begins with the key, not counting the first line of all; empty: there is none.
-std::string value_of(const std::string& text, std::string_view key) {
+std::string hash_of(const std::string& text, std::string_view key) {
+  const std::string hash = line_value(text, key);
+  return is_hash(hash) ? hash : "";
+}
+
+}  // namespace
+
+std::string line_value(const std::string& text, std::string_view key) {
   const std::size_t line = text.find(std::string("\n").append(key));
   if (line == std::string::npos) return "";
   const std::size_t begin = line + 1 + key.size();
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-std::string hash_of(const std::string& text, std::string_view key) {
-  const std::string hash = value_of(text, key);
-  return is_hash(hash) ? hash : "";
-}
-
-}  // namespace
-
 bool is_summary(const std::string& text) {
   return text.starts_with("scenario: ") && !summary_state_hash(text).empty() && summary_file_checksum(text);
 }
 
-std::string summary_reason(const std::string& text) { return value_of(text, kReasonKey); }
+std::string summary_reason(const std::string& text) { return line_value(text, kReasonKey); }
 
 std::string summary_state_hash(const std::string& text) { return hash_of(text, kStateHashKey); }
 

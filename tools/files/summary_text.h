@@ -16,6 +16,10 @@ inline constexpr std::string_view kChecksumsKey = "checksums: ";
 inline constexpr char kConvertedLineEnds[] =
     "its line ends were converted to CR LF; a line `golden/** -text` in .gitattributes keeps Git from it";
 
+/// The rest of the first line that begins with the key, not counting the first line of all; empty: there is
+/// none.
+[[nodiscard]] std::string line_value(const std::string& text, std::string_view key);
+
 /// Whether bless wrote the text: it has the first line, the state hash and the checksums of a summary.
 [[nodiscard]] bool is_summary(const std::string& text);
 

@@ -231,7 +231,7 @@ class MemberReader {
     const std::string place = source_ + ": member " + std::to_string(member);
     Json document = base_;
     for (std::size_t key = 0; key < sweep_.vary.size(); ++key)
-      set(document, key, value_of(sweep_, key, member), place);
+      set_at(document, sweep_.vary[key].pointer, json_of(value_of(sweep_, key, member)), place);
     return to_scenario(document, place, "");
   }
 
@@ -240,19 +240,12 @@ class MemberReader {
     const std::string place = source_ + ": " + pointer_to("/vary", sweep_.vary[changed].pointer);
     Json document = base_;
     for (std::size_t key = 0; key < sweep_.vary.size(); ++key)
-      set(document, key, key == changed ? value : value_of(sweep_, key, 0), place);
+      set_at(document, sweep_.vary[key].pointer, json_of(key == changed ? value : value_of(sweep_, key, 0)),
+             place);
     static_cast<void>(to_scenario(document, place, ""));
   }
 
  private:
-  void set(Json& document, std::size_t key, const SweepNumber& value, const std::string& place) const {
-    try {
-      set_at(document, sweep_.vary[key].pointer, json_of(value));
-    } catch (const Failure& failure) {
-      throw Failure(failure.exit_code(), place + ": " + failure.what());
-    }
-  }
-
   const Json& base_;
   const Sweep& sweep_;
   std::string source_;
@@ -263,8 +256,7 @@ void check_keys(const Sweep& sweep, const std::string& source) {
   Scenario base = sweep.base;
   for (const VariedKey& key : sweep.vary) {
     const std::string place = source + ": " + pointer_to("/vary", key.pointer) + ": ";
-    if (!number_at(base, key.pointer))
-      throw Failure(ExitCode::bad_input, printable(place + "is no number of a scenario"));
+    if (!number_at(base, key.pointer)) refuse_input(printable(place + "is no number of a scenario"));
   }
 }
 

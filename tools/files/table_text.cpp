@@ -10,8 +10,8 @@
 namespace hyrax {
 namespace {
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
   for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
   return quoted + "\"";
@@ -22,7 +22,6 @@ std::string csv_field(std::uint64_t value) { return std::to_string(value); }
 std::string csv_field(const std::optional<std::int64_t>& value) {
   return value ? std::to_string(*value) : std::string();
 }
-std::string csv_field(std::string_view value) { return csv_field(std::string(value)); }
 std::string csv_field(bool value) { return value ? "true" : "false"; }
 std::string csv_field(const Table&) {
   assert(false);

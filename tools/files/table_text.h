@@ -22,7 +22,6 @@ namespace hyrax {
 /// `members`, which has no value of its own; see add_members.
 [[nodiscard]] Json json_of(const Table& table);
 
-/// The column's key in JSON.
 [[nodiscard]] std::string key_of(const Column& column);
 
 /// Adds each table to an object: its first row's values if its shape is `members`, else one member of its

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 
 #include "tools/files/atomic_file.h"
@@ -14,10 +13,6 @@ namespace {
 
 // A recorded clock of ten million frames takes half of it; a device may never end.
 constexpr std::size_t kTextMax = 256 << 20;
-
-[[noreturn]] void fail_to_read(const std::string& path, int error_number) {
-  throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(error_number));
-}
 
 }  // namespace
 
@@ -37,16 +32,15 @@ std::string read_text_file(const std::string& path) {
   std::string text;
   read_pieces(path, [&](std::string_view piece) {
     text.append(piece);
-    if (text.size() > kTextMax)
-      throw Failure(ExitCode::bad_input, path + ": is too large; a text file has at most 256 MiB");
+    if (text.size() > kTextMax) refuse_input(path + ": is too large; a text file has at most 256 MiB");
   });
   return text;
 }
 
-void write_text_file(const std::string& path, std::string_view text) {
+void write_text_file(const std::string& path, std::string_view text, bool may_replace) {
   AtomicFile file(path);
   file.write(text);
-  file.commit();
+  may_replace ? file.commit() : file.commit_as_new();
 }
 
 }  // namespace hyrax

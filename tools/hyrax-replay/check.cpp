@@ -91,10 +91,10 @@ ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
 
 ExitCode check(const Core& core, std::vector<std::string> files, std::string golden_folder) {
   set_default_folders(files, golden_folder);
-  std::vector<UnlistedFolder> unlisted;
+  std::vector<Failure> unlisted;
   const std::vector<std::string> paths = list_scenarios(files, unlisted);
   const std::vector<UnreferencedGolden> unreferenced = find_unreferenced(files, golden_folder);
-  if (paths.empty() && unreferenced.empty()) throw unlisted.front().failure;
+  if (paths.empty() && unreferenced.empty()) throw unlisted.front();
   std::vector<CheckStatus> statuses;
   std::int64_t folders_failed = 0;
   ExitCode exit_code = ExitCode::agreed;
@@ -109,9 +109,9 @@ ExitCode check(const Core& core, std::vector<std::string> files, std::string gol
                  printable(verdict.sentence) + "\n");
   };
   for (const std::string& path : paths) report(verdict_on(core, path, golden_folder));
-  for (const UnlistedFolder& folder : unlisted) {
-    print_error(folder.failure.what());
-    exit_code = more_serious(exit_code, folder.failure.exit_code());
+  for (const Failure& failure : unlisted) {
+    print_error(failure.what());
+    exit_code = more_serious(exit_code, failure.exit_code());
   }
   for (const UnreferencedGolden& golden : unreferenced) report(verdict_on(golden));
   print_text(counts_sentence(statuses, folders_failed) + "\n");

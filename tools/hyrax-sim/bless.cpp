@@ -1,4 +1,3 @@
-
 #include <algorithm>
 
 #include "tools/app/bless/bless_report.h"
@@ -34,6 +33,7 @@ void complete(BlessRequest& request) {
     refuse_input(
         "hyrax-sim bless: --reason must say why the golden files change, as in --reason 'wider window'");
   request.options.reason = printable_lines(request.options.reason);
+  std::ranges::replace(request.options.reason, '\n', ' ');
   request.options.accepted = *std::ranges::find(kDifferenceClasses, request.accepted,
                                                 [](DifferenceClass value) { return name_of(value); });
 }
@@ -92,13 +92,9 @@ ExitCode bless(const Core& core, BlessRequest& request) {
   return exit_code;
 }
 
-std::vector<std::string> class_names() {
-  std::vector<std::string> names;
-  for (const DifferenceClass difference : kDifferenceClasses) names.emplace_back(name_of(difference));
-  return names;
-}
-
 void declare(Options& options, BlessRequest& request) {
+  std::vector<std::string> class_names;
+  for (const DifferenceClass difference : kDifferenceClasses) class_names.emplace_back(name_of(difference));
   options.files(request.files, {"SCENARIO or DIR", "", "scenario files, or folders of them"}, 0, -1);
   options.text(request.options.reason,
                {"--reason", "TEXT", "why they change; recorded in the summary (required)"});
@@ -106,7 +102,7 @@ void declare(Options& options, BlessRequest& request) {
                  {"--accept", "CLASS",
                   "the widest difference that may be blessed (default: rounding); new scenarios and those "
                   "whose own text changed need none"},
-                 class_names());
+                 class_names);
   options.flag(request.is_dry_run, {"--dry-run", "", "show what would change; write nothing"});
   options.flag(request.options.updates_hash,
                {"--update-hash", "",

@@ -97,14 +97,11 @@ void annotate(const CheckReport& report, const CheckRequest& request) {
     print_error(annotations.substr(0, annotations.size() - 1));  // It ends the line.
 }
 
-// What is checked.
 struct Selection {
   std::vector<std::string> paths;
   std::vector<CheckVerdict> unreferenced;  // And golden folders that cannot be read.
-  std::vector<UnlistedFolder> unlisted;
+  std::vector<Failure> unlisted;
 };
-
-bool is_folder_failure(const CheckVerdict& verdict) { return verdict.status == CheckStatus::failed; }
 
 // Whether only those that failed when the folder was last checked are left.
 bool narrow(const CheckRequest& request, const LastFailed& last_failed, Selection& selection) {
@@ -120,7 +117,7 @@ bool narrow(const CheckRequest& request, const LastFailed& last_failed, Selectio
   };
   std::erase_if(selection.paths, is_left_out);
   std::erase_if(selection.unreferenced, [&](const CheckVerdict& verdict) {
-    return !is_folder_failure(verdict) && is_left_out(verdict.path);
+    return verdict.status != CheckStatus::failed && is_left_out(verdict.path);
   });
   return takes_failed;
 }
@@ -136,16 +133,16 @@ Selection select(const CheckRequest& request, const LastFailed& last_failed) {
   selection.unreferenced = unreferenced_verdicts(request.files, request.golden_folder);
   const bool takes_failed = narrow(request, last_failed, selection);
   if (!selection.paths.empty() || !selection.unreferenced.empty()) return selection;
-  if (!selection.unlisted.empty()) throw selection.unlisted.front().failure;
+  if (!selection.unlisted.empty()) throw selection.unlisted.front();
   const std::string which = takes_failed ? " that failed when this folder was last checked" : "";
   refuse_input("hyrax-sim check: --filter: no path" + which + " contains it (found " + request.filter + ")");
 }
 
 // What keeps scenarios from being found.
 void add_failures(const Selection& selection, Outcomes& outcomes) {
-  for (const UnlistedFolder& folder : selection.unlisted) {
-    print_error(folder.failure.what());
-    outcomes.add(folder.failure.exit_code());
+  for (const Failure& failure : selection.unlisted) {
+    print_error(failure.what());
+    outcomes.add(failure.exit_code());
   }
 }
 

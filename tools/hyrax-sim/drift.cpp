@@ -6,7 +6,6 @@
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/outcomes.h"
 #include "tools/app/drift/drift.h"
-#include "tools/app/play/golden_run.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"

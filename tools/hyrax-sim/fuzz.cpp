@@ -59,10 +59,6 @@ FuzzLimits limits_of(const FuzzRequest& request) {
   return limits;
 }
 
-std::string numbered(const std::string& name, int number) {
-  return number == 1 ? name : fmt::format("{}-{}", name, number);
-}
-
 std::string shrunk_text(const Shrunk& shrunk) {
   if (!shrunk.fails_again) return "Not shrunk: it did not fail again.";
   return shrunk.is_complete ? "Shrunk." : "Shrunk as far as the limit of trials and time allowed.";
@@ -82,7 +78,7 @@ std::string write_failure(const FuzzRequest& request, const FuzzLimits& limits, 
   Scenario& scenario = shrunk.scenario;
   std::string path;
   for (int number = 1; path.empty() || is_there(path); ++number) {
-    scenario.name = numbered(failure.scenario.name, number);
+    scenario.name = failure.scenario.name + (number == 1 ? "" : fmt::format("-{}", number));
     path = (std::filesystem::path(request.folder) / (scenario.name + ".json")).string();
     if (request.folder == ".") path = scenario.name + ".json";
   }
@@ -160,8 +156,7 @@ ExitCode run_fuzz(const Core& core, const FuzzRequest& request) {
   constexpr double kLastBatch_s = 1.0;  // After the time is over.
   constexpr double kShrinking_s = 10.0;
   if (!request.against.empty()) {
-    const std::string option = "hyrax-sim fuzz: --against";
-    other.emplace(request.against, option,
+    other.emplace(request.against, "hyrax-sim fuzz: --against",
                   limits.runs ? std::nullopt : std::optional(in_s(limits.time_s + kLastBatch_s)));
   }
   const OtherProgram* const against = other ? &*other : nullptr;

@@ -2,12 +2,11 @@
 #include <optional>
 
 #include "sim/result/number_text.h"
-#include "sim/scenario/scenario.h"
 #include "tools/app/clock/frame_times.h"
 #include "tools/app/command_line/options.h"
-#include "tools/files/atomic_file.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -60,9 +59,7 @@ ExitCode write_new(const NewRequest& request) {
   std::vector<std::string> inputs;
   if (frames) inputs.push_back(request.clock.path);
   OutputGuard(inputs).admit_scenario("hyrax-sim new", path, request.is_forced);
-  AtomicFile file(path);
-  file.write(to_text(document, 1) + "\n");
-  request.is_forced ? file.commit() : file.commit_as_new();
+  write_text_file(path, to_text(document, 1) + "\n", request.is_forced);
   if (request.printing.is_json) {
     Json::Object written{{"scenario", path}, {"steps", steps}};
     if (frames && frames->dropped) written.emplace_back("dropped", *frames->dropped);

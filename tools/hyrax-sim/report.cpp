@@ -54,7 +54,6 @@ Command report_command() {
           "hyrax-sim report first-fling.h5 -o first-fling.html\n"
           "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html\n"
           "  hyrax-sim report speed-error.h5 -o speed-error.html",
-      .is_common = false,
       .declare = with_request<ReportArguments>(declare, write_page)};
 }
 

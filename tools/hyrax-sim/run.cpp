@@ -80,7 +80,6 @@ void place_on_stdout(const RunRequest& request, std::vector<Candidate>& candidat
   candidates.front().output = kStandardOutput;
 }
 
-// Sets the output of each run.
 void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Candidate>& candidates) {
   if (request.output == "-" || request.output == "/dev/stdout") return place_on_stdout(request, candidates);
   for (Candidate& candidate : candidates) {
@@ -97,11 +96,6 @@ void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Ca
       refuse_input("hyrax-sim run: --rows: not possible in a CSV file (found " + candidate.output +
                    "); allowed: .h5");
   }
-}
-
-void make_output_folder(const RunRequest& request, std::size_t scenarios) {
-  if (!request.output.empty() && writes_into_folder(request, scenarios))
-    make_folder(request.output, "cannot be created");
 }
 
 std::optional<StoredDrift> stored_drift(const Core& core, const RunRequest& request) {
@@ -209,8 +203,10 @@ ExitCode run(const Core& core, RunRequest request) {
     require_page();
   }
   const std::optional<StoredDrift> drift = stored_drift(core, request);
-  if (std::any_of(candidates.begin(), candidates.end(), [](const auto& each) { return each.scenario; }))
-    make_output_folder(request, candidates.size());
+  const bool has_scenario =
+      std::ranges::any_of(candidates, [](const Candidate& each) { return each.scenario.has_value(); });
+  if (has_scenario && !request.output.empty() && writes_into_folder(request, candidates.size()))
+    make_folder(request.output, "cannot be created");
   Outcomes outcomes;
   for (const Candidate& candidate : candidates)
     outcomes.attempt(candidate.path, [&] { run_one(core, request, drift, candidate, outcomes); });

@@ -7,7 +7,6 @@
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/search/broken_rule.h"
-#include "tools/files/atomic_file.h"
 #include "tools/files/child_process.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
@@ -16,6 +15,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/temporary_folder.h"
+#include "tools/files/text_file.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -121,19 +121,6 @@ ShrinkOutcome shrink_against(const Core& core, const ShrinkRequest& request, con
           shrink_broken(core, scenario, *broken, &other)};
 }
 
-void admit_output(const ShrinkRequest& request) {
-  constexpr char kOption[] = "hyrax-sim shrink: -o";
-  if (file_name(request.output).extension != ".json")
-    refuse_input(fmt::format("{}: unknown suffix (found {}); allowed: .json", kOption, request.output));
-  OutputGuard(request.files).admit_scenario(kOption, request.output, request.is_forced);
-}
-
-void write_shrunk(const ShrinkRequest& request, const Scenario& scenario) {
-  AtomicFile file(request.output);
-  file.write(scenario_file_text(scenario));
-  request.is_forced ? file.commit() : file.commit_as_new();
-}
-
 Json size_json(const Scenario& scenario) {
   return Json::Object{{"steps", step_count(scenario)},
                       {"events", static_cast<std::int64_t>(scenario.events.size())}};
@@ -162,7 +149,8 @@ ExitCode run_shrink(const Core& core, const ShrinkRequest& request) {
     refuse_input("hyrax-sim shrink: --fails, --against: exactly one is needed");
   if (request.output.empty())
     refuse_input("hyrax-sim shrink: -o: is missing; name the file of the smaller scenario");
-  admit_output(request);
+  OutputGuard(request.files)
+      .admit_scenario("hyrax-sim shrink: -o", request.output, request.is_forced, {".json"});
   const Scenario scenario = load_scenario(request.files.front());
   ShrinkOutcome outcome = request.fails.empty() ? shrink_against(core, request, scenario)
                                                 : shrink_by_command(core, request, scenario);
@@ -172,7 +160,7 @@ ExitCode run_shrink(const Core& core, const ShrinkRequest& request) {
   outcome.shrunk.scenario.description =
       fmt::format("Shrunk from {}, {}; kept: {}.", scenario.name,
                   plain_counted(step_count(scenario), "frame"), outcome.kept);
-  write_shrunk(request, outcome.shrunk.scenario);
+  write_text_file(request.output, scenario_file_text(outcome.shrunk.scenario), request.is_forced);
   print_shrunk(request, scenario, outcome);
   return ExitCode::agreed;
 }

@@ -9,10 +9,10 @@
 #include "tools/app/command_line/part.h"
 #include "tools/app/command_line/workers.h"
 #include "tools/app/sweep/sweep_run.h"
-#include "tools/files/atomic_file.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/sweep_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -66,9 +66,7 @@ ExitCode write_member(const SweepRequest& request) {
         fmt::format("--member: must be 0 .. {} (found {})", file.sweep.members - 1, *request.member));
   guard_of(path, file).admit_scenario(kOutputOption, request.output, request.is_forced);
   const Scenario scenario = member_scenario(file.sweep, *request.member);
-  AtomicFile output(request.output);
-  output.write(scenario_file_text(scenario));
-  request.is_forced ? output.commit() : output.commit_as_new();
+  write_text_file(request.output, scenario_file_text(scenario), request.is_forced);
   report(request, "written: " + request.output,
          Json::Object{{"member", *request.member}, {"scenario", request.output}});
   return ExitCode::agreed;

@@ -21,10 +21,6 @@ namespace {
 
 constexpr const char* kRowsDone = "rows_done";
 
-[[noreturn]] void refuse(const std::string& path, const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, path + ": " + sentence);
-}
-
 void write_head(hid_t file, const EnsembleHead& head) {
   h5::write_attribute(file, "format", kEnsembleFormat);
   h5::write_attribute(file, "sweep", head.sweep_text);
@@ -132,14 +128,15 @@ EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head
 void EnsembleWriter::open(const EnsembleHead& head, const Sweep& sweep) {
   file_ = h5::open_file_to_write(path_);
   const auto found = file_.is_open() ? read_head(file_) : std::nullopt;
-  if (!found) refuse(path_, "is no sweep's file that can be continued; `--force` starts over");
-  if (*found != head) refuse(path_, "is of another sweep, part or physics model; `--force` starts over");
+  if (!found) refuse_input(path_ + ": is no sweep's file that can be continued; `--force` starts over");
+  if (*found != head)
+    refuse_input(path_ + ": is of another sweep, part or physics model; `--force` starts over");
   const std::int64_t rows = head.part.rows(head.members);
   auto datasets = open_tables(file_, ensemble_tables(sweep, head.part, 0, {}), rows);
   done_ = h5::Handle(H5Aopen(file_, kRowsDone, H5P_DEFAULT), H5Aclose);
   rows_done_ = h5::read_integer_attribute(file_, kRowsDone).value_or(done_.is_open() ? -1 : rows);
   if (rows_done_ < 0 || rows_done_ > rows || datasets.empty())
-    refuse(path_, "is damaged; `--force` starts over");
+    refuse_input(path_ + ": is damaged; `--force` starts over");
   groups_.clear();
   for (std::vector<h5::Handle>& each : datasets)
     groups_.emplace_back(std::move(each), static_cast<hsize_t>(rows_done_));
@@ -170,15 +167,16 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
   const auto open = [&] {
     file_ = h5::open_file(path);
     const auto head = file_.is_open() ? read_head(file_) : std::nullopt;
-    if (!head) refuse(path, "is no result file of a sweep (" + std::string(kEnsembleFormat) + ")");
+    if (!head) refuse_input(path + ": is no result file of a sweep (" + std::string(kEnsembleFormat) + ")");
     head_ = *head;
     if (const auto done = h5::read_integer_attribute(file_, kRowsDone))
-      refuse(path, fmt::format("is not complete: {} of {} members are done; continue it with --resume", *done,
+      refuse_input(path + ": " +
+                   fmt::format("is not complete: {} of {} members are done; continue it with --resume", *done,
                                rows()));
     sweep_ = parse_sweep(head_.sweep_text, path + ": sweep", SweepCheck::first_member).sweep;
     tables_ = ensemble_tables(sweep_, head_.part, 0, {});
     datasets_ = open_tables(file_, tables_, rows());
-    if (datasets_.empty()) refuse(path, "is damaged: a column is missing, or has another length");
+    if (datasets_.empty()) refuse_input(path + ": is damaged: a column is missing, or has another length");
   };
   read_isolated(path, open);
   open();
@@ -195,8 +193,9 @@ Column EnsembleReader::read(std::size_t table, std::size_t column, std::int64_t 
   const auto bytes = bytes_of(read);
   const auto differing = std::ranges::mismatch(bytes, bytes_of(said)).in1 - bytes.begin();
   if (const auto row = differing / static_cast<std::ptrdiff_t>(sizeof(double)); row < count)
-    refuse(path_, fmt::format("inputs/{}: the input of member {} is not the sweep's: the file was changed",
-                              read.name, head_.part.member(first_row + row)));
+    refuse_input(path_ + ": " +
+                 fmt::format("inputs/{}: the input of member {} is not the sweep's: the file was changed",
+                             read.name, head_.part.member(first_row + row)));
   return read;
 }
 

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "sim/trajectory/physics_model.h"
+#include "tools/files/failure.h"
 #include "tools/store/isolated_read.h"
 #include "tools/store/trajectory_file.h"
 #include "tools/store/trajectory_parts.h"

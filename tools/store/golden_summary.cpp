@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "tools/files/json.h"
@@ -66,19 +65,17 @@ std::string waypoints_text(const Waypoints& waypoints) {
   return text;
 }
 
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
 // Hashes values in the same byte order on every machine.
 class ContentsHash {
  public:
   void add(std::string_view text) {
     add(static_cast<std::int64_t>(text.size()));
-    hash_.add(std::as_bytes(std::span(text.data(), text.size())));
+    hash_.add(std::as_bytes(std::span(text)));
   }
-  void add(double value) { add_bits(little_endian_bits(value)); }
+  void add(double value) {
+    const std::uint64_t bits = little_endian_bits(value);
+    hash_.add(std::as_bytes(std::span(&bits, 1)));
+  }
   void add(std::int64_t value) { add(std::bit_cast<double>(value)); }
   void add(const Row& row) {
     for (const RowColumn& column : kRowColumns) add(column.number(row).value());
@@ -92,7 +89,6 @@ class ContentsHash {
   [[nodiscard]] std::string value() const { return hex(hash_.value()); }
 
  private:
-  void add_bits(std::uint64_t bits) { hash_.add(std::as_bytes(std::span(&bits, 1))); }
   ByteHash hash_;
 };
 
@@ -177,7 +173,7 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
   if (!checksums.core.empty()) text += fmt::format("{}{}\n", kCoreKey, checksums.core);
   text += kReasonKey;
-  return text + one_line(reason) + "\n" + checksums_line(text, checksums.contents, checksums.file);
+  return text + reason + "\n" + checksums_line(text, checksums.contents, checksums.file);
 }
 
 bool has_checksums(const std::string& text, const std::string& contents, const std::string& file) {

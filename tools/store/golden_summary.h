@@ -25,7 +25,7 @@ struct GoldenChecksums {
 [[nodiscard]] std::string file_checksum(const std::string& path);
 
 /// The run for review in a diff: what moved shows in lines of decimal px.
-/// @param reason given to bless; line ends become blanks.
+/// @param reason given to bless. REQUIRES: one line.
 /// @param margin how far the start may move before a contact changes; no line if empty.
 [[nodiscard]] std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
                                               const Waypoints& waypoints, const std::string& reason,

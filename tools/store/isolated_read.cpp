@@ -136,12 +136,10 @@ std::uint64_t bytes_of(const std::string& path) {
 
 void read_isolated(const std::string& path, const std::function<void()>& read) {
   if (is_child || read_before.contains(version_of(path))) return;
-  if (access(path.c_str(), R_OK) != 0)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
+  if (access(path.c_str(), R_OK) != 0) fail_to_read(path, errno);
   const int status = status_of_child(path, bytes_of(path), read);
   if (status != survived)
-    throw Failure(ExitCode::bad_input,
-                  path + ": is damaged: " + damage_of(status) + "; copy it again, or write it again");
+    refuse_input(path + ": is damaged: " + damage_of(status) + "; copy it again, or write it again");
 }
 
 void read_isolated_together(const std::vector<std::string>& paths,

@@ -8,7 +8,6 @@
 
 #include <sys/stat.h>
 
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
@@ -42,8 +41,7 @@ bool holds_scenario(const std::string& path) {
 }
 
 [[noreturn]] void refuse(const std::string& option, const std::string& what, const std::string& path) {
-  throw Failure(ExitCode::bad_input,
-                option + ": would overwrite " + what + " (found " + path + "); name another file");
+  refuse_input(option + ": would overwrite " + what + " (found " + path + "); name another file");
 }
 
 bool is_beside_scenarios(const fs::path& folder) {
@@ -57,8 +55,7 @@ void require_suffix(const std::string& option, const std::string& path,
     if (file_name(path).extension == suffix) return;
     allowed += (allowed.empty() ? "" : ", ") + suffix;
   }
-  if (!allowed.empty())
-    throw Failure(ExitCode::bad_input, option + ": unknown suffix (found " + path + "); allowed: " + allowed);
+  if (!allowed.empty()) refuse_input(option + ": unknown suffix (found " + path + "); allowed: " + allowed);
 }
 
 }  // namespace
@@ -134,7 +131,9 @@ void OutputGuard::admit_file(const std::string& option, const std::string& path,
   if (!folder.empty() && !is_folder(folder.string())) fail_to_write(path, ENOENT);
 }
 
-void OutputGuard::admit_scenario(const std::string& option, const std::string& path, bool is_forced) {
+void OutputGuard::admit_scenario(const std::string& option, const std::string& path, bool is_forced,
+                                 const std::vector<std::string>& suffixes) {
+  require_suffix(option, path, suffixes);
   admit_any(option, path);
   if (!is_forced && is_there(path)) refuse_input(path + ": exists; `--force` replaces it");
 }
@@ -143,8 +142,8 @@ void OutputGuard::admit_any(const std::string& option, const std::string& path) 
   const Route route = route_to(path);
   const auto identity = identity_of(path);
   if (route.is_in_golden || (identity && golden_files_.count(*identity) > 0))
-    throw Failure(ExitCode::bad_input, option + ": is a golden file or in a golden folder (found " + path +
-                                           "); only `hyrax-sim bless` writes there");
+    refuse_input(option + ": is a golden file or in a golden folder (found " + path +
+                 "); only `hyrax-sim bless` writes there");
   refuse_inputs(option, path);
   if (!outputs_.insert(route.end).second) refuse(option, "another output of this command", path);
 }

@@ -33,7 +33,8 @@ class OutputGuard {
 
   /// The same for a scenario file: it may replace a scenario, if that is forced.
   /// ERRORS: also Failure(bad_input) "PATH: exists; ...".
-  void admit_scenario(const std::string& option, const std::string& path, bool is_forced);
+  void admit_scenario(const std::string& option, const std::string& path, bool is_forced,
+                      const std::vector<std::string>& suffixes = {});
 
   /// The same for a golden file that is written on purpose; it may be admitted several times.
   void admit_golden(const std::string& option, const std::string& path) const;

@@ -16,10 +16,8 @@ void write_provenance(hid_t file) {
 }
 
 Provenance read_provenance(hid_t file) {
-  Provenance provenance;
-  if (H5Lexists(file, "provenance", H5P_DEFAULT) <= 0) return provenance;
   const h5::Handle group(H5Gopen2(file, "provenance", H5P_DEFAULT), H5Gclose);
-  if (!group.is_open()) return provenance;
+  Provenance provenance;
   for (std::size_t index = 0; index < provenance.size(); ++index)
     provenance[index] = h5::read_text_attribute(group, kProvenanceNames[index]);
   return provenance;

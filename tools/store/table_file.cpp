@@ -69,9 +69,7 @@ class StudyReader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& sentence) const {
-    throw Failure(ExitCode::bad_input, path_ + ": " + sentence);
-  }
+  [[noreturn]] void refuse(const std::string& sentence) const { refuse_input(path_ + ": " + sentence); }
 
   [[nodiscard]] Table table(const std::string& name) const {
     const h5::Handle group(H5Gopen2(file_, name.c_str(), H5P_DEFAULT), H5Gclose);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -19,10 +18,6 @@
 namespace hyrax {
 namespace {
 
-[[noreturn]] void refuse_file(const std::string& path, const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, path + ": " + sentence);
-}
-
 // By the kind of lock that HDF5 takes. A file that cannot be locked at all counts as not locked.
 bool is_locked(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -33,14 +28,13 @@ bool is_locked(const std::string& path) {
 }
 
 h5::Handle open_readable(const std::string& path) {
-  if (access(path.c_str(), R_OK) != 0)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
-  if (!is_regular_file(path)) refuse_file(path, "is not a regular file");
+  if (access(path.c_str(), R_OK) != 0) fail_to_read(path, errno);
+  if (!is_regular_file(path)) refuse_input(path + ": is not a regular file");
   h5::Handle file = h5::open_file(path);
   if (!file.is_open() && is_locked(path))
     throw Failure(ExitCode::cannot_access,
                   path + ": cannot be read: locked by another program, which may be writing it");
-  if (!file.is_open()) refuse_file(path, "is not an HDF5 file, or is truncated");
+  if (!file.is_open()) refuse_input(path + ": is not an HDF5 file, or is truncated");
   return file;
 }
 
@@ -67,17 +61,17 @@ std::vector<NumberColumn> row_columns(hid_t file, const std::string& path) {
 NumberColumn::NumberColumn(hid_t file, const std::string& path, const std::string& dataset,
                            H5T_class_t type_class, std::size_t element_bytes)
     : place_(path + ": " + dataset), dataset_(H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), H5Dclose) {
-  if (!dataset_.is_open()) throw Failure(ExitCode::bad_input, place_ + ": is missing");
+  if (!dataset_.is_open()) refuse_input(place_ + ": is missing");
   const h5::Handle type(H5Dget_type(dataset_), H5Tclose);
   if (H5Tget_class(type) != type_class || H5Tget_size(type) != element_bytes)
-    throw Failure(ExitCode::bad_input, place_ + ": is of the wrong type");
+    refuse_input(place_ + ": is of the wrong type");
   const h5::Handle space(H5Dget_space(dataset_), H5Sclose);
   hsize_t length = 0;
   if (H5Sget_simple_extent_ndims(space) != 1 || H5Sget_simple_extent_dims(space, &length, nullptr) != 1)
-    throw Failure(ExitCode::bad_input, place_ + ": must have one axis");
+    refuse_input(place_ + ": must have one axis");
   const bool is_contiguous_dataset = is_contiguous(dataset_);
   if (length > 0 && H5Dget_storage_size(dataset_) / element_bytes != length && is_contiguous_dataset)
-    throw Failure(ExitCode::bad_input, place_ + ": is incomplete");
+    refuse_input(place_ + ": is incomplete");
   length_ = static_cast<std::int64_t>(length);
   is_plain_ = is_contiguous_dataset && has_common_format(type);
 }
@@ -87,8 +81,7 @@ void NumberColumn::read_into(hid_t memory_type, std::int64_t first, std::int64_t
                             ? H5Dread(dataset_, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values)
                             : h5::read_rows(dataset_, memory_type, static_cast<hsize_t>(first),
                                             static_cast<hsize_t>(count), values);
-  if (result < 0)
-    throw Failure(ExitCode::bad_input, place_ + ": cannot be read: the file is truncated or damaged");
+  if (result < 0) refuse_input(place_ + ": cannot be read: the file is truncated or damaged");
 }
 
 TrajectoryFile::TrajectoryFile(const std::string& path, Parsing parsing)
@@ -250,6 +243,6 @@ NumberColumn TrajectoryFile::column(const std::string& dataset, H5T_class_t type
   return {file_, path_, dataset, type_class, element_bytes};
 }
 
-void TrajectoryFile::refuse(const std::string& sentence) const { refuse_file(path_, sentence); }
+void TrajectoryFile::refuse(const std::string& sentence) const { refuse_input(path_ + ": " + sentence); }
 
 }  // namespace hyrax

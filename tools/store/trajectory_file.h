@@ -74,7 +74,6 @@ class TrajectoryFile {
   [[nodiscard]] Provenance provenance() const { return read_provenance(file_); }
 
   [[nodiscard]] bool has(const char* group) const;
-  /// A dataset of this file.
   [[nodiscard]] NumberColumn column(const std::string& dataset, H5T_class_t type_class,
                                     std::size_t element_bytes) const;
   /// Throws Failure(bad_input) "PATH: SENTENCE".

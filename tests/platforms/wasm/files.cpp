@@ -2,7 +2,6 @@
 // lacks. Every path is a scenario file.
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 #include "tools/files/failure.h"
 #include "tools/files/scenario_list.h"
@@ -14,8 +13,7 @@ std::vector<std::string> list_scenarios(const std::vector<std::string>& argument
 
 std::string read_text_file(const std::string& path) {
   std::FILE* const file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be read: " + std::strerror(errno));
+  if (file == nullptr) fail_to_read(path, errno);
   std::string text;
   for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
   std::fclose(file);

@@ -135,7 +135,6 @@ std::vector<DifferenceGroup> groups_of(const BlessReport& report, CoreChecks& co
   std::vector<const PairVerdict*> differing;
   for (const Blessing& blessing : report.blessings)
     if (plays_otherwise(blessing)) differing.push_back(&blessing);
-  if (differing.empty()) return {};
   return group_by_cause(differing, cores);
 }
 

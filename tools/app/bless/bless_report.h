@@ -18,7 +18,7 @@
 namespace hyrax {
 
 struct BlessOptions {
-  std::string reason;
+  std::string reason;                                    ///< One line.
   std::string golden_folder;                             ///< As given with --golden; empty if it was not.
   DifferenceClass accepted = DifferenceClass::rounding;  ///< The widest class that may be blessed.
   bool updates_ranges = false;                           ///< And what else of `expect` is_updatable.

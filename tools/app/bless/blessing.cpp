@@ -1,7 +1,5 @@
 #include "tools/app/bless/bless_report.h"
 
-#include <fmt/format.h>
-
 #include <cassert>
 #include <cerrno>
 #include <filesystem>

@@ -46,11 +46,11 @@ void require_scenarios(const std::string& folder) {
   if (!is_folder(folder) || !golden_place((fs::path(folder) / "x.json").string(), ""))
     refuse_input("hyrax-sim bless: --prune: must be a folder named scenarios or below one (found " + folder +
                  (is_there(folder) ? ")" : ", which does not exist)"));
-  std::vector<UnlistedFolder> unlisted;
+  std::vector<Failure> unlisted;
   const std::vector<std::string> paths = list_scenarios({folder}, unlisted);
   if (!unlisted.empty())
-    refuse(ExitCode::bad_input, std::string(unlisted.front().failure.what()) +
-                                    "; is it mounted, or a submodule that is not checked out?");
+    refuse(ExitCode::bad_input,
+           std::string(unlisted.front().what()) + "; is it mounted, or a submodule that is not checked out?");
   for (const std::string& path : paths) {
     try {
       static_cast<void>(read_scenario_text(path));

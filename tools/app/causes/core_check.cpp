@@ -60,8 +60,7 @@ CoreCheck::CoreCheck(const Core& core, const std::string& golden_folder, CoreCom
     : core_(core) {
   verdict_.golden_folder = golden_folder;
   verdict_.commands = std::move(commands);
-  const AcceptedCore program = program_core(core);
-  if (!program.step.empty()) program_step_ = read_step(program.step);
+  program_step_ = read_step(core.record.step);
   if (program_step_)
     verdict_.paths = static_cast<std::int64_t>(program_step_->paths_of(CoreFunction::update).size());
   try {
@@ -91,7 +90,7 @@ void CoreCheck::compare() {
     verdict_.exit_code = ExitCode::bad_input;  // As for golden files of another class.
     return;
   }
-  if (!accepted_->step.empty()) accepted_step_ = read_step(accepted_->step);
+  accepted_step_ = read_step(accepted_->step);
   if (accepted_step_) accepted_core_ = traced_core(*accepted_step_);
   for (HeaderChange& change : header_changes(accepted_->header, program.header))
     verdict_.changes.push_back({std::move(change), std::nullopt});
@@ -153,7 +152,7 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
   const CorePair cores{pair, *accepted_core_, core_};
   std::vector<bool> noticed(pair.differences().size());
-  std::vector<UnlistedFolder> unlisted;
+  std::vector<Failure> unlisted;
   for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
       if (std::ranges::find(noticed, false) == noticed.end()) break;
       notice(cores, load_scenario(path), noticed);

@@ -89,7 +89,6 @@ class CoreCheck {
   CoreCheck(const Core& core, const std::string& golden_folder, CoreCommands commands);
 
   [[nodiscard]] const CoreVerdict& verdict() const { return verdict_; }
-  [[nodiscard]] const std::optional<AcceptedCore>& accepted() const { return accepted_; }
 
   /// What the causes of differing runs are judged by. Refers to this.
   [[nodiscard]] CauseBase base() const;

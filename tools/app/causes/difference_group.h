@@ -14,7 +14,6 @@
 
 namespace hyrax {
 
-/// Scenarios of one cause.
 struct DifferenceGroup {
   Cause cause;
   std::vector<const PairVerdict*> scenarios;  ///< The worst first: by the largest distance, then by contacts.

@@ -132,8 +132,7 @@ std::string scenario_consequence(const PairVerdict& scenario) {
 
 void print_groups(const std::vector<DifferenceGroup>& groups, const std::vector<const CoreVerdict*>& cores,
                   std::size_t checked) {
-  const auto first_finite = std::ranges::find_if(
-      groups, [](const DifferenceGroup& group) { return group.cause.kind != CauseKind::non_finite; });
+  const auto first_finite = std::ranges::find_if_not(groups, is_non_finite);
   for (auto group = groups.begin(); group != first_finite; ++group) print_group(*group, checked);
   for (const CoreVerdict* const core : cores)
     print_text("{}", core_text(*core, cores.size() == 1, groups.empty()));

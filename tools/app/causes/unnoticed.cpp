@@ -38,9 +38,7 @@ Scenario scenario_of(const DifferenceSearch& search) {
 std::string name_of(Scenario scenario) {
   scenario.name = "unnoticed";
   const std::string text = scenario_file_text(scenario);
-  ByteHash hash;
-  hash.add(std::as_bytes(std::span(text.data(), text.size())));
-  return "unnoticed-" + hex(hash.value()).substr(0, 8);
+  return "unnoticed-" + hex(digest(std::as_bytes(std::span(text)))).substr(0, 8);
 }
 
 std::string consequence_of(const CorePair& cores, Scenario scenario) {

@@ -1,8 +1,6 @@
 // The report of `check` for programs: JSON, JUnit XML, annotations.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "tools/app/check/check_report.h"
 #include "tools/app/diff/difference_text.h"
 #include "tools/app/expect/judged_run.h"
@@ -11,11 +9,9 @@
 namespace hyrax {
 namespace {
 
-using Status = CheckVerdict::Status;
-
 // Whether rows of the golden file were compared.
 bool is_compared(const CheckVerdict& verdict) {
-  return verdict.has_golden && verdict.status != Status::failed;
+  return verdict.has_golden && verdict.status != CheckStatus::failed;
 }
 
 Json result_json(const CheckVerdict& verdict) {
@@ -56,7 +52,7 @@ std::string test_case(const CheckReport& report, const CheckVerdict& verdict) {
   const std::string open =
       fmt::format("  <testcase classname=\"hyrax-sim.check\" name=\"{}\" time=\"{:.6f}\"",
                   xml_text(verdict.path), verdict.seconds);
-  if (verdict.status == Status::agreed) return open + "/>\n";
+  if (verdict.status == CheckStatus::agreed) return open + "/>\n";
   const bool is_failure = verdict.exit_code == ExitCode::disagreed;
   const char* const element = is_failure ? "failure" : "error";
   return open + fmt::format(">\n    <{0} message=\"{1}: {2}\">{3}</{0}>\n  </testcase>\n", element,
@@ -88,11 +84,11 @@ std::string annotation(const CheckReport& report, const CheckVerdict& verdict) {
 
 Json check_json(const CheckReport& report) {
   return Json::Object{{"checked", report.scenario_count()},
-                      {"agreed", report.count(Status::agreed)},
-                      {"disagreed", report.count(Status::disagreed)},
-                      {"missing", report.count(Status::missing)},
-                      {"failed", report.count(Status::failed)},
-                      {"unreferenced", report.count(Status::unreferenced)},
+                      {"agreed", report.count(CheckStatus::agreed)},
+                      {"disagreed", report.count(CheckStatus::disagreed)},
+                      {"missing", report.count(CheckStatus::missing)},
+                      {"failed", report.count(CheckStatus::failed)},
+                      {"unreferenced", report.count(CheckStatus::unreferenced)},
                       {"results", list_of(report.verdicts(), result_json)},
                       {"cores", list_of(report.cores(), [](const auto* core) { return core_json(*core); })},
                       {"groups", list_of(report.groups(), group_json)}};
@@ -104,8 +100,9 @@ std::string check_junit(const CheckReport& report) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuite name=\"hyrax-sim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\">\n",
-      report.verdicts().size(), report.count(Status::disagreed) + report.count(Status::unreferenced),
-      report.count(Status::missing) + report.count(Status::failed), seconds);
+      report.verdicts().size(),
+      report.count(CheckStatus::disagreed) + report.count(CheckStatus::unreferenced),
+      report.count(CheckStatus::missing) + report.count(CheckStatus::failed), seconds);
   for (const CheckVerdict& verdict : report.verdicts()) text += test_case(report, verdict);
   return text + "</testsuite>\n";
 }
@@ -116,7 +113,7 @@ std::string github_annotations(const CheckReport& report) {
     for (const PairVerdict* const scenario : group.scenarios)
       text += annotation(report, verdict_on(*scenario));
   for (const CheckVerdict& verdict : report.verdicts())
-    if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
+    if (verdict.status != CheckStatus::agreed && report.group_of(verdict) == nullptr)
       text += annotation(report, verdict);
   return text;
 }

@@ -9,8 +9,6 @@
 namespace hyrax {
 namespace {
 
-using Status = CheckVerdict::Status;
-
 // A code span, in which no character of the text has a meaning: its fence is longer than any in the text.
 std::string code_span(std::string_view text) {
   const std::string line = printable(text);
@@ -58,7 +56,8 @@ std::string group_section(const DifferenceGroup& group, std::size_t checked, con
 }  // namespace
 
 std::string check_markdown(const CheckReport& report, const std::vector<GroupPicture>& pictures) {
-  const bool is_green = report.count(Status::agreed) == static_cast<std::int64_t>(report.verdicts().size());
+  const bool is_green =
+      report.count(CheckStatus::agreed) == static_cast<std::int64_t>(report.verdicts().size());
   std::string text = fmt::format("## hyrax-sim check: {}\n\n{}\n\n", is_green ? "agreed" : "not agreed",
                                  counts_sentence(report));
   const auto checked = static_cast<std::size_t>(report.scenario_count());
@@ -66,7 +65,7 @@ std::string check_markdown(const CheckReport& report, const std::vector<GroupPic
     text += group_section(report.groups()[group], checked,
                           group < pictures.size() ? pictures[group] : GroupPicture{});
   for (const CheckVerdict& verdict : report.verdicts())
-    if (verdict.status != Status::agreed && report.group_of(verdict) == nullptr)
+    if (verdict.status != CheckStatus::agreed && report.group_of(verdict) == nullptr)
       text += fmt::format("- {}: {}: {}\n", code_span(verdict.path), name_of(verdict.status),
                           code_span(verdict_sentence(report, verdict)));
   return text;

@@ -12,8 +12,6 @@
 namespace hyrax {
 namespace {
 
-using Status = CheckVerdict::Status;
-
 // The names of the physics models, where they differ: each sentence once.
 std::string physics_text(const CheckReport& report) {
   std::set<std::string> sentences;
@@ -51,11 +49,11 @@ void print_line(const CheckReport& report, const CheckVerdict& verdict) {
 void print_missing(const CheckReport& report, const std::vector<const CheckVerdict*>& missing) {
   if (missing.size() == 1) return print_line(report, *missing.front());
   const std::string& folder = report.golden_folder();
-  print_text("{} scenarios: {}: {}: {}\n", missing.size(), VerdictWord{name_of(Status::missing), false},
+  print_text("{} scenarios: {}: {}: {}\n", missing.size(), VerdictWord{name_of(CheckStatus::missing), false},
              folder.empty() || is_folder(folder) ? "no golden file" : "no folder " + printable(folder),
              names_text(missing));
   std::vector<std::string> paths = report.arguments();
-  if (std::ssize(missing) + report.count(Status::agreed) != report.scenario_count()) {
+  if (std::ssize(missing) + report.count(CheckStatus::agreed) != report.scenario_count()) {
     paths.clear();
     for (const CheckVerdict* const verdict : missing) paths.push_back(verdict->path);
   } else if (paths.empty()) {
@@ -69,26 +67,26 @@ void print_lines(const CheckReport& report) {
   std::vector<const CheckVerdict*> missing;
   std::vector<const CheckVerdict*> unreferenced;
   for (const CheckVerdict& verdict : report.verdicts()) {
-    if (verdict.status == Status::agreed || report.group_of(verdict) != nullptr) continue;
+    if (verdict.status == CheckStatus::agreed || report.group_of(verdict) != nullptr) continue;
     const bool is_renamed = report.renamed(verdict) != nullptr;
-    if (verdict.status == Status::unreferenced && !is_renamed)
+    if (verdict.status == CheckStatus::unreferenced && !is_renamed)
       unreferenced.push_back(&verdict);
-    else if (verdict.status == Status::missing && !is_renamed && verdict.broken.empty() &&
+    else if (verdict.status == CheckStatus::missing && !is_renamed && verdict.broken.empty() &&
              verdict.non_finite.empty())
       missing.push_back(&verdict);
-    else if (verdict.status != Status::unreferenced)
+    else if (verdict.status != CheckStatus::unreferenced)
       print_line(report, verdict);
   }
   if (!missing.empty()) print_missing(report, missing);
   if (unreferenced.size() == 1) print_line(report, *unreferenced.front());
   if (unreferenced.size() > 1)
     print_text("{} golden files: {}: no scenario: {}\n", unreferenced.size(),
-               VerdictWord{name_of(Status::unreferenced), false}, names_text(unreferenced));
+               VerdictWord{name_of(CheckStatus::unreferenced), false}, names_text(unreferenced));
 }
 
 // A line for each status but `agreed`; why one failed is on standard error.
 void print_names(const CheckReport& report) {
-  for (const Status status : {Status::disagreed, Status::missing, Status::unreferenced}) {
+  for (const CheckStatus status : {CheckStatus::disagreed, CheckStatus::missing, CheckStatus::unreferenced}) {
     std::vector<const CheckVerdict*> verdicts;
     for (const CheckVerdict& verdict : report.verdicts())
       if (verdict.status == status) verdicts.push_back(&verdict);
@@ -116,7 +114,7 @@ std::string commands_text(const CheckReport& report) {
     verbose.insert(verbose.end(), {"--golden", as_argument(report.golden_folder())});
   std::vector<const CheckVerdict*> blessed;
   for (const CheckVerdict& each : report.verdicts())
-    if (each.status != Status::unreferenced && (!is_alone || &each == &worst)) blessed.push_back(&each);
+    if (each.status != CheckStatus::unreferenced && (!is_alone || &each == &worst)) blessed.push_back(&each);
   const std::string text =
       fmt::format("  to see all      {}\n  to see more     {}; {}\n", program_command(verbose),
                   program_command({"run", as_argument(worst.path), "-o", "now.h5"}),
@@ -131,7 +129,7 @@ std::string commands_text(const CheckReport& report) {
 void print_every(const CheckReport& report) {
   for (const CheckVerdict& verdict : report.verdicts())
     print_text("{}: {}\n{}", printable(verdict.path),
-               VerdictWord{name_of(verdict.status), verdict.status == Status::agreed},
+               VerdictWord{name_of(verdict.status), verdict.status == CheckStatus::agreed},
                verdict_details(verdict, true));
 }
 
@@ -146,11 +144,11 @@ CheckReport::CheckReport(const Core& core, std::vector<CheckVerdict> verdicts,
   std::vector<const PairVerdict*> differing;
   for (const CheckVerdict& verdict : verdicts_) {
     if (is_folder(verdict.golden_folder)) cores_.of(verdict.golden_folder).take_paths(verdict.paths_taken);
-    if (verdict.status == Status::disagreed && !verdict.comparison.agrees) differing.push_back(&verdict);
+    if (verdict.status == CheckStatus::disagreed && !verdict.comparison.agrees) differing.push_back(&verdict);
   }
   for (const CheckVerdict& missing : verdicts_)
     for (const CheckVerdict& golden : verdicts_)
-      if (missing.status == Status::missing && golden.status == Status::unreferenced &&
+      if (missing.status == CheckStatus::missing && golden.status == CheckStatus::unreferenced &&
           !golden.state_hash.empty() && missing.state_hash == golden.state_hash &&
           !renamed_.contains(&golden) && renamed_.emplace(&missing, &golden).second)
         renamed_.emplace(&golden, &missing);
@@ -165,7 +163,7 @@ void CheckReport::judge_cores(const std::vector<Library>& libraries) {
       cores_.of(library.golden_folder).judge_differences(library.scenarios_folder);
 }
 
-std::int64_t CheckReport::count(Status status) const {
+std::int64_t CheckReport::count(CheckStatus status) const {
   return std::ranges::count(verdicts_, status, &CheckVerdict::status);
 }
 
@@ -187,7 +185,7 @@ std::string counts_sentence(const CheckReport& report) {
   std::vector<CheckStatus> statuses;
   std::int64_t folders_failed = 0;
   for (const CheckVerdict& verdict : report.verdicts())
-    if (!verdict.is_scenario && verdict.status == Status::failed)
+    if (!verdict.is_scenario && verdict.status == CheckStatus::failed)
       ++folders_failed;
     else
       statuses.push_back(verdict.status);
@@ -197,7 +195,7 @@ std::string counts_sentence(const CheckReport& report) {
 void print_check(const CheckReport& report, const Printing& printing) {
   if (printing.is_quiet()) {
     for (const CheckVerdict& verdict : report.verdicts())
-      if (verdict.status == Status::failed) print_error(verdict.error);
+      if (verdict.status == CheckStatus::failed) print_error(verdict.error);
     print_names(report);
     return print_text("{}\n", counts_sentence(report));
   }

@@ -35,7 +35,7 @@ class CheckReport {
   /// Looks for changes of the core that none of the libraries' scenarios notices.
   void judge_cores(const std::vector<Library>& libraries);
 
-  [[nodiscard]] std::int64_t count(CheckVerdict::Status status) const;
+  [[nodiscard]] std::int64_t count(CheckStatus status) const;
   /// Unreferenced golden files and folders are no scenarios.
   [[nodiscard]] std::int64_t scenario_count() const;
   /// The group of a scenario whose run differs; nullptr: it is in none.
@@ -54,7 +54,6 @@ class CheckReport {
   std::string golden_folder_;
 };
 
-/// counts_sentence of the verdicts.
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
 
 /// The verdict on a scenario of one of its groups.

@@ -19,8 +19,6 @@
 namespace hyrax {
 namespace {
 
-using Status = CheckVerdict::Status;
-
 void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& options,
                 CheckVerdict& verdict) {
   require_measurable(core, verdict.path, scenario);
@@ -41,13 +39,13 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
   if (!has_golden) verdict.state_hash = hex(pair->summary.state_hash);
   verdict.non_finite = non_finite_text(scenario, pair->summary.final);
   if (!has_golden && !has_state_hash_only(scenario, verdict.golden))
-    verdict.status = Status::missing;
+    verdict.status = CheckStatus::missing;
   else if (!verdict.comparison.agrees || !verdict.broken.empty() || !verdict.non_finite.empty())
-    verdict.status = Status::disagreed;
+    verdict.status = CheckStatus::disagreed;
 }
 
 void fail(CheckVerdict& verdict, ExitCode exit_code, const std::string& error) {
-  verdict.status = Status::failed;
+  verdict.status = CheckStatus::failed;
   verdict.error = error;
   verdict.exit_code = exit_code;
 }
@@ -92,7 +90,7 @@ std::vector<CheckVerdict> unreferenced_verdicts(const std::vector<std::string>& 
     CheckVerdict& verdict = verdicts.emplace_back();
     verdict.path = golden.path;
     verdict.is_scenario = false;
-    verdict.status = Status::unreferenced;
+    verdict.status = CheckStatus::unreferenced;
     verdict.exit_code = exit_code_of(verdict.status);
     verdict.state_hash = stored_state_hash({golden.path + ".h5", golden.path + ".txt"});
     if (!golden.error.empty()) fail(verdict, ExitCode::cannot_access, golden.error);

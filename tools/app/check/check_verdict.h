@@ -18,8 +18,7 @@ namespace hyrax {
 
 /// Its path is that of an unreferenced golden file without its suffix, if it is of one.
 struct CheckVerdict : PairVerdict {
-  using Status = CheckStatus;
-  Status status = Status::agreed;
+  CheckStatus status = CheckStatus::agreed;
   bool is_scenario = true;          ///< No golden file without a scenario, and no golden folder.
   bool has_golden = false;          ///< Its golden file exists.
   std::string golden_option;        ///< --golden as given; empty if it was not.

@@ -6,7 +6,6 @@
 
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/json.h"
-#include "tools/files/path.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -37,9 +36,9 @@ LastFailed::LastFailed() {
   file_ = (cache / "hyrax-sim" / (hex(digest(std::as_bytes(std::span(folder)))) + ".json")).string();
   try {
     const Json document = parse_json(read_text_file(file_), file_);
-    const Json* const paths = document.find("not_agreed");
-    if (paths == nullptr || paths->get<Json::Array>() == nullptr) return;
-    for (const Json& path : *paths->get<Json::Array>())
+    const auto* const paths = document.get<Json::Array>("not_agreed");
+    if (paths == nullptr) return;
+    for (const Json& path : *paths)
       if (const auto* const text = path.get<std::string>()) paths_.insert(*text);
   } catch (const Failure&) {
     // Nothing was recorded, or it is damaged: all are checked.

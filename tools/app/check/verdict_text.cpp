@@ -16,8 +16,6 @@
 namespace hyrax {
 namespace {
 
-using Status = CheckVerdict::Status;
-
 std::string joined(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + "; " + second;
 }
@@ -39,13 +37,13 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
   const std::string broken = broken_sentence(verdict.broken);
   const CheckVerdict* const renamed = report.renamed(verdict);
   switch (verdict.status) {
-    case Status::agreed:
+    case CheckStatus::agreed:
       return "";
-    case Status::failed:
+    case CheckStatus::failed:
       return verdict.error;
-    case Status::unreferenced:
+    case CheckStatus::unreferenced:
       return renamed == nullptr ? kUnreferencedSentence : "its scenario was renamed to " + renamed->path;
-    case Status::missing:
+    case CheckStatus::missing:
       if (renamed != nullptr)
         return fmt::format("renamed: {} has the same run; to rename that: {}", renamed->path,
                            rename_command(renamed->path, *verdict.golden));
@@ -53,7 +51,7 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
                     broken.empty() && verdict.non_finite.empty()
                         ? "to create it: " + bless_command_for({verdict.path}, verdict.golden_option)
                         : broken);
-    case Status::disagreed:
+    case CheckStatus::disagreed:
       break;
   }
   const DifferenceGroup* const group = report.group_of(verdict);
@@ -65,13 +63,13 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
 }
 
 std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
-  if (verdict.status == Status::failed) return "  " + verdict.error + "\n";
-  if (verdict.status == Status::unreferenced) return fmt::format("  {}\n", kUnreferencedSentence);
-  if (verdict.status == Status::agreed) return "";
+  if (verdict.status == CheckStatus::failed) return "  " + verdict.error + "\n";
+  if (verdict.status == CheckStatus::unreferenced) return fmt::format("  {}\n", kUnreferencedSentence);
+  if (verdict.status == CheckStatus::agreed) return "";
   std::string text = verdict.non_finite.empty() ? "" : fmt::format("  not finite {}\n", verdict.non_finite);
   for (const Expectation& broken : verdict.broken)
     text += fmt::format("  expect     {}\n", expectation_text(broken));
-  if (verdict.status == Status::missing)
+  if (verdict.status == CheckStatus::missing)
     return text + fmt::format("  {}\n", missing_golden_sentence(verdict.golden)) +
            (text.empty() ? fmt::format("  to create it: {}\n",
                                        bless_command_for({verdict.path}, verdict.golden_option))
@@ -99,14 +97,14 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
     for (const Expectation& broken : verdict->broken)
       updates_ranges |= is_updatable(broken) && !is_hash(broken);
     const bool is_to_edit = !std::ranges::all_of(verdict->broken, is_updatable);
-    blesses_all &= !is_to_edit && verdict->status != Status::failed;
+    blesses_all &= !is_to_edit && verdict->status != CheckStatus::failed;
     if (is_to_edit)
       to_edit.push_back(verdict->path);
     else if (!verdict->broken.empty())
       to_update.push_back(verdict->path);
-    else if (verdict->status == Status::disagreed && !verdict->comparison.agrees)
+    else if (verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees)
       others.push_back(verdict->path);
-    const bool is_changed = verdict->status == Status::disagreed && !verdict->comparison.agrees &&
+    const bool is_changed = verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees &&
                             (!verdict->runs || !verdict->runs->is_golden_as_blessed);
     if (is_changed)
       damaged.push_back(verdict->golden->h5_path +

@@ -15,6 +15,7 @@
 #include "tools/app/command_line/shell_command.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
+#include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -24,11 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kCoreFormat = "hyrax-core/1";
 
-std::string checksum_of(std::string_view text) {
-  ByteHash hash;
-  hash.add(std::as_bytes(std::span(text.data(), text.size())));
-  return hex(hash.value());
-}
+std::string checksum_of(std::string_view text) { return hex(digest(std::as_bytes(std::span(text)))); }
 
 struct CoreFiles {
   std::string header, step, accepted;
@@ -46,11 +43,6 @@ std::string constants_text(const std::string& header) {
   return text;
 }
 
-std::string one_line(std::string text) {
-  std::ranges::replace(text, '\n', ' ');
-  return text;
-}
-
 // accepted.txt: a line a key, the checksum of all lines before it last.
 std::string accepted_text(const AcceptedCore& core) {
   std::string text = fmt::format("{}\nclass: {}\nconstants: {}\nheader: {}\n", kCoreFormat, core.model,
@@ -61,14 +53,6 @@ std::string accepted_text(const AcceptedCore& core) {
     text += fmt::format("agreeing: {}\n", fmt::join(core.agreeing_cores, " "));
   text += fmt::format("reason: {}\n", core.reason);
   return text + fmt::format("checksum: {}\n", checksum_of(text));
-}
-
-// The rest of the line that begins with the key; empty if there is none.
-std::string value_of(const std::string& text, std::string_view key) {
-  const std::size_t line = text.find(fmt::format("\n{}: ", key));
-  if (line == std::string::npos) return "";
-  const std::size_t begin = line + key.size() + 3;
-  return text.substr(begin, text.find('\n', begin) - begin);
 }
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -133,10 +117,10 @@ std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder)
     if (is_device_or_pipe(path)) refuse_core(path, "is a pipe or a device");
   const std::string accepted = read_text_file(files.accepted);
   AcceptedCore core;
-  core.model = value_of(accepted, "class");
-  core.agreeing_cores = words_of(value_of(accepted, "agreeing"));
-  core.reason = value_of(accepted, "reason");
-  const std::string step_line = value_of(accepted, "step");
+  core.model = line_value(accepted, "class: ");
+  core.agreeing_cores = words_of(line_value(accepted, "agreeing: "));
+  core.reason = line_value(accepted, "reason: ");
+  const std::string step_line = line_value(accepted, "step: ");
   constexpr std::string_view kNotComplete = "not complete: ";
   const bool has_step = !step_line.starts_with(kNotComplete);
   if (!has_step) core.why_incomplete = step_line.substr(kNotComplete.size());
@@ -144,7 +128,7 @@ std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder)
     refuse_core(files.accepted, fmt::format("must begin with {}", kCoreFormat));
   if (!is_there(files.header)) refuse_core(files.header, "is missing");
   core.header = read_text_file(files.header);
-  if (checksum_of(core.header) != value_of(accepted, "header"))
+  if (checksum_of(core.header) != line_value(accepted, "header: "))
     refuse_core(files.header, "does not have the checksum in accepted.txt");
   if (has_step != is_there(files.step))
     refuse_core(files.step, has_step ? "is missing" : "is not in accepted.txt");
@@ -165,8 +149,6 @@ std::optional<Core> accepted_step(const std::string& golden_folder) try {
 }
 
 void write_accepted_core(const std::string& golden_folder, const AcceptedCore& core) {
-  AcceptedCore written = core;
-  written.reason = one_line(core.reason);
   const CoreFiles files = files_in(golden_folder);
   std::error_code error;
   fs::create_directories(accepted_core_folder(golden_folder), error);
@@ -175,7 +157,7 @@ void write_accepted_core(const std::string& golden_folder, const AcceptedCore& c
     write_text_file(files.step, core.step);
   else
     fs::remove(files.step, error);
-  write_text_file(files.accepted, accepted_text(written));
+  write_text_file(files.accepted, accepted_text(core));
 }
 
 }  // namespace hyrax

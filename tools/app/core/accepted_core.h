@@ -22,7 +22,7 @@ struct AcceptedCore {
   std::string why_incomplete;  ///< As "more than 4,096 paths".
   /// Other cores that golden files name which agreed when this one was accepted.
   std::vector<std::string> agreeing_cores;
-  std::string reason;
+  std::string reason;  ///< One line.
 
   /// Refers to this.
   [[nodiscard]] CoreRecord record() const { return {header, step, why_incomplete}; }

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "sim/result/number_text.h"
 #include "tools/app/diff/difference_text.h"
 

@@ -1,4 +1,3 @@
-
 #include <algorithm>
 
 #include "sim/core/core.h"

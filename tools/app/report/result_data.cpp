@@ -53,13 +53,11 @@ Json study_result(const std::string& path) {
   }
   result.tables = std::move(study.tables);
   Json json = result_json(result);
-  const auto broken_of = [](const Json& verdict) {
-    const Json* const broken = verdict.find("broken");
-    return broken == nullptr ? nullptr : broken->get<Json::Array>();
-  };
-  for (const auto& [key, value] : parts)
-    if (key == "verdict" && broken_of(value) != nullptr && broken_of(value)->empty())
+  for (const auto& [key, value] : parts) {
+    const auto* const broken = value.get<Json::Array>("broken");
+    if (key == "verdict" && broken != nullptr && broken->empty())
       set_member(json, "judgement", "no rule of the study is broken");
+  }
   for (auto& [key, value] : parts)
     if (key != "figures") set_member(json, key, std::move(value));
   return json;

@@ -35,14 +35,13 @@ std::string line(std::string_view tag, std::string_view text) {
 }
 
 std::string text_at(const Json& object, std::string_view key) {
-  const Json* const member = object.find(key);
-  const auto* const text = member == nullptr ? nullptr : member->get<std::string>();
+  const auto* const text = object.get<std::string>(key);
   return text == nullptr ? "" : *text;
 }
 
 bool is_true(const Json& object, std::string_view key) {
-  const Json* const member = object.find(key);
-  return member != nullptr && member->get<bool>() != nullptr && *member->get<bool>();
+  const bool* const value = object.get<bool>(key);
+  return value != nullptr && *value;
 }
 
 std::string verdict(const Json& run) {
@@ -53,7 +52,7 @@ std::string verdict(const Json& run) {
     html +=
         line("p", is_true(*golden, "agrees") ? "Agrees with the golden file, bit for bit."
                                              : "Differs from the golden file: " + text_at(*golden, "class"));
-  for (const Json& each : *run.find("expect")->get<Json::Array>())
+  for (const Json& each : *run.get<Json::Array>("expect"))
     html += line("p", (is_true(each, "holds") ? "holds: " : "does not hold: ") + text_at(each, "text"));
   return html;
 }
@@ -62,7 +61,7 @@ std::string verdict(const Json& run) {
 
 std::string still_html(const ReportRequest& request, const Json& data) {
   std::string html;
-  const auto& runs = *data.find("runs")->get<Json::Array>();
+  const auto& runs = *data.get<Json::Array>("runs");
   for (std::size_t index = 0; index < runs.size(); ++index) {
     const Json& run = runs[index];
     html += line("h1", text_at(run, "name")) + line("p", text_at(run, "title")) + verdict(run) +

@@ -13,7 +13,6 @@
 #include "tools/files/text_file.h"
 #include "tools/report/run_scene.h"
 #include "tools/store/drift_tables.h"
-#include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_writer.h"
 
 namespace hyrax {
@@ -104,9 +103,8 @@ WrittenRun write_run(const Core& core, const std::string& output, const Scenario
 }
 
 bool ScenarioRun::is_as_expected() const {
-  const bool all_hold =
-      std::all_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.holds; });
-  return all_hold && !summary.non_finite_step && (!comparison || comparison->agrees);
+  return std::ranges::all_of(expectations, &Expectation::holds) && !summary.non_finite_step &&
+         (!comparison || comparison->agrees);
 }
 
 const char* ScenarioRun::status() const {

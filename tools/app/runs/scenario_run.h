@@ -74,7 +74,6 @@ struct ScenarioRun : WrittenRun {
 [[nodiscard]] ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenario& scenario,
                                        const std::string& output, const ScenarioRunOptions& options);
 
-/// Prints what `run` found.
 void print_run(const Core& core, const ScenarioRun& run, const Printing& printing);
 
 /// An entry of "runs".

@@ -32,24 +32,18 @@ Scenario probe() {
 
 using Hashes = std::map<std::string, std::string>;  // By the path of the scenario's file.
 
-const std::string* text_at(const Json& object, std::string_view key) {
-  const Json* const member = object.find(key);
-  return member == nullptr ? nullptr : member->get<std::string>();
-}
-
 // The entries of an array; nothing if there is none.
 std::span<const Json> entries(const Json& object, std::string_view key) {
-  const Json* const member = object.find(key);
-  if (member == nullptr || member->get<Json::Array>() == nullptr) return {};
-  return *member->get<Json::Array>();
+  const auto* const array = object.get<Json::Array>(key);
+  return array == nullptr ? std::span<const Json>() : *array;
 }
 
 // Of `run --json`.
 Hashes hashes_of_runs(const Json& document) {
   Hashes hashes;
   for (const Json& run : entries(document, "runs")) {
-    const std::string* const path = text_at(run, "scenario");
-    const std::string* const hash = text_at(run, "state_hash");
+    const auto* const path = run.get<std::string>("scenario");
+    const auto* const hash = run.get<std::string>("state_hash");
     if (path != nullptr && hash != nullptr) hashes.emplace(*path, *hash);
   }
   return hashes;
@@ -60,9 +54,9 @@ Hashes hashes_of_checks(const Json& document) {
   Hashes hashes;
   for (const Json& result : entries(document, "results"))
     for (const Json& expectation : entries(result, "expect")) {
-      const std::string* const path = text_at(result, "scenario");
-      const std::string* const rule = text_at(expectation, "rule");
-      const std::string* const hash = text_at(expectation, "measured");
+      const auto* const path = result.get<std::string>("scenario");
+      const auto* const rule = expectation.get<std::string>("rule");
+      const auto* const hash = expectation.get<std::string>("measured");
       if (path != nullptr && rule != nullptr && *rule == "state_hash" && hash != nullptr)
         hashes.emplace(*path, *hash);
     }

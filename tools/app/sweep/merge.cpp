@@ -66,47 +66,35 @@ void put_rows(const Column& rows, const WorkPart& part, std::int64_t count, Colu
   });
 }
 
-// Rows `first` .. of the merged file, a multiple of the parts: each part gives the same number, or one less.
-class Interleaver {
- public:
-  explicit Interleaver(const Parts& parts) : parts_(parts) {}
-
-  [[nodiscard]] Column column(std::size_t table, std::size_t column, std::int64_t first, std::int64_t count) {
-    const auto stride = static_cast<std::int64_t>(parts_.size());
-    Column merged = parts_.begin()->second->tables()[table].columns[column];
-    for (const auto& [index, part] : parts_) {
-      const std::int64_t part_first = first / stride;
-      const std::int64_t part_count = WorkPart{index, stride}.rows(first + count) - part_first;
-      if (part_count > 0)
-        put_rows(part->read(table, column, part_first, part_count), WorkPart{index, stride}, count, merged);
-    }
-    return merged;
+// Rows `first` .. of a merged column, a multiple of the parts: each part gives the same number, or one less.
+Column merged_column(const Parts& parts, std::size_t table, std::size_t column, std::int64_t first,
+                     std::int64_t count) {
+  const std::int64_t stride = std::ssize(parts);
+  Column merged = parts.begin()->second->tables()[table].columns[column];
+  for (const auto& [index, part] : parts) {
+    const std::int64_t part_first = first / stride;
+    const std::int64_t part_count = WorkPart{index, stride}.rows(first + count) - part_first;
+    if (part_count > 0)
+      put_rows(part->read(table, column, part_first, part_count), WorkPart{index, stride}, count, merged);
   }
-
-  // A multiple of the parts.
-  [[nodiscard]] std::int64_t rows_at_once() const {
-    constexpr std::int64_t kRows = 1 << 18;
-    const auto stride = static_cast<std::int64_t>(parts_.size());
-    return std::max<std::int64_t>(1, kRows / stride) * stride;
-  }
-
- private:
-  const Parts& parts_;
-};
+  return merged;
+}
 
 void write_merged(const Parts& parts, const EnsembleHead& head, const std::string& output) {
   const EnsembleReader& first_part = *parts.begin()->second;
   AtomicFile target(output);
   create_ensemble(target.part_path(), head, first_part.sweep());
   EnsembleWriter writer(target.part_path(), head, first_part.sweep());
-  Interleaver interleaver(parts);
+  constexpr std::int64_t kRows = 1 << 18;
+  const std::int64_t rows_at_once =  // A multiple of the parts.
+      std::max<std::int64_t>(1, kRows / std::ssize(parts)) * std::ssize(parts);
   Progress progress("members", head.members);
   while (writer.rows_done() < head.members) {
-    const std::int64_t count = std::min(interleaver.rows_at_once(), head.members - writer.rows_done());
+    const std::int64_t count = std::min(rows_at_once, head.members - writer.rows_done());
     std::vector<Table> rows = first_part.tables();
     for (std::size_t table = 0; table < rows.size(); ++table)
       for (std::size_t column = 0; column < rows[table].columns.size(); ++column)
-        rows[table].columns[column] = interleaver.column(table, column, writer.rows_done(), count);
+        rows[table].columns[column] = merged_column(parts, table, column, writer.rows_done(), count);
     writer.write(rows);
     progress.show(writer.rows_done());
   }

@@ -18,14 +18,10 @@
 namespace hyrax {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& sentence) {
-  refuse_input(path + ": " + sentence);
-}
-
 // The lock tells a writer that another one is at work; it ends with its process.
 int lock_file(const std::string& path) {
   const int descriptor = open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0 && errno == ELOOP) refuse(path, "is a link; `--force` replaces it");
+  if (descriptor < 0 && errno == ELOOP) refuse_input(path + ": is a link; `--force` replaces it");
   if (descriptor < 0) fail_to_write(path, errno);
   struct flock whole {};
   whole.l_type = F_WRLCK;
@@ -35,7 +31,7 @@ int lock_file(const std::string& path) {
   const bool has_other_names = fstat(descriptor, &state) == 0 && state.st_nlink > 1;
   if (is_ours && !has_other_names) return descriptor;
   close(descriptor);
-  if (is_ours) refuse(path, "has a hard link, which would be written too; `--force` replaces it");
+  if (is_ours) refuse_input(path + ": has a hard link, which would be written too; `--force` replaces it");
   throw Failure(ExitCode::cannot_access, path + ": cannot be written: another process is writing it");
 }
 
@@ -62,7 +58,8 @@ PartialResult::PartialResult(const std::string& path, const EnsembleHead& head, 
   if (is_folder(path)) fail_to_write(path, EISDIR);
   if (exists(partial_) && existing == Existing::refused) {
     if (is_regular_file(partial_)) close(lock_file(partial_));
-    refuse(partial_, "exists, from a sweep that did not end; `--resume` continues it, `--force` starts over");
+    refuse_input(partial_ +
+                 ": exists, from a sweep that did not end; `--resume` continues it, `--force` starts over");
   }
   if (exists(partial_) && existing == Existing::replaced) remove_existing(partial_);
   if (!exists(partial_)) {

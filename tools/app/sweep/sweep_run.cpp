@@ -51,8 +51,6 @@ class ChunkPool {
     threads_ = start_workers(threads - 1, [this](const std::stop_token& stop) { work(stop); });
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
-  ChunkPool(const ChunkPool&) = delete;
-  ChunkPool& operator=(const ChunkPool&) = delete;
   ~ChunkPool() {
     const std::scoped_lock lock(mutex_);  // No thread is between its test and its wait.
     for (std::jthread& thread : threads_) thread.request_stop();

@@ -66,7 +66,7 @@ std::string of_another_class() {
   const TempFolder folder;
   AcceptedCore accepted = program_core(own_core(true));
   accepted.step.clear();
-  accepted.reason = "two\nlines";
+  accepted.reason = "two lines";
   write_accepted_core(folder.at(""), accepted);
   const Core core = shipped_core();
   const CoreCheck check(core, folder.at(""), {"accept it", "write them"});

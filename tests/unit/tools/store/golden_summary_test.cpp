@@ -59,7 +59,7 @@ TEST(GoldenSummary, OfAShortRunAndOfOneWithManyContactsIsTheOneApproved) {
   unsettled.at_rest_since_s.reset();
   expect_approved("tests/unit/tools/store/golden_summary.txt",
                   text_of(some_run(), some_summary(), "a longer throw") + "\n" +
-                      text_of(restless, unsettled, "several\nlines", "wide"));
+                      text_of(restless, unsettled, "several lines", "wide"));
 }
 
 TEST(GoldenSummary, HasTheChecksumsOfItsContentsAndFile) {
