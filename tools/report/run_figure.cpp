@@ -1,4 +1,3 @@
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -129,32 +128,26 @@ class RunDrawing {
       right_px = std::max(right_px, static_cast<double>(window.width_px));
       bottom_px = std::max(bottom_px, static_cast<double>(window.height_px));
     }
-    const auto scale = [](double low, double high) {
+    const auto draw_ticks = [&](double low, double high, double apart, const auto& draw_one) {
       const Axis axis{.low = std::max(low, 0.0), .high = high};
-      return std::pair(axis, std::vector<double>{axis.low, axis.high});
-    };
-    const auto draw_ticks = [&](const std::pair<Axis, std::vector<double>>& axis, double apart,
-                                const auto& draw_one) {
-      PlotScale ticks(axis.first, axis.second);
-      const double length = (axis.first.high - axis.first.low) * scale_;
+      PlotScale ticks(axis, {});
+      const double length = (axis.high - axis.low) * scale_;
       ticks.place(0.0, length, std::max(kTick + 3, std::min(apart, length / 2)));
       for (const Tick& tick : ticks.ticks()) draw_one(tick);
     };
     double end = -HUGE_VAL;
-    draw_ticks(scale(scene_.view.left_px, std::min(right_px, scene_.view.right_px)), 75.0,
-               [&](const Tick& tick) {
-                 const double x = at(tick.at, 0.0).x, half = text_width(tick.text, kTick) / 2;
-                 if (x - half < end + 6) return;
-                 end = x + half;
-                 svg.line({{x, plot_.bottom + 3}, {x, plot_.bottom + 7}}, {colour_of(Tone::faint), 1.0});
-                 svg.text({x, plot_.bottom + 16}, tick.text, {.size = kTick, .side = Side::middle});
-               });
-    draw_ticks(scale(scene_.view.top_px, std::min(bottom_px, scene_.view.bottom_px)), 45.0,
-               [&](const Tick& tick) {
-                 const double y = at(0.0, tick.at).y;
-                 svg.line({{plot_.left - 7, y}, {plot_.left - 3, y}}, {colour_of(Tone::faint), 1.0});
-                 svg.text({plot_.left - 11, y}, tick.text, {.size = kTick, .side = Side::right});
-               });
+    draw_ticks(scene_.view.left_px, std::min(right_px, scene_.view.right_px), 75.0, [&](const Tick& tick) {
+      const double x = at(tick.at, 0.0).x, half = text_width(tick.text, kTick) / 2;
+      if (x - half < end + 6) return;
+      end = x + half;
+      svg.line({{x, plot_.bottom + 3}, {x, plot_.bottom + 7}}, {colour_of(Tone::faint), 1.0});
+      svg.text({x, plot_.bottom + 16}, tick.text, {.size = kTick, .side = Side::middle});
+    });
+    draw_ticks(scene_.view.top_px, std::min(bottom_px, scene_.view.bottom_px), 45.0, [&](const Tick& tick) {
+      const double y = at(0.0, tick.at).y;
+      svg.line({{plot_.left - 7, y}, {plot_.left - 3, y}}, {colour_of(Tone::faint), 1.0});
+      svg.text({plot_.left - 11, y}, tick.text, {.size = kTick, .side = Side::right});
+    });
     svg.text({plot_.left - 11, plot_.bottom + 16}, "px", {.size = kTick, .side = Side::right});
   }
 
@@ -308,7 +301,7 @@ class RunDrawing {
   void draw_throws(Svg& svg, LabelPlacer& placer) const {
     constexpr double kLengthMin = 20.0, kLengthMax = 44.0, kAside = 9.0, kInto = 4.0;
     for (const Throw& one : scene_.throws) {
-      const double speed = speed_px_per_s(one.velocity);
+      const double speed = std::hypot(one.velocity.vx_px_per_s, one.velocity.vy_px_per_s);
       const double dx = one.velocity.vx_px_per_s / speed, dy = one.velocity.vy_px_per_s / speed;
       const double length =
           kLengthMin + (kLengthMax - kLengthMin) * std::min(1.0, speed / scene_.path.speed_px_per_s_max);
