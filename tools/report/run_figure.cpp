@@ -71,22 +71,22 @@ class RunDrawing {
 
   /// @param height of the sheet, or 0: as high as the scene needs.
   [[nodiscard]] Sheet sheet(double width, double height) {
-    Svg head;
+    Svg head, scratch;
     is_narrow_ = height > 0.0;
-    left_ = is_narrow_ ? kLeft - 14 : kLeft;
+    const double left = is_narrow_ ? kLeft - 14 : kLeft;
     const double top =
         draw_head(head, width, scenario_.name, is_narrow_ ? std::string() : run_subtitle(scenario_, rows_),
                   run_note(scenario_, rows_, scene_), Tone::vermilion) +
         14;
-    const double legend_height = draw_legend(scratch_, legend(), width, 0.0);
+    const double legend_height = draw_legend(scratch, legend(), width, 0.0);
     const double below = kBelow + legend_height + 16;
     const Box& view = scene_.view;
-    const double room = width - left_ - kRight;
+    const double room = width - left - kRight;
     const double height_max = height > 0.0 ? height - top - below : kPlotHeightMax;
     scale_ = std::min(room / view.width_px(), height_max / view.height_px());
     const double shown = std::max(view.height_px() * scale_, height > 0.0 ? height_max : kPlotHeightMin);
-    room_ = {left_, top, left_ + room, top + shown};
-    plot_ = {left_, room_.bottom - view.height_px() * scale_, left_ + view.width_px() * scale_, room_.bottom};
+    room_ = {left, top, left + room, top + shown};
+    plot_ = {left, room_.bottom - view.height_px() * scale_, left + view.width_px() * scale_, room_.bottom};
     Sheet sheet{width, height > 0.0 ? height : room_.bottom + below, std::move(head)};
     draw(sheet.svg);
     draw_legend(sheet.svg, legend(), width, room_.bottom + kBelow);
@@ -395,11 +395,9 @@ class RunDrawing {
   const Columns& rows_;
   const RunScene& scene_;
   bool is_narrow_ = false;
-  double left_ = 0.0;   // Of plot and room.
   double scale_ = 0.0;  // px of the SVG for one px of the window, in x and in y.
   SvgBox room_;         // For the plot and its labels.
   SvgBox plot_;         // What shows the view.
-  Svg scratch_;
 };
 
 }  // namespace
