@@ -149,8 +149,6 @@ int picture_of(Pose pose, int width_px) {
   return of_pose + 200;
 }
 
-Session::Session(const Core& core, const Keyframe& start) : player_(core, start), ring_(start) {}
-
 void Session::apply(const Action& action) {
   player_.apply(action);
   wake();

@@ -20,7 +20,7 @@ class Session {
   /// After so many frames without motion the hyrax may sleep.
   static constexpr int kStillFrames = 60;
 
-  Session(const Core& core, const Keyframe& start);
+  Session(const Core& core, const Keyframe& start) : player_(core, start), ring_(start) {}
 
   /// The state before the next frame.
   [[nodiscard]] const Keyframe& now() const { return player_.now(); }
