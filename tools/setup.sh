@@ -7,13 +7,13 @@ packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1
 packages_to_test=(libgtest-dev libgmock-dev libmpfr-dev git groff-base python3 python3-h5py python3-xarray python3-h5netcdf
   python3-jsonschema python3-xxhash locales)
 packages_for_all=(clang lld libclang-rt-dev libbenchmark-dev)
-# Compilers and emulators of tests/platforms. Not g++-multilib: it conflicts with all cross compilers.
-packages_for_platforms=(clang-22 g++-12-multilib qemu-user g++-aarch64-linux-gnu g++-arm-linux-gnueabihf
-  g++-powerpc64le-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix wine wine64
-  nodejs clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32)
 # For the report page: its core is WebAssembly, its scripts are bundled with npm packages.
 packages_for_page=(nodejs clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32
   libclang-rt-19-dev-wasm32)
+# Compilers and emulators of tests/platforms, WebAssembly's too. Not g++-multilib: it conflicts with all cross compilers.
+packages_for_platforms=(clang-22 g++-12-multilib qemu-user g++-aarch64-linux-gnu g++-arm-linux-gnueabihf
+  g++-powerpc64le-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix wine wine64
+  "${packages_for_page[@]}")
 command -v npm > /dev/null || packages_for_page+=(npm) # A nodejs from elsewhere than Debian brings its own.
 packages_to_browse=(chromium)
 # For tests/cli/hyrax, which run hyrax.exe under Wine and compare screenshots.

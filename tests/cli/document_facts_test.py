@@ -58,7 +58,7 @@ STATED = (
         ("tools/hyrax-sim/program.cpp", '"{} golden file missing (or a part of a sweep), {} arithmetic is not strict IEEE-754, {} internal',
          "golden_missing, not_strict_ieee, program_fault"),
         ("tools/hyrax-compare/main.cpp", "Exit codes: {} printed, whatever differs; {} golden/core is damaged; {} bad usage", "agreed, disagreed, bad_input"),
-        ("tools/hyrax-compare/main.cpp", "; {} cannot read; {} no golden/core; {} arithmetic is not strict IEEE-754; {} \"\n    \"internal",
+        ("tools/hyrax-compare/main.cpp", "; {} cannot read; {} no golden/core; {} arithmetic is not strict IEEE-754; {} internal",
          "cannot_access, golden_missing, not_strict_ieee, program_fault"),
         *((f"tools/{script}", f"; {{}} if {words}", "cannot_access") for script, words in (
             ("run", "it could not be installed or built."), ("compare", "it could not be built."), ("check", "hyrax-sim could not be built."))),

@@ -29,12 +29,11 @@ constexpr std::string_view kSummary =
     "CANDIDATE.h and BASE.h each define `class physics` as sim/physics/physics.h does, which is the\n"
     "candidate if none is given. The base is the accepted core, golden/core, if none is given. They are\n"
     "compiled with the compiler and the flags of this build.\n";
-constexpr std::string_view kExitCodes =
-    "\nExit codes: 0 printed, whatever differs; 1 golden/core is damaged; 2 bad usage, or a core that does "
-    "not\n"
-    "compile or is refused; 3 cannot read; 4 no golden/core; 5 arithmetic is not strict IEEE-754; 70 "
-    "internal\n"
-    "error.\n";
+constexpr std::string_view kExitCodes = R"(
+Exit codes: 0 printed, whatever differs; 1 golden/core is damaged; 2 bad usage, or a core that does not
+compile or is refused; 3 cannot read; 4 no golden/core; 5 arithmetic is not strict IEEE-754; 70 internal
+error.
+)";
 
 struct Arguments {
   std::vector<std::string> headers;

@@ -28,8 +28,7 @@ Json::Array names_of(const std::vector<Action>& actions) {
 }  // namespace
 
 FrameLog::FrameLog(const std::string& path) {
-  if (is_regular_file(path))
-    throw Failure(ExitCode::bad_input, path + ": exists already; name another file, or remove it first");
+  if (is_regular_file(path)) refuse_input(path + ": exists already; name another file, or remove it first");
   file_.reset(std::fopen(path.c_str(), "wb"));
   if (!file_) fail_to_write(path, errno);
 }

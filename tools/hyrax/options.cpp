@@ -9,7 +9,7 @@ namespace hyrax {
 namespace {
 
 [[noreturn]] void refuse(const std::string& sentence) {
-  throw Failure(ExitCode::bad_input, "hyrax: " + sentence + "; see `hyrax --help`");
+  refuse_input("hyrax: " + sentence + "; see `hyrax --help`");
 }
 
 double seconds_of(const std::string& text) {

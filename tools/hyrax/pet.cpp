@@ -28,7 +28,9 @@ Keyframe start_of(const Desk& desk) {
 }  // namespace
 
 Pet::Pet(const Core& core, const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks)
-    : desk_(desk), ticks_per_s_(ticks_per_s), timer_(ticks_per_s, ticks), session_(core, start_of(desk)) {}
+    : desk_(desk), ticks_per_s_(ticks_per_s), last_ticks_(ticks), session_(core, start_of(desk)) {
+  assert(ticks_per_s > 0);
+}
 
 void Pet::grab(ScreenPoint hand, std::int64_t ticks) {
   assert(!is_held());
@@ -70,7 +72,7 @@ void Pet::reset(std::int64_t ticks) {
 void Pet::resume(std::int64_t ticks) {
   if (!is_paused_) return;
   is_paused_ = false;
-  timer_.restart(ticks);
+  last_ticks_ = ticks;
 }
 
 void Pet::move_to(const Desk& desk, std::int64_t ticks) {
@@ -84,7 +86,10 @@ void Pet::move_to(const Desk& desk, std::int64_t ticks) {
 void Pet::frame(std::int64_t ticks) {
   if (is_asleep()) return;
   follow_hand();
-  session_.advance(timer_.elapsed_s(ticks));
+  // A clock may go backwards.
+  const std::int64_t elapsed_ticks = std::max<std::int64_t>(ticks - last_ticks_, 0);
+  last_ticks_ = ticks;
+  session_.advance(static_cast<double>(elapsed_ticks) / static_cast<double>(ticks_per_s_));
   inputs_of_frame_ = std::exchange(inputs_, {});
   const Row& row = session_.now().row;
   const int ground_px = desk_.work_area.height_px - desk_.sprite.height_px;
@@ -105,7 +110,7 @@ Position Pet::position() const { return {session_.now().row.x_px, session_.now()
 
 // The time it was asleep belongs to no frame.
 void Pet::wake(std::int64_t ticks) {
-  if (is_asleep()) timer_.restart(ticks);
+  if (is_asleep()) last_ticks_ = ticks;
   session_.wake();
   is_paused_ = false;
 }
@@ -125,7 +130,7 @@ void Pet::release(const Velocity& velocity, std::int64_t ticks) {
   wake(ticks);
   apply(Release{velocity});
   hold_.reset();
-  timer_.restart(ticks);
+  last_ticks_ = ticks;
 }
 
 std::int64_t next_due_ticks(const FrameTimes& times) {
@@ -143,8 +148,6 @@ int picture_of(Pose pose, int width_px) {
     if (kUsualSprite_px * percentage / 100 >= width_px) return of_pose + percentage;
   return of_pose + 200;
 }
-
-Session::Session(const Core& core, const Keyframe& start) : player_(core, start), ring_(start) {}
 
 void Session::apply(const Action& action) {
   player_.apply(action);

@@ -20,7 +20,7 @@ class Session {
   /// After so many frames without motion the hyrax may sleep.
   static constexpr int kStillFrames = 60;
 
-  Session(const Core& core, const Keyframe& start);
+  Session(const Core& core, const Keyframe& start) : player_(core, start), ring_(start) {}
 
   /// The state before the next frame.
   [[nodiscard]] const Keyframe& now() const { return player_.now(); }
@@ -61,29 +61,6 @@ class Session {
   Ring ring_;
   std::optional<Recording> recording_;
   int still_frames_ = 0;
-};
-
-/// The time between frames, in ticks of a clock that the caller reads.
-class FrameTimer {
- public:
-  /// REQUIRES: ticks_per_s > 0.
-  FrameTimer(std::int64_t ticks_per_s, std::int64_t ticks) : ticks_per_s_(ticks_per_s), last_ticks_(ticks) {
-    assert(ticks_per_s > 0);
-  }
-
-  /// The next frame begins here; the time before belongs to no frame.
-  void restart(std::int64_t ticks) { last_ticks_ = ticks; }
-
-  /// Seconds since the last frame; 0 if the clock stopped or went backwards. A frame ends here.
-  [[nodiscard]] double elapsed_s(std::int64_t ticks) {
-    const std::int64_t elapsed_ticks = ticks > last_ticks_ ? ticks - last_ticks_ : 0;
-    last_ticks_ = ticks;
-    return static_cast<double>(elapsed_ticks) / static_cast<double>(ticks_per_s_);
-  }
-
- private:
-  std::int64_t ticks_per_s_;
-  std::int64_t last_ticks_;
 };
 
 /// What is done several times a second: due at first, and again a period after it was last done.
@@ -143,7 +120,7 @@ class Pet {
   void move_to(const Desk& desk, std::int64_t ticks);
 
   /// The time until now does not count, as while the machine was suspended.
-  void skip_time(std::int64_t ticks) { timer_.restart(ticks); }
+  void skip_time(std::int64_t ticks) { last_ticks_ = ticks; }
 
   /// Plays a frame unless it is asleep.
   void frame(std::int64_t ticks);
@@ -172,7 +149,7 @@ class Pet {
 
   Desk desk_;
   std::int64_t ticks_per_s_;
-  FrameTimer timer_;
+  std::int64_t last_ticks_;  // The next frame begins here; time before it belongs to none.
   Session session_;
   std::optional<Hold> hold_;
   bool is_paused_ = false;

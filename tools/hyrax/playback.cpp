@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::int64_t kFramesAtOnceMax = 100'000;
 
-}  // namespace
-
 PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run) {
   const std::string hash = hex(run.state_hash);
   const std::string name = scenario.name + ": ";
@@ -22,6 +20,8 @@ PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run) {
             name + "state hash differs (found " + hash + "); expected " + *scenario.expect->state_hash};
   return {ExitCode::agreed, name + "state hash " + hash + " agrees"};
 }
+
+}  // namespace
 
 PlaybackVerdict replayed(const Core& core, const Scenario& scenario) {
   return verdict_on(scenario, replay(core, scenario));

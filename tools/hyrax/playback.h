@@ -16,10 +16,7 @@ struct PlaybackVerdict {
   std::string sentence;
 };
 
-/// Whether the run has the state hash that its scenario expects; without one it agrees.
-[[nodiscard]] PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run);
-
-/// Plays a scenario at once.
+/// Plays a scenario at once: whether it has the state hash that it expects; without one it agrees.
 [[nodiscard]] PlaybackVerdict replayed(const Core& core, const Scenario& scenario);
 
 class Playback {

@@ -112,8 +112,7 @@ void ScenarioSaver::work() {
 
 Recording::Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver)
     : first_path_(path), path_(path), saver_(saver), all_(start), part_(start), part_paths_{path} {
-  if (is_there(path))
-    throw Failure(ExitCode::bad_input, path + ": exists already; name another file, or remove it first");
+  if (is_there(path)) refuse_input(path + ": exists already; name another file, or remove it first");
 }
 
 Recording Recording::next(const Keyframe& start) const {

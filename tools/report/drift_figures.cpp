@@ -269,60 +269,44 @@ Figure restitution_figure(const DriftRun& run) {
   return figure;
 }
 
-// The causes over time.
-class CauseSeries {
- public:
-  explicit CauseSeries(double gravity_px_per_s2) : causes_(gravity_px_per_s2) {}
-  [[nodiscard]] std::array<Series*, 5> all() { return {&gravity_, &drag_, &lift_, &bounce_, &sum_}; }
-  void add(const ArcErrors& arc) {
-    add(arc.t_s - arc.duration_s);
-    causes_.add(arc);
-    add(arc.t_s);
-  }
-  void add(const ImpactErrors& contact) {
-    add(contact.t_s);
-    causes_.add(contact);
-    add(contact.t_s);
-  }
-
- private:
-  void add(double t_s) {
-    const EnergyCauses& now = causes_.now();
+Figure causes_figure(const DriftRun& run) {
+  std::vector<Series> series = {
+      {.name = "gravity once a step", .look = {.tone = Tone::blue}},
+      {.name = "drag on that path", .look = {.tone = Tone::green}},
+      {.name = "lift out of walls", .look = {.tone = Tone::vermilion}},
+      {.name = "restitution after the wall", .look = {.tone = Tone::purple}},
+      {.name = "all four", .look = {.tone = Tone::ink, .width_px = 1.5, .dash = Dash::short_dashes}}};
+  EnergyCauseSum causes(run.model.gravity_px_per_s2);
+  const auto add_point = [&](double t_s) {
+    const EnergyCauses& now = causes.now();
     const std::array values = {now.gravity, now.drag, now.lift, now.bounce, now.sum()};
     for (std::size_t index = 0; index < values.size(); ++index) {
-      all()[index]->x.push_back(t_s);
-      all()[index]->y.push_back(values[index]);
+      series[index].x.push_back(t_s);
+      series[index].y.push_back(values[index]);
     }
-  }
-
-  EnergyCauseSum causes_;
-  Series gravity_{.name = "gravity once a step", .look = {.tone = Tone::blue}};
-  Series drag_{.name = "drag on that path", .look = {.tone = Tone::green}};
-  Series lift_{.name = "lift out of walls", .look = {.tone = Tone::vermilion}};
-  Series bounce_{.name = "restitution after the wall", .look = {.tone = Tone::purple}};
-  Series sum_{.name = "all four", .look = {.tone = Tone::ink, .width_px = 1.5, .dash = Dash::short_dashes}};
-};
-
-Figure causes_figure(const DriftRun& run) {
-  CauseSeries causes(run.model.gravity_px_per_s2);
+  };
+  const auto add = [&](const auto& part, double begin_s) {
+    add_point(begin_s);
+    causes.add(part);
+    add_point(part.t_s);
+  };
   std::size_t next = 0;
   const auto add_before = [&](std::int64_t step) {
     for (; next < run.contacts.size() && run.contacts[next].step < step; ++next)
-      causes.add(run.contacts[next]);
+      add(run.contacts[next], run.contacts[next].t_s);
   };
   for (const ArcErrors& arc : run.arcs) {
     add_before(arc.last_step);
-    causes.add(arc);
+    add(arc, arc.t_s - arc.duration_s);
   }
   add_before(std::numeric_limits<std::int64_t>::max());
   Plot plot = plot_over_time(run, {.label = "energy so far, as px of height"});
-  for (Series* const series : causes.all()) plot.series.push_back(std::move(*series));
+  plot.series = std::move(series);
   plot.marks = {{.is_vertical = false, .at = 0.0}};
   return over_time(
       figure_of(run, kSuffixes[4],
                 "What the step adds and takes by itself: energy against exact flights and bounces"),
-      {std::move(plot)}, run,
-      [](const Series& series) { return fmt::format(" {:+.3g} px", series.y.back()); });
+      {std::move(plot)}, run, [](const Series& each) { return fmt::format(" {:+.3g} px", each.y.back()); });
 }
 
 }  // namespace

@@ -20,10 +20,6 @@ double draw_body(Svg& svg, const Listing& listing, double width, double top);
 /// Of its area: a line or a text over a band of a hue stays readable.
 [[nodiscard]] double opacity_of(const Look& look);
 
-/// The sign of a look in a legend, between x and x + kLegendSign.
-void draw_sign(Svg& svg, const Look& look, double x, double y);
-inline constexpr double kLegendSign = 24.0;
-
 /// A line or several of entries, each with a sign, from `top` on; returns where they end.
 double draw_legend(Svg& svg, const std::vector<LegendEntry>& entries, double width, double top);
 

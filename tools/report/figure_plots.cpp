@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
+#include <initializer_list>
 
 #include "sim/result/number_text.h"
 #include "tools/report/figure_body.h"
@@ -33,23 +33,13 @@ bool is_empty(const Plot& plot) {
 }
 
 // All values along one axis: its own and those that spread along it.
-template <class Columns>
-std::vector<double> values_of(const Plot& plot, const Columns& columns) {
+std::vector<double> values_of(const Plot& plot,
+                              std::initializer_list<std::vector<double> Series::*> columns) {
   std::vector<double> values;
   for (const Series& series : plot.series)
-    for (const std::vector<double>* const column : columns(series))
-      values.insert(values.end(), column->begin(), column->end());
+    for (const auto column : columns)
+      values.insert(values.end(), (series.*column).begin(), (series.*column).end());
   return values;
-}
-
-std::vector<double> x_values(const Plot& plot) {
-  return values_of(plot, [](const Series& series) {
-    return std::array{&series.x, &series.x_low, &series.x_high};
-  });
-}
-
-std::vector<double> y_values(const Plot& plot) {
-  return values_of(plot, [](const Series& series) { return std::array{&series.y, &series.y_low}; });
 }
 
 // One plot in its place on the sheet.
@@ -63,8 +53,8 @@ class PlotDrawing {
         plot_(plot),
         left_(left),
         axis_left_(axis_left),
-        x_(plot.x, x_values(plot)),
-        y_(plot.y, y_values(plot)) {
+        x_(plot.x, values_of(plot, {&Series::x, &Series::x_low, &Series::x_high})),
+        y_(plot.y, values_of(plot, {&Series::y, &Series::y_low})) {
     if (!plot.y.categories.empty()) {
       box_.right = right;
       place_x();
@@ -145,9 +135,9 @@ class PlotDrawing {
     const Pen rule{colour_named("rule"), 1.0};
     for (const Span& span : plot_.spans)
       svg_.box({x_.clamped(span.from), box_.top, x_.clamped(span.to), box_.bottom}, colour_of(Tone::shade));
-    if (const auto gap = y_.gap()) {
-      svg_.box({box_.left, gap->to_px, box_.right, box_.bottom}, colour_of(Tone::shade), 0.0, 0.6);
-      svg_.text({box_.right - 6, gap->to_px + 10}, plot_.y.strip_name,
+    if (const auto strip = y_.end_of_strip()) {
+      svg_.box({box_.left, *strip, box_.right, box_.bottom}, colour_of(Tone::shade), 0.0, 0.6);
+      svg_.text({box_.right - 6, *strip + 10}, plot_.y.strip_name,
                 {.size = LabelPlacer::kSize, .side = Side::right});
     }
     const bool has_columns = !plot_.y.categories.empty() || plot_.has_equal_scales ||

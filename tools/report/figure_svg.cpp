@@ -13,6 +13,11 @@ double opacity_of(const Look& look) {
   return look.form == Form::band && is_hue ? 0.5 : 1.0;
 }
 
+namespace {
+
+constexpr double kLegendSign = 24.0;
+
+// The sign of a look in a legend, between x and x + kLegendSign.
 void draw_sign(Svg& svg, const Look& look, double x, double y) {
   const std::string& colour = colour_of(look.tone);
   const SvgPoint middle{x + kLegendSign / 2, y};
@@ -25,8 +30,6 @@ void draw_sign(Svg& svg, const Look& look, double x, double y) {
   if (look.form != Form::points) svg.line({{x, y}, {x + kLegendSign, y}}, {colour, look.width_px, look.dash});
   if (look.form != Form::line) svg.sign(middle, look.marker, std::max(look.marker_size, 0.8), colour);
 }
-
-namespace {
 
 std::string listing_html(const Listing& listing) {
   std::string html = "<table class=\"listing\">\n<thead><tr>";

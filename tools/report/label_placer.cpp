@@ -5,6 +5,26 @@
 #include <cmath>
 
 namespace hyrax {
+namespace {
+
+// Centres of a label beside a point, the nearest first.
+std::vector<SvgPoint> centres_around(SvgPoint at, std::string_view text) {
+  const double half = LabelPlacer::width(text) / 2 + 6;
+  std::vector<SvgPoint> centres;
+  constexpr double kNearest = 14.0;
+  for (const double away : {kNearest, 28.0, 42.0, 56.0, 70.0, 84.0, 98.0})
+    centres.insert(centres.end(), {{at.x + half + away - kNearest, at.y},
+                                   {at.x - half - away + kNearest, at.y},
+                                   {at.x, at.y - away},
+                                   {at.x, at.y + away},
+                                   {at.x + half, at.y - away},
+                                   {at.x - half, at.y - away},
+                                   {at.x + half, at.y + away},
+                                   {at.x - half, at.y + away}});
+  return centres;
+}
+
+}  // namespace
 
 void LabelPlacer::avoid(SvgPoint from, SvgPoint to) {
   constexpr double kPartLength = 3.0;
@@ -88,22 +108,6 @@ void LabelPlacer::draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone
   if (std::hypot(edge.x - at.x, edge.y - at.y) > kBeside)
     svg.line({at, edge}, {colour_of(Tone::quiet), 0.75});
   svg.text(centre, text, lettering(tone));
-}
-
-std::vector<SvgPoint> LabelPlacer::centres_around(SvgPoint at, std::string_view text) {
-  const double half = width(text) / 2 + 6;
-  std::vector<SvgPoint> centres;
-  constexpr double kNearest = 14.0;
-  for (const double away : {kNearest, 28.0, 42.0, 56.0, 70.0, 84.0, 98.0})
-    centres.insert(centres.end(), {{at.x + half + away - kNearest, at.y},
-                                   {at.x - half - away + kNearest, at.y},
-                                   {at.x, at.y - away},
-                                   {at.x, at.y + away},
-                                   {at.x + half, at.y - away},
-                                   {at.x - half, at.y - away},
-                                   {at.x + half, at.y + away},
-                                   {at.x - half, at.y + away}});
-  return centres;
 }
 
 }  // namespace hyrax

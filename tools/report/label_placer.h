@@ -27,8 +27,6 @@ class LabelPlacer {
   /// Places a label beside a point and draws it, with a line to its point if that is not near.
   void draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone tone);
 
-  /// Centres of a label beside a point, the nearest first.
-  [[nodiscard]] static std::vector<SvgPoint> centres_around(SvgPoint at, std::string_view text);
   [[nodiscard]] static double width(std::string_view text) { return text_width(text, kSize) + 4.0; }
   [[nodiscard]] static Lettering lettering(Tone tone) {
     return {.size = kSize, .tone = tone, .side = Side::middle, .has_edge = true};

@@ -29,8 +29,7 @@ void require_page() {
   if (page_template(PageKind::runs).empty())
     throw Failure(ExitCode::cannot_access,
                   "the report page is not part of this program; to build it in: tools/run SCENARIO --report "
-                  "FILE.html, or "
-                  "cmake with -DHYRAX_PAGE=ON");
+                  "FILE.html, or cmake with -DHYRAX_PAGE=ON");
 }
 
 std::string html_text(std::string_view text) {

@@ -112,9 +112,8 @@ double PlotScale::clamped(double value) const {
   return at(std::clamp(value, part.low, part.high));
 }
 
-std::optional<PlotScale::Gap> PlotScale::gap() const {
-  if (parts_.size() == 1) return std::nullopt;
-  return Gap{parts_.back().low_px, parts_.front().high_px};
+std::optional<double> PlotScale::end_of_strip() const {
+  return parts_.size() == 1 ? std::nullopt : std::optional(parts_.front().high_px);
 }
 
 void PlotScale::add_powers_of_ten(std::vector<Tick>& ticks, const Part& part) const {

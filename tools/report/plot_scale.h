@@ -28,11 +28,8 @@ class PlotScale {
   /// In order, distinct, none beyond the ends.
   [[nodiscard]] std::vector<Tick> ticks() const;
 
-  struct Gap {
-    double from_px = 0.0, to_px = 0.0;  ///< The strip begins at to_px.
-  };
-  /// Between the strip of the axis and the rest, if it has a strip and data in both.
-  [[nodiscard]] std::optional<Gap> gap() const;
+  /// Where the strip of the axis ends beside the rest, if it has a strip and data in both.
+  [[nodiscard]] std::optional<double> end_of_strip() const;
 
  private:
   struct Part {

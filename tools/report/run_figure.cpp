@@ -1,4 +1,3 @@
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,22 +71,22 @@ class RunDrawing {
 
   /// @param height of the sheet, or 0: as high as the scene needs.
   [[nodiscard]] Sheet sheet(double width, double height) {
-    Svg head;
+    Svg head, scratch;
     is_narrow_ = height > 0.0;
-    left_ = is_narrow_ ? kLeft - 14 : kLeft;
+    const double left = is_narrow_ ? kLeft - 14 : kLeft;
     const double top =
         draw_head(head, width, scenario_.name, is_narrow_ ? std::string() : run_subtitle(scenario_, rows_),
                   run_note(scenario_, rows_, scene_), Tone::vermilion) +
         14;
-    const double legend_height = draw_legend(scratch_, legend(), width, 0.0);
+    const double legend_height = draw_legend(scratch, legend(), width, 0.0);
     const double below = kBelow + legend_height + 16;
     const Box& view = scene_.view;
-    const double room = width - left_ - kRight;
+    const double room = width - left - kRight;
     const double height_max = height > 0.0 ? height - top - below : kPlotHeightMax;
     scale_ = std::min(room / view.width_px(), height_max / view.height_px());
     const double shown = std::max(view.height_px() * scale_, height > 0.0 ? height_max : kPlotHeightMin);
-    room_ = {left_, top, left_ + room, top + shown};
-    plot_ = {left_, room_.bottom - view.height_px() * scale_, left_ + view.width_px() * scale_, room_.bottom};
+    room_ = {left, top, left + room, top + shown};
+    plot_ = {left, room_.bottom - view.height_px() * scale_, left + view.width_px() * scale_, room_.bottom};
     Sheet sheet{width, height > 0.0 ? height : room_.bottom + below, std::move(head)};
     draw(sheet.svg);
     draw_legend(sheet.svg, legend(), width, room_.bottom + kBelow);
@@ -129,32 +128,26 @@ class RunDrawing {
       right_px = std::max(right_px, static_cast<double>(window.width_px));
       bottom_px = std::max(bottom_px, static_cast<double>(window.height_px));
     }
-    const auto scale = [](double low, double high) {
+    const auto draw_ticks = [&](double low, double high, double apart, const auto& draw_one) {
       const Axis axis{.low = std::max(low, 0.0), .high = high};
-      return std::pair(axis, std::vector<double>{axis.low, axis.high});
-    };
-    const auto draw_ticks = [&](const std::pair<Axis, std::vector<double>>& axis, double apart,
-                                const auto& draw_one) {
-      PlotScale ticks(axis.first, axis.second);
-      const double length = (axis.first.high - axis.first.low) * scale_;
+      PlotScale ticks(axis, {});
+      const double length = (axis.high - axis.low) * scale_;
       ticks.place(0.0, length, std::max(kTick + 3, std::min(apart, length / 2)));
       for (const Tick& tick : ticks.ticks()) draw_one(tick);
     };
     double end = -HUGE_VAL;
-    draw_ticks(scale(scene_.view.left_px, std::min(right_px, scene_.view.right_px)), 75.0,
-               [&](const Tick& tick) {
-                 const double x = at(tick.at, 0.0).x, half = text_width(tick.text, kTick) / 2;
-                 if (x - half < end + 6) return;
-                 end = x + half;
-                 svg.line({{x, plot_.bottom + 3}, {x, plot_.bottom + 7}}, {colour_of(Tone::faint), 1.0});
-                 svg.text({x, plot_.bottom + 16}, tick.text, {.size = kTick, .side = Side::middle});
-               });
-    draw_ticks(scale(scene_.view.top_px, std::min(bottom_px, scene_.view.bottom_px)), 45.0,
-               [&](const Tick& tick) {
-                 const double y = at(0.0, tick.at).y;
-                 svg.line({{plot_.left - 7, y}, {plot_.left - 3, y}}, {colour_of(Tone::faint), 1.0});
-                 svg.text({plot_.left - 11, y}, tick.text, {.size = kTick, .side = Side::right});
-               });
+    draw_ticks(scene_.view.left_px, std::min(right_px, scene_.view.right_px), 75.0, [&](const Tick& tick) {
+      const double x = at(tick.at, 0.0).x, half = text_width(tick.text, kTick) / 2;
+      if (x - half < end + 6) return;
+      end = x + half;
+      svg.line({{x, plot_.bottom + 3}, {x, plot_.bottom + 7}}, {colour_of(Tone::faint), 1.0});
+      svg.text({x, plot_.bottom + 16}, tick.text, {.size = kTick, .side = Side::middle});
+    });
+    draw_ticks(scene_.view.top_px, std::min(bottom_px, scene_.view.bottom_px), 45.0, [&](const Tick& tick) {
+      const double y = at(0.0, tick.at).y;
+      svg.line({{plot_.left - 7, y}, {plot_.left - 3, y}}, {colour_of(Tone::faint), 1.0});
+      svg.text({plot_.left - 11, y}, tick.text, {.size = kTick, .side = Side::right});
+    });
     svg.text({plot_.left - 11, plot_.bottom + 16}, "px", {.size = kTick, .side = Side::right});
   }
 
@@ -308,7 +301,7 @@ class RunDrawing {
   void draw_throws(Svg& svg, LabelPlacer& placer) const {
     constexpr double kLengthMin = 20.0, kLengthMax = 44.0, kAside = 9.0, kInto = 4.0;
     for (const Throw& one : scene_.throws) {
-      const double speed = speed_px_per_s(one.velocity);
+      const double speed = std::hypot(one.velocity.vx_px_per_s, one.velocity.vy_px_per_s);
       const double dx = one.velocity.vx_px_per_s / speed, dy = one.velocity.vy_px_per_s / speed;
       const double length =
           kLengthMin + (kLengthMax - kLengthMin) * std::min(1.0, speed / scene_.path.speed_px_per_s_max);
@@ -402,11 +395,9 @@ class RunDrawing {
   const Columns& rows_;
   const RunScene& scene_;
   bool is_narrow_ = false;
-  double left_ = 0.0;   // Of plot and room.
   double scale_ = 0.0;  // px of the SVG for one px of the window, in x and in y.
   SvgBox room_;         // For the plot and its labels.
   SvgBox plot_;         // What shows the view.
-  Svg scratch_;
 };
 
 }  // namespace

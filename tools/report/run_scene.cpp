@@ -12,6 +12,10 @@
 namespace hyrax {
 namespace {
 
+Box sprite_box(double x_px, double y_px, const Size& sprite) {
+  return {x_px, y_px, x_px + sprite.width_px, y_px + sprite.height_px};
+}
+
 Box around(const Box& a, const Box& b) {
   return {std::min(a.left_px, b.left_px), std::min(a.top_px, b.top_px), std::max(a.right_px, b.right_px),
           std::max(a.bottom_px, b.bottom_px)};
@@ -131,12 +135,10 @@ std::vector<TimedInput> timed_inputs_of(const Scenario& scenario, const std::vec
     const auto row = row_at(rows, frames[i]);
     if (!row || (count > kOfAKindMax && number > 1 && number < count)) continue;
     const Size& sprite = sizes.at(frames[i]).sprite;
-    TimedInput input{name_of(action), row->t_s, row->x_px + sprite.width_px / 2.0,
-                     row->y_px + sprite.height_px / 2.0};
-    if (const auto* const place = std::get_if<Place>(&action)) {
-      input.x_px = place->position.x_px + sprite.width_px / 2.0;
-      input.y_px = place->position.y_px + sprite.height_px / 2.0;
-    }
+    const auto* const place = std::get_if<Place>(&action);
+    const Position corner = place != nullptr ? place->position : Position{row->x_px, row->y_px};
+    TimedInput input{name_of(action), row->t_s, corner.x_px + sprite.width_px / 2.0,
+                     corner.y_px + sprite.height_px / 2.0};
     if (const auto* const resize = std::get_if<Resize>(&action)) {
       input.what = resize->window ? "window" : "sprite";
       if (resize->window) {
@@ -211,14 +213,6 @@ const SizesInForce::Change& SizesInForce::at(std::int64_t step) const {
       std::upper_bound(changes_.begin(), changes_.end(), step,
                        [](std::int64_t value, const Change& change) { return value < change.first_step; });
   return *std::prev(after);
-}
-
-double speed_px_per_s(const Velocity& velocity) {
-  return std::hypot(velocity.vx_px_per_s, velocity.vy_px_per_s);
-}
-
-Box sprite_box(double x_px, double y_px, const Size& sprite) {
-  return {x_px, y_px, x_px + sprite.width_px, y_px + sprite.height_px};
 }
 
 bool nearly_cover(const Box& a, const Box& b, double tolerance) {

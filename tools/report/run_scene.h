@@ -87,8 +87,6 @@ struct TimedInput {
   double y_px = 0.0;  ///< and half its height.
 };
 
-[[nodiscard]] double speed_px_per_s(const Velocity& velocity);
-
 struct Box {
   double left_px = 0.0, top_px = 0.0, right_px = 0.0, bottom_px = 0.0;
 
@@ -102,9 +100,6 @@ struct Box {
 
 /// Whether two outlines differ by less than `tolerance` times the sides of the first.
 [[nodiscard]] bool nearly_cover(const Box& a, const Box& b, double tolerance);
-
-/// The sprite's outline at a moment.
-[[nodiscard]] Box sprite_box(double x_px, double y_px, const Size& sprite);
 
 struct Bounce {
   Wall wall = Wall::ground;

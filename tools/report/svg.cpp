@@ -166,8 +166,7 @@ std::string dark_rules(const std::string& svg) {
 std::string svg_element(std::string_view name, std::string_view css_class, const Sheet& sheet, double left) {
   return fmt::format(
       "<svg class=\"{0}\" width=\"{1}\" height=\"{2}\" viewBox=\"{3} 0 {1} {2}\" role=\"group\" "
-      "aria-label=\"{4}\" "
-      "{5}>\n{6}</svg>\n",
+      "aria-label=\"{4}\" {5}>\n{6}</svg>\n",
       css_class, px(sheet.width - left), px(sheet.height), px(left), escaped(name), kLetters,
       sheet.svg.body());
 }

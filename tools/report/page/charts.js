@@ -79,7 +79,7 @@ export class Charts {
         { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${grouped(value, 6)} s`) },
         { ...axis, size: 64, gap: 6, space: 26, ...(log ? { splits: log.splits, values: log.values, filter: (_, splits) => splits } : { values: (_, splits) => splits.map(thousands) }) },
       ],
-      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: series.width ?? 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
+      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
         dash: series.dash ? [5, 4] : undefined, points: series.points ? { show: true, size: 7, fill: () => color(series.color), width: 0 } : { show: false },
         paths: series.points ? () => null : series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
       hooks: chart.isOverview ? { setSelect: [({ select: { left, width }, posToVal }) => width > 0 && this.zoom([posToVal(left, 'x'), posToVal(left + width, 'x')])] } :

@@ -163,8 +163,8 @@ class Stage {
   /** Plays a member of an explorer beside others, below the explorer's picture. */
   show(explorer, row, neighbours) {
     const played = each => {
-      const { record } = recordOf(explorer.sweep, explorer.numbers, each);
-      return { ...playedHere(this.core, record, { inputs: explorer.sweep.events }), record };
+      const { record, texts } = recordOf(explorer.sweep, explorer.numbers, each);
+      return { ...playedHere(this.core, record, { inputs: explorer.sweep.events }), record, texts };
     };
     const place = element('member'), result = played(row), { rows, contacts, check } = result;
     explorer.place.closest('.figure').after(place);
@@ -172,7 +172,7 @@ class Stage {
     const member = explorer.members[row];
     element('member-heading').textContent = `Member ${grouped(member, 0)}`;
     element('member-number').value = member;
-    const inputs = Object.entries(recordOf(explorer.sweep, explorer.numbers, row).texts).map(([name, text]) => `${name} ${text}`).join(', ');
+    const inputs = Object.entries(result.texts).map(([name, text]) => `${name} ${text}`).join(', ');
     element('member-note').textContent = `${inputs}. Ends at x ${rounded(rows.x.at(-1), 6)}, y ${rounded(rows.y.at(-1), 6)} px after ${grouped(check.steps, 0)} steps; contacts ` +
       `${Object.entries(check.contacts).filter(([, count]) => count).map(([wall, count]) => `${wall} ${count}`).join(', ') || 'none'}. Thin: ${neighbours.length} neighbours.`;
     element('download-member').onclick = () => save(`member-${member}.json`, 'application/json', explorer.scenarioOf(row, check.stateHash));

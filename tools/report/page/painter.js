@@ -56,9 +56,7 @@ export class Painter {
   /** What to draw: window and sprite sizes in force, rows, contacts, inputs, another run's rows. */
   setScene(scene) {
     this.scene = scene;
-    const widest = Math.max(...scene.sizes.map(size => size.window[0]), 1);
-    const highest = Math.max(...scene.sizes.map(size => size.window[1]), 1);
-    this.extent = [widest, highest];
+    this.extent = [0, 1].map(side => Math.max(...scene.sizes.map(size => size.window[side]), 1));
     this.fit();
   }
 

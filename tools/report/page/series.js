@@ -1,6 +1,6 @@
 // What the charts of a run show: series, axes and their numbers, as plain values.
 import { firstAtLeast, lastAtMost, rangeOf } from './data.js';
-import { exact, rounded } from './numbers.js';
+import { exact, grouped, rounded } from './numbers.js';
 import { sizesAt } from './replay.js';
 
 export const overviewRowsMin = 50_000;
@@ -128,7 +128,7 @@ const aroundZero = (_, low, high) => [Math.min(0, 1.2 * (low ?? 0)), Math.max(0,
 const padded = (_, low, high) => (low === null || low === undefined ? [0, 1] : [low - 0.15 * (high - low || 0.1), high + 0.15 * (high - low || 0.1)]);
 const fromZero = (_, low, high) => [Math.min(0, low ?? 0), high > 0 ? 1.15 * high : 1];
 
-export const thousands = value => (Math.abs(value) >= 1e5 ? `${rounded(value / 1e6, 3)} M` : value.toLocaleString('en').replace('-', '−'));
+export const thousands = value => (Math.abs(value) >= 1e5 ? `${rounded(value / 1e6, 3)} M` : grouped(value, 3));
 
 export function rangeText(values, unit) {
   const [low, high] = rangeOf(values);

@@ -86,13 +86,8 @@ bool output_described(const auto& described, const std::vector<Record>& records,
 
 double or_nan(const std::optional<Worst>& worst) { return worst ? worst->value : std::nan(""); }
 
-// A state with the sizes of window and sprite, as the page gives it: x, y, vx, vy, window, sprite.
-struct Start {
-  State state;
-  Size window;
-  Size sprite;
-};
-Start start_in_input() {
+// As the page gives it: x, y, vx, vy, window, sprite.
+World start_in_input() {
   const auto n = input(8);
   const auto size = [&](std::size_t at) {
     return Size{static_cast<std::int32_t>(n[at]), static_cast<std::int32_t>(n[at + 1])};
@@ -206,7 +201,7 @@ HYRAX_EXPORT(cause_column) std::int32_t cause_column(std::size_t index) {
 
 /// A playground that begins with the start in the input.
 HYRAX_EXPORT(live_start) void live_start() {
-  const Start given = start_in_input();
+  const World given = start_in_input();
   Keyframe start;
   set_state(start.row, given.state);
   start.window = given.window;
@@ -267,7 +262,7 @@ HYRAX_EXPORT(live_scenario) void live_scenario() {
 /// is t, x, y of each row.
 HYRAX_EXPORT(flight) void flight(double rate_hz, double duration_s) {
   constexpr double kExactRowsPerSecond = 240.0;
-  const Start start = start_in_input();
+  const World start = start_in_input();
   std::vector<double>& rows = page().output;
   rows.clear();
   if (rate_hz > 0.0) {
@@ -280,7 +275,7 @@ HYRAX_EXPORT(flight) void flight(double rate_hz, double duration_s) {
       rows.insert(rows.end(), {columns.t_s[row], columns.x_px[row], columns.y_px[row]});
     return;
   }
-  const Bounds bounds = bounds_of(start.window, start.sprite);
+  const Bounds bounds = start.bounds();
   if (bounds.right_px < 0.0 || bounds.bottom_px < 0.0) return;  // There is none.
   ExactFling fling;
   fling.start(start.state, bounds);

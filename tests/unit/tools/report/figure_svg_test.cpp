@@ -72,9 +72,9 @@ TEST(PlotScale, EqualScalesLeaveAnAxisWhoseEndsAreGiven) {
 
 TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   const Axis axis{.is_logarithmic = true, .strip_below = 1e-8};
-  EXPECT_TRUE(scale_of(axis, {1e-9, 1.01e-7, 1.0}).gap());
-  EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).gap());
-  EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).gap()) << "nothing is empty between them";
+  EXPECT_TRUE(scale_of(axis, {1e-9, 1.01e-7, 1.0}).end_of_strip());
+  EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).end_of_strip());
+  EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).end_of_strip()) << "nothing is empty between them";
 }
 
 TEST(PlotSvg, TextsKeepOffCurvesAndOneAnother) {
