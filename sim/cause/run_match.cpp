@@ -144,10 +144,6 @@ class StepCollector {
   std::vector<ObservedStep> steps_;
 };
 
-World world_of(const Keyframe& keyframe) {
-  return {state_of(keyframe.row), keyframe.window, keyframe.sprite, keyframe.is_held};
-}
-
 // The number of the first block, counting repetitions, that is not the same in both.
 std::int64_t first_block_that_differs(const std::vector<StoredBlock>& a, const std::vector<StoredBlock>& b) {
   std::int64_t same = 0;
@@ -186,7 +182,8 @@ std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun&
   Replay replay(core, run.scenario, from, recorder);
   replay.play_to(std::min(run.steps, from.row.step + 2 * kRows - 1));
   static_cast<void>(replay.finish());
-  StepCollector collector(run.inputs, world_of(from), from.row.step);
+  StepCollector collector(run.inputs, {state_of(from.row), from.window, from.sprite, from.is_held},
+                          from.row.step);
   const Columns rows = recorder.take().rows;
   for (std::size_t index = 0; index < rows.size(); ++index) collector.take(rows.row(index));
   return std::move(collector).steps();
