@@ -9,6 +9,8 @@
 namespace hyrax {
 namespace {
 
+constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
+
 // Compares a replay with a run, by rows or by blocks, until one differs.
 class RunMatcher final : public RowSink {
  public:
@@ -70,45 +72,6 @@ class RunMatcher final : public RowSink {
   std::int64_t used_ = 0;  // and how many repetitions of the block there were.
   RunMatch match_{true, true, true};
 };
-
-bool is_hitch(const Input& input) { return std::holds_alternative<Hitch>(input.action); }
-
-}  // namespace
-
-Scenario playback_of(const StoredRun& golden) {
-  Scenario playback = golden.scenario;
-  playback.events.clear();
-  const bool has_rows = golden.rows.size() > 1;
-  for (const Input& input : golden.inputs)
-    if (!has_rows || !is_hitch(input)) playback.events.push_back({input.frame, input.action});
-  if (has_rows) {
-    playback.clock = {RecordedSteps{{golden.rows.dt_s.begin() + 1, golden.rows.dt_s.end()}}, {}};
-    playback.length = std::monostate();
-    return playback;
-  }
-  if (const auto* const rate = std::get_if<FixedRate>(&playback.clock.base))
-    playback.clock.base = FixedStep{1.0 / rate->rate_hz};
-  playback.length = golden.steps;
-  return playback;
-}
-
-RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run) {
-  RunMatcher matcher(run);
-  Replay replay(core, scenario, matcher);
-  if (replay.steps() < run.steps) return {};
-  std::int64_t piece = 16 * static_cast<std::int64_t>(kBlockRows);
-  for (std::int64_t at = -1; at < run.steps && !matcher.differs(); piece *= 2) {
-    if (replay.keyframe().row.step == at) break;  // The state is not finite any more.
-    at = replay.keyframe().row.step;
-    replay.play_to(std::min(run.steps, at + piece));
-  }
-  if (matcher.differs()) return {};
-  return matcher.finish(replay.finish());
-}
-
-namespace {
-
-constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
 
 // Hitches and resizes leave position and velocity as they are.
 bool sets_state(const Action& action) {
@@ -190,6 +153,38 @@ std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun&
 }
 
 }  // namespace
+
+Scenario playback_of(const StoredRun& golden) {
+  Scenario playback = golden.scenario;
+  playback.events.clear();
+  const bool has_rows = golden.rows.size() > 1;
+  for (const Input& input : golden.inputs)
+    if (!has_rows || !std::holds_alternative<Hitch>(input.action))
+      playback.events.push_back({input.frame, input.action});
+  if (has_rows) {
+    playback.clock = {RecordedSteps{{golden.rows.dt_s.begin() + 1, golden.rows.dt_s.end()}}, {}};
+    playback.length = std::monostate();
+    return playback;
+  }
+  if (const auto* const rate = std::get_if<FixedRate>(&playback.clock.base))
+    playback.clock.base = FixedStep{1.0 / rate->rate_hz};
+  playback.length = golden.steps;
+  return playback;
+}
+
+RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run) {
+  RunMatcher matcher(run);
+  Replay replay(core, scenario, matcher);
+  if (replay.steps() < run.steps) return {};
+  std::int64_t piece = 16 * kRows;
+  for (std::int64_t at = -1; at < run.steps && !matcher.differs(); piece *= 2) {
+    if (replay.keyframe().row.step == at) break;  // The state is not finite any more.
+    at = replay.keyframe().row.step;
+    replay.play_to(std::min(run.steps, at + piece));
+  }
+  if (matcher.differs()) return {};
+  return matcher.finish(replay.finish());
+}
 
 std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other, const Core& core) {
   if (!run.blocks.empty()) return steps_of_blocks(run, other, core);
