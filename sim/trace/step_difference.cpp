@@ -232,7 +232,6 @@ struct StepPair::Data {
 StepPair::StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)
     : data_(std::make_unique<Data>(accepted, current, names)) {}
 StepPair::~StepPair() = default;
-StepPair::StepPair(StepPair&&) noexcept = default;
 
 const std::vector<StepDifference>& StepPair::differences() const { return data_->differences; }
 bool StepPair::are_setters_equal() const { return data_->are_setters_equal; }
