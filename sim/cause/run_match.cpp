@@ -9,6 +9,8 @@
 namespace hyrax {
 namespace {
 
+constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
+
 // Compares a replay with a run, by rows or by blocks, until one differs.
 class RunMatcher final : public RowSink {
  public:
@@ -71,45 +73,6 @@ class RunMatcher final : public RowSink {
   RunMatch match_{true, true, true};
 };
 
-bool is_hitch(const Input& input) { return std::holds_alternative<Hitch>(input.action); }
-
-}  // namespace
-
-Scenario playback_of(const StoredRun& golden) {
-  Scenario playback = golden.scenario;
-  playback.events.clear();
-  const bool has_rows = golden.rows.size() > 1;
-  for (const Input& input : golden.inputs)
-    if (!has_rows || !is_hitch(input)) playback.events.push_back({input.frame, input.action});
-  if (has_rows) {
-    playback.clock = {RecordedSteps{{golden.rows.dt_s.begin() + 1, golden.rows.dt_s.end()}}, {}};
-    playback.length = std::monostate();
-    return playback;
-  }
-  if (const auto* const rate = std::get_if<FixedRate>(&playback.clock.base))
-    playback.clock.base = FixedStep{1.0 / rate->rate_hz};
-  playback.length = golden.steps;
-  return playback;
-}
-
-RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run) {
-  RunMatcher matcher(run);
-  Replay replay(core, scenario, matcher);
-  if (replay.steps() < run.steps) return {};
-  std::int64_t piece = 16 * static_cast<std::int64_t>(kBlockRows);
-  for (std::int64_t at = -1; at < run.steps && !matcher.differs(); piece *= 2) {
-    if (replay.keyframe().row.step == at) break;  // The state is not finite any more.
-    at = replay.keyframe().row.step;
-    replay.play_to(std::min(run.steps, at + piece));
-  }
-  if (matcher.differs()) return {};
-  return matcher.finish(replay.finish());
-}
-
-namespace {
-
-constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
-
 // Hitches and resizes leave position and velocity as they are.
 bool sets_state(const Action& action) {
   return !std::holds_alternative<Hitch>(action) && !std::holds_alternative<Resize>(action);
@@ -143,10 +106,6 @@ class StepCollector {
   std::size_t next_input_ = 0;
   std::vector<ObservedStep> steps_;
 };
-
-World world_of(const Keyframe& keyframe) {
-  return {state_of(keyframe.row), keyframe.window, keyframe.sprite, keyframe.is_held};
-}
 
 // The number of the first block, counting repetitions, that is not the same in both.
 std::int64_t first_block_that_differs(const std::vector<StoredBlock>& a, const std::vector<StoredBlock>& b) {
@@ -186,13 +145,46 @@ std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun&
   Replay replay(core, run.scenario, from, recorder);
   replay.play_to(std::min(run.steps, from.row.step + 2 * kRows - 1));
   static_cast<void>(replay.finish());
-  StepCollector collector(run.inputs, world_of(from), from.row.step);
+  StepCollector collector(run.inputs, {state_of(from.row), from.window, from.sprite, from.is_held},
+                          from.row.step);
   const Columns rows = recorder.take().rows;
   for (std::size_t index = 0; index < rows.size(); ++index) collector.take(rows.row(index));
   return std::move(collector).steps();
 }
 
 }  // namespace
+
+Scenario playback_of(const StoredRun& golden) {
+  Scenario playback = golden.scenario;
+  playback.events.clear();
+  const bool has_rows = golden.rows.size() > 1;
+  for (const Input& input : golden.inputs)
+    if (!has_rows || !std::holds_alternative<Hitch>(input.action))
+      playback.events.push_back({input.frame, input.action});
+  if (has_rows) {
+    playback.clock = {RecordedSteps{{golden.rows.dt_s.begin() + 1, golden.rows.dt_s.end()}}, {}};
+    playback.length = std::monostate();
+    return playback;
+  }
+  if (const auto* const rate = std::get_if<FixedRate>(&playback.clock.base))
+    playback.clock.base = FixedStep{1.0 / rate->rate_hz};
+  playback.length = golden.steps;
+  return playback;
+}
+
+RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run) {
+  RunMatcher matcher(run);
+  Replay replay(core, scenario, matcher);
+  if (replay.steps() < run.steps) return {};
+  std::int64_t piece = 16 * kRows;
+  for (std::int64_t at = -1; at < run.steps && !matcher.differs(); piece *= 2) {
+    if (replay.keyframe().row.step == at) break;  // The state is not finite any more.
+    at = replay.keyframe().row.step;
+    replay.play_to(std::min(run.steps, at + piece));
+  }
+  if (matcher.differs()) return {};
+  return matcher.finish(replay.finish());
+}
 
 std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other, const Core& core) {
   if (!run.blocks.empty()) return steps_of_blocks(run, other, core);

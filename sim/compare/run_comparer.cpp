@@ -6,11 +6,6 @@
 #include "sim/trajectory/block_rows.h"
 
 namespace hyrax {
-namespace {
-
-constexpr std::size_t kRowsAround = 2;
-
-}  // namespace
 
 std::optional<Divergence> first_difference(const Row& expected, const Row& actual) {
   for (const RowField& field : kRowFields) {
@@ -36,6 +31,7 @@ void RunComparer::rows(const Columns& batch) {
 }
 
 void RunComparer::look_around(const Columns& batch, std::size_t index) {
+  constexpr std::size_t kRowsAround = 2;
   const std::size_t first = index < kRowsAround ? 0 : index - kRowsAround;
   for (std::size_t at = first; at < std::min(batch.size(), index + kRowsAround + 1); ++at) {
     const auto kept = static_cast<std::size_t>(batch.step[at]);

@@ -5,8 +5,6 @@
 namespace hyrax {
 namespace {
 
-constexpr std::size_t kContactField = kRowFields.size() - 1;
-
 bool is_worse(double difference, double worst) { return !std::isnan(worst) && !(difference <= worst); }
 
 }  // namespace
@@ -44,7 +42,7 @@ void TrajectoryComparer::compare(const Row& a, const Row& b) {
     std::optional<WorstDifference>& worst = worst_[index];
     const WorstDifference found{a.step, left, right};
     if (!worst || is_worse(found.abs(), worst->abs())) worst = found;
-    const bool is_accepted = index != kContactField && tolerance_.accepts(left, right);
+    const bool is_accepted = !is_contact_field(field.name) && tolerance_.accepts(left, right);
     if (!is_accepted && !first_) first_ = divergence_at(a.step, field.name, left, right);
   }
   if (differs) distance_.add(a, b);

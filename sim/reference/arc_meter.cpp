@@ -46,21 +46,6 @@ void Spread::add(double value) {
 
 double Spread::median() const { return quantile(kept_, 0.5); }
 
-ArcEnergyParts& ArcEnergyParts::operator+=(const ArcEnergyParts& other) {
-  gravity += other.gravity;
-  drag += other.drag;
-  return *this;
-}
-
-ContactEnergyParts& ContactEnergyParts::operator+=(const ContactEnergyParts& other) {
-  flight += other.flight;
-  lift += other.lift;
-  bounce += other.bounce;
-  friction += other.friction;
-  rest += other.rest;
-  return *this;
-}
-
 ArcMeter::ArcMeter(const Model& model, DriftSink& sink, FlightSolver* solver)
     : model_(model),
       sink_(sink),

@@ -32,7 +32,11 @@ inline constexpr double kSolversApartEnergyMin_px2_per_s2 = Model{}.gravity_px_p
 struct ArcEnergyParts {
   double gravity = 0.0;
   double drag = 0.0;
-  ArcEnergyParts& operator+=(const ArcEnergyParts& other);
+  ArcEnergyParts& operator+=(const ArcEnergyParts& other) {
+    gravity += other.gravity;
+    drag += other.drag;
+    return *this;
+  }
 };
 
 /// The energy change of a clamped step in the order of its operations, px^2/s^2: the flight without walls,
@@ -44,7 +48,14 @@ struct ContactEnergyParts {
   double bounce = 0.0;
   double friction = 0.0;
   double rest = 0.0;
-  ContactEnergyParts& operator+=(const ContactEnergyParts& other);
+  ContactEnergyParts& operator+=(const ContactEnergyParts& other) {
+    flight += other.flight;
+    lift += other.lift;
+    bounce += other.bounce;
+    friction += other.friction;
+    rest += other.rest;
+    return *this;
+  }
 };
 
 /// One flight arc against the exact flights from its first state.

@@ -116,10 +116,6 @@ struct GslFlight::Solver {
         axis(chosen) {}
 
   GslDriver& driver() { return solves_x ? in_both : in_y; }
-  void start_driver() {
-    driver().start(kY, {0.0, first.vy_px_per_s}, gravity_px_per_s2);
-    if (solves_x) driver().start(kX, {0.0, first.vx_px_per_s}, 0.0);
-  }
   Flight flight() {
     const AxisMotion y = driver().at(kY);
     const AxisMotion x = solves_x ? driver().at(kX) : AxisMotion{};
@@ -151,7 +147,8 @@ void GslFlight::start(const Velocity& velocity, bool solves_x) {
   Solver& s = *solver_;
   s.solves_x = solves_x;
   s.first = velocity;
-  s.start_driver();
+  s.driver().start(kY, {0.0, velocity.vy_px_per_s}, s.gravity_px_per_s2);
+  if (solves_x) s.driver().start(kX, {0.0, velocity.vx_px_per_s}, 0.0);
   s.now = s.flight();
   s.has_failed = false;
 }

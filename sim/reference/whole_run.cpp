@@ -57,10 +57,7 @@ void WholeMeter::take(const Row& row) {
     compare(row);
   }
   Row from = row;
-  from.x_px = exact_.x_px;
-  from.y_px = exact_.y_px;
-  from.vx_px_per_s = exact_.vx_px_per_s;
-  from.vy_px_per_s = exact_.vy_px_per_s;
+  set_state(from, exact_);
   if (playback_.apply(from).ends_arc || row.step == 0) start(from);
   // The state repeats itself to the end, without inputs: the last row is as this one.
   is_over_ = is_over_ || (still_from_step_ && repetition_ && repetition_->from_step <= row.step &&

@@ -156,7 +156,6 @@ class Replay::Player {
   void repeat_contacts(const Cycle& cycle, std::int64_t end);
   void repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last);
   void repeat_rest(const Cycle& cycle, std::int64_t end);
-  void repeat_rows(const Cycle& cycle, std::int64_t end);
   void repeat_blocks(const Cycle& cycle, std::int64_t end);
 
   const Scenario& scenario_;

@@ -40,7 +40,7 @@ void Replay::Player::repeat(const Cycle& cycle, std::int64_t end) {
   repeat_clamps(cycle, end);
   repeat_contacts(cycle, end);
   repeat_rest(cycle, end);
-  repeat_rows(cycle, end);
+  while (tee_.next_row() <= end) tee_.row(row_in(cycle, tee_.next_row()));
   repeat_blocks(cycle, end);
   now_ = keyframe_in(cycle, end);
 }
@@ -145,10 +145,6 @@ void Replay::Player::repeat_rest(const Cycle& cycle, std::int64_t end) {
     seen = *anchor_step;
   }
   if (anchor_step) rest_.t_s = now_.timeline.time_s(*anchor_step - step());
-}
-
-void Replay::Player::repeat_rows(const Cycle& cycle, std::int64_t end) {
-  while (tee_.next_row() <= end) tee_.row(row_in(cycle, tee_.next_row()));
 }
 
 void Replay::Player::repeat_blocks(const Cycle& cycle, std::int64_t end) {

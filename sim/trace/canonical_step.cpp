@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -199,8 +198,7 @@ void sort_paths(std::vector<StepPath>& paths) {
 // paths are no tree of decisions then. Returns whether any were merged.
 bool drop_comparison(std::vector<StepPath>& paths, std::int32_t comparison) {
   const auto find_in = [comparison](auto& outcomes) {
-    return std::find_if(outcomes.begin(), outcomes.end(),
-                        [=](const StepOutcome& outcome) { return outcome.comparison == comparison; });
+    return std::ranges::find(outcomes, comparison, &StepOutcome::comparison);
   };
   const auto is_in_pair = [&](const StepPath& path) {
     if (find_in(path.outcomes) == path.outcomes.end()) return false;
@@ -242,8 +240,7 @@ TracedStep in_order(const TracedStep& step) {
     for (StepPath& path : paths) {
       for (StepOutcome& outcome : path.outcomes)
         outcome.comparison = comparisons[static_cast<std::size_t>(outcome.comparison)];
-      std::sort(path.outcomes.begin(), path.outcomes.end(),
-                [](const StepOutcome& a, const StepOutcome& b) { return a.comparison < b.comparison; });
+      std::ranges::sort(path.outcomes, {}, &StepOutcome::comparison);
       for (std::int32_t& member : path.members) member = expressions[static_cast<std::size_t>(member)];
     }
     sort_paths(paths);

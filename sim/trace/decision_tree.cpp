@@ -15,9 +15,7 @@ struct OpenNode {
 };
 
 const StepOutcome* outcome_of(const StepPath& path, std::int32_t comparison) {
-  const auto place = std::lower_bound(
-      path.outcomes.begin(), path.outcomes.end(), comparison,
-      [](const StepOutcome& outcome, std::int32_t wanted) { return outcome.comparison < wanted; });
+  const auto place = std::ranges::lower_bound(path.outcomes, comparison, {}, &StepOutcome::comparison);
   return place != path.outcomes.end() && place->comparison == comparison ? &*place : nullptr;
 }
 

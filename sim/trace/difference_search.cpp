@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <optional>
-#include <span>
 
 #include "sim/trace/step_draw.h"
 #include "sim/trace/step_program.h"

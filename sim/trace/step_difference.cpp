@@ -15,18 +15,12 @@
 namespace hyrax {
 namespace {
 
-TracedStep with_paths(TracedStep step, bool (*keeps)(CoreFunction)) {
+// With the paths of update alone, or with those of all other functions.
+TracedStep part_of(TracedStep step, bool is_update) {
   for (std::size_t function = 0; function < kCoreFunctions; ++function)
-    if (!keeps(static_cast<CoreFunction>(function))) step.paths[function].clear();
+    if ((static_cast<CoreFunction>(function) == CoreFunction::update) != is_update)
+      step.paths[function].clear();
   return canonical(step);
-}
-
-TracedStep only_update(const TracedStep& step) {
-  return with_paths(step, [](CoreFunction function) { return function == CoreFunction::update; });
-}
-
-TracedStep without_update(const TracedStep& step) {
-  return with_paths(step, [](CoreFunction function) { return function != CoreFunction::update; });
 }
 
 // Numbers that two steps share: equal structure, equal number.
@@ -106,10 +100,10 @@ struct StepPair::Data {
   Data(const TracedStep& accepted, const TracedStep& current, const NumberNames& number_names)
       : names(number_names),
         programs{make_step_program(accepted), make_step_program(current)},
-        are_setters_equal(without_update(accepted) == without_update(current)) {
+        are_setters_equal(part_of(accepted, false) == part_of(current, false)) {
     SharedNumbers shared;
     sides = {make_side(accepted, shared), make_side(current, shared)};
-    if (only_update(accepted) == only_update(current)) return;
+    if (part_of(accepted, true) == part_of(current, true)) return;
     for (std::size_t owner = 0; owner < 2; ++owner) {
       find_comparisons(owner);
       find_expressions(owner);
@@ -146,9 +140,8 @@ struct StepPair::Data {
       const auto number = static_cast<std::int32_t>(index);
       std::vector<bool> is_on_path;
       for (const StepPath& path : side.paths())
-        is_on_path.push_back(
-            std::any_of(path.outcomes.begin(), path.outcomes.end(),
-                        [&](const StepOutcome& outcome) { return outcome.comparison == number; }));
+        is_on_path.push_back(std::ranges::find(path.outcomes, number, &StepOutcome::comparison) !=
+                             path.outcomes.end());
       add(owner, {.text = comparison_text(side.step, number, names), .is_comparison = true, .index = number},
           std::move(is_on_path));
     }
@@ -160,8 +153,8 @@ struct StepPair::Data {
       const auto number = static_cast<std::int32_t>(index);
       const Expression& expression = side.step.expressions[index];
       if (!side.has_expressions.contains(side.expressions[index]) || has_operand(owner, number) ||
-          !std::all_of(expression.operands.begin(), expression.operands.end(),
-                       [&](std::int32_t operand) { return has_operand(owner, operand); }))
+          !std::ranges::all_of(expression.operands,
+                               [&](std::int32_t operand) { return has_operand(owner, operand); }))
         continue;
       std::vector<bool> is_on_path;
       for (const std::vector<bool>& evaluated : side.evaluated) is_on_path.push_back(evaluated[index]);
@@ -239,7 +232,6 @@ struct StepPair::Data {
 StepPair::StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)
     : data_(std::make_unique<Data>(accepted, current, names)) {}
 StepPair::~StepPair() = default;
-StepPair::StepPair(StepPair&&) noexcept = default;
 
 const std::vector<StepDifference>& StepPair::differences() const { return data_->differences; }
 bool StepPair::are_setters_equal() const { return data_->are_setters_equal; }

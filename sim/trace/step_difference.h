@@ -50,7 +50,6 @@ class StepPair {
   /// REQUIRES: steps as canonical() or read_step() return them.
   StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names = {});
   ~StepPair();
-  StepPair(StepPair&&) noexcept;
 
   /// In the order of the steps' text: those of the accepted step first. Empty: proved equal in update
   /// (setters are compared by are_setters_equal).

@@ -22,14 +22,13 @@ constexpr std::string_view sign_of(Relation relation) {
   return kRelationSigns[static_cast<std::size_t>(relation)];
 }
 constexpr bool is_binary(Operator op) { return op >= Operator::add && op <= Operator::remainder; }
-constexpr bool is_conversion(Operator op) { return op >= Operator::to_real && op <= Operator::to_whole; }
 /// '\0' of what is not binary.
 constexpr char sign_of(Operator op) {
   return is_binary(op)
              ? kOperatorSigns[static_cast<std::size_t>(op) - static_cast<std::size_t>(Operator::add)]
              : '\0';
 }
-/// REQUIRES: is_conversion(op).
+/// REQUIRES: one of to_real .. to_whole.
 constexpr std::string_view conversion_name(Operator op) {
   return kConversionNames[static_cast<std::size_t>(op) - static_cast<std::size_t>(Operator::to_real)];
 }

@@ -1,9 +1,7 @@
 #include "sim/trace/step_program.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <string>
 #include <string_view>
 #include <utility>
 

@@ -145,8 +145,7 @@ class WallFinder {
         }
         ordered.emplace_back(before ? contacts_[*before].size() : 0, contact);
       }
-      std::stable_sort(ordered.begin(), ordered.end(),
-                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      std::ranges::stable_sort(ordered, {}, [](const auto& entry) { return entry.first; });
       found[path].clear();
       for (std::size_t place = 0; place < ordered.size(); ++place) {
         PathContact& contact = found[path].emplace_back(ordered[place].second);
@@ -228,14 +227,12 @@ class WallFinder {
                           .position = is_set ? wall->bound : wall->position,
                           .bound = is_set ? end : wall->bound});
     }
-    std::sort(contacts.begin(), contacts.end(),
-              [](const PathContact& a, const PathContact& b) { return a.wall < b.wall; });
+    std::ranges::sort(contacts, {}, &PathContact::wall);
     return contacts;
   }
 
   static bool has(const std::vector<PathContact>& contacts, Wall wall) {
-    return std::any_of(contacts.begin(), contacts.end(),
-                       [&](const PathContact& contact) { return contact.wall == wall; });
+    return std::ranges::find(contacts, wall, &PathContact::wall) != contacts.end();
   }
 
   // The velocity at a wall is that with which a path ends that meets fewer walls and is otherwise alike, if

@@ -1,6 +1,5 @@
 #include "sim/trajectory/waypoints.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "sim/trajectory/block_rows.h"

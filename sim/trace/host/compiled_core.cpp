@@ -56,23 +56,10 @@ class Pair {
  private:
   void call_traced(const Call& call) {
     const auto& [a, b, c, d] = call.numbers;
-    switch (call.function) {
-      case CoreFunction::construct:
-        traced_.emplace(program_, State{a, b, c, d});
-        break;
-      case CoreFunction::update:
-        traced_->update(a, call.sizes[0], call.sizes[1], call.sizes[2], call.sizes[3]);
-        break;
-      case CoreFunction::set_position:
-        traced_->setPos(a, b);
-        break;
-      case CoreFunction::set_velocity:
-        traced_->setVelocity(a, b);
-        break;
-      case CoreFunction::reset_velocity:
-        traced_->resetVelocity();
-        break;
-    }
+    if (call.function == CoreFunction::construct)
+      traced_.emplace(program_, State{a, b, c, d});
+    else
+      call_function(call.function, *traced_, call.numbers.data(), call.sizes.data());
   }
 
   const CompiledCore& core_;

@@ -188,12 +188,6 @@ struct Number {
   }
 };
 
-/// REQUIRES: kKind is a common kind of T.
-template <NumberKind kKind, Operand T>
-constexpr Number<kKind> as(const T& operand) {
-  return Number<kKind>(operand);
-}
-
 template <Operator kOp, NumberKind kKind>
 constexpr NativeOf<kKind> fold(NativeOf<kKind> a, NativeOf<kKind> b) {
   using Wide = std::conditional_t<kKind == NumberKind::whole, std::int64_t, NativeOf<kKind>>;
@@ -211,8 +205,8 @@ constexpr NativeOf<kKind> fold(NativeOf<kKind> a, NativeOf<kKind> b) {
 template <Operator kOp, Operand A, Operand B>
 constexpr auto combine(const A& a, const B& b) {
   constexpr NumberKind kKind = kCommonKind<A, B>;
-  const Number<kKind> left = as<kKind>(a);
-  const Number<kKind> right = as<kKind>(b);
+  const Number<kKind> left(a);
+  const Number<kKind> right(b);
   if (left.is_constant() && right.is_constant())
     return Number<kKind>(fold<kOp, kKind>(left.native(), right.native()));
   if constexpr (kKind == NumberKind::whole)
@@ -234,7 +228,7 @@ constexpr auto operator+(const A& a, const B& b) { return combine<Operator::add>
 template <class A, class B>
 requires Operands<A, B>
 constexpr auto operator-(const A& a, const B& b) {
-  return combine<Operator::add>(a, -as<kCommonKind<A, B>>(b));
+  return combine<Operator::add>(a, -Number<kCommonKind<A, B>>(b));
 }
 template <class A, class B>
 requires Operands<A, B>
@@ -251,8 +245,8 @@ requires(Operands<A, B>&& kCommonKind<A, B> == NumberKind::whole) constexpr auto
 template <Relation kRelation, Operand A, Operand B>
 constexpr bool compare(const A& a, const B& b) {
   constexpr NumberKind kKind = kCommonKind<A, B>;
-  const Number<kKind> left = as<kKind>(a);
-  const Number<kKind> right = as<kKind>(b);
+  const Number<kKind> left(a);
+  const Number<kKind> right(b);
   if (left.is_constant() && right.is_constant()) {
     if constexpr (kRelation == Relation::less) return left.value < right.value;
     if constexpr (kRelation == Relation::less_or_equal) return left.value <= right.value;

@@ -15,9 +15,9 @@ inline constexpr NumberKind kCallKind =
 template <bool kIsFixed, class Function, Operand... T>
 constexpr auto call(const char* name, Function function, const T&... operands) {
   using Result = Number<kCallKind<T...>>;
-  if ((as<Result::kNumberKind>(operands).is_constant() && ...) && (kIsFixed || std::is_constant_evaluated()))
-    return Result(function(as<Result::kNumberKind>(operands).native()...));
-  return Result::of(record_call(name, Result::kNumberKind, as<Result::kNumberKind>(operands).index()...));
+  if ((Result(operands).is_constant() && ...) && (kIsFixed || std::is_constant_evaluated()))
+    return Result(function(Result(operands).native()...));
+  return Result::of(record_call(name, Result::kNumberKind, Result(operands).index()...));
 }
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
