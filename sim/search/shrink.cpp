@@ -12,11 +12,6 @@ namespace {
 constexpr std::int64_t kRecordedMax = 10'000;  // Frames of a jittered clock that are written out.
 constexpr std::int64_t kChunksMax = 512;       // So many chunks of frames are tried one by one.
 
-std::int64_t clock_rank(const Clock& clock) {
-  if (clock.jitter) return 3;
-  return static_cast<std::int64_t>(clock.base.index());
-}
-
 Scenario with_clock(const Scenario& scenario, const Clock& clock) {
   Scenario changed = scenario;
   changed.clock = clock;
@@ -151,7 +146,7 @@ Complexity complexity_of(const Scenario& scenario) {
   return {.steps = step_count(scenario),
           .events = static_cast<std::int64_t>(scenario.events.size()),
           .extras = (scenario.expect ? 1 : 0) + (scenario.record_every != 1 ? 1 : 0),
-          .clock = clock_rank(scenario.clock),
+          .clock = scenario.clock.jitter ? 3 : static_cast<std::int64_t>(scenario.clock.base.index()),
           .digits = digits_of(scenario)};
 }
 
