@@ -10,8 +10,6 @@
 namespace hyrax {
 namespace {
 
-constexpr std::size_t kClocks = kDisplayClockNames.size();
-
 std::string_view clock_name(DisplayClock clock) {
   return kDisplayClockNames[static_cast<std::size_t>(clock)];
 }
@@ -174,7 +172,7 @@ Verdict verdict_of(const FrameRateStudy& study) {
                    "100 (1 - mean spread / mean horizontal path):"),
        shown_scores(study.scores)},
       {}};
-  for (std::size_t clock = 0; clock < kClocks; ++clock)
+  for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock)
     verdict.text.push_back(steadier_text(clock, study.steadier_by_time[clock]) + ".");
   for (const Landing& landing : study.landings)
     if (!landing.is_core) {
@@ -183,7 +181,7 @@ Verdict verdict_of(const FrameRateStudy& study) {
                       landing.rate_hz, clock_name(landing.clock)));
       break;
     }
-  for (std::size_t clock = 0; clock < kClocks; ++clock)
+  for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock)
     if (!(study.steadier_by_time[clock].low() > 0.5))
       verdict.broken.push_back(steadier_text(clock, study.steadier_by_time[clock]) +
                                ": they are no more independent of the frame rate than the paper's step");
