@@ -75,8 +75,7 @@ RateEnds ends_at(const Core& core, double rate_hz, std::int64_t flings,
   for (const MemberResult& end : ManyFlings({FixedRate{rate_hz}, {}}, kSettled_s, flings).play(core)) {
     const bool has_settled = !std::isnan(end.at_rest_since_s);
     const State next = core.step(end.final, 1.0 / rate_hz, kDesktop);
-    const FinalState state =
-        has_settled ? final_state(core, end.final, next, rate_hz, kDesktop.bottom_px) : FinalState::moving;
+    const FinalState state = has_settled ? final_state(core, end.final, next, rate_hz) : FinalState::moving;
     ++ends.flings[static_cast<std::size_t>(state)];
     if (!is_allowed(state, rate_hz, boundaries)) ++ends.unforeseen;
     if (has_settled) times_s.push_back(end.at_rest_since_s);
@@ -107,9 +106,8 @@ std::vector<RestBoundary> rest_boundaries(const Core& core) {
            changes_at(core, returns_to_zero)}};
 }
 
-FinalState final_state(const Core& core, const State& row, const State& next, double rate_hz,
-                       double bottom_px) {
-  if (row.y_px != bottom_px || next.y_px != bottom_px) return FinalState::moving;
+FinalState final_state(const Core& core, const State& row, const State& next, double rate_hz) {
+  if (row.y_px != kDesktop.bottom_px || next.y_px != kDesktop.bottom_px) return FinalState::moving;
   const double a = row.vy_px_per_s, b = next.vy_px_per_s;
   if (a == 0.0 && b == 0.0) return FinalState::zero_speed;
   const double thrown_px_per_s = -core.constants->restitution * gain_px_per_s(core, rate_hz);

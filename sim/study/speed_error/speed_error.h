@@ -28,10 +28,9 @@ inline constexpr double kBandSpeed_rel = 0.05;
 
 /// `count` problems like one: the start anywhere within kBandStart_px in x and y, inside the first bounds,
 /// each speed within kBandSpeed_rel of itself, jitter of seeds of their own. The first is the problem itself.
-[[nodiscard]] std::vector<Problem> problems_like(const Problem& problem, std::int64_t count,
-                                                 std::uint64_t seed);
+[[nodiscard]] std::vector<Problem> problems_like(const Problem& problem, std::int64_t count);
 
-/// One method at one rate, over problems_like(problem, kBandFlings, kBandSeed).
+/// One method at one rate, over problems_like(problem, kBandFlings).
 struct MethodBands {
   std::size_t problem = 0;
   std::size_t method = 0;
