@@ -100,14 +100,17 @@ struct PaperErrors {
   double truncation_expected_px_per_s = 0.0;
 };
 
+/// Into SpeedError::points.
+using PointIndex = std::optional<std::size_t>;
+
 /// The cheapest ranked point below an error, and the cheapest of the paper's step.
 struct CheapestBelow {
   std::size_t problem = 0;
   double error_px = 0.0;
-  std::optional<std::size_t> point = {};  ///< Into SpeedError::points; none: no method is so accurate.
+  PointIndex point = {};  ///< None: no method is so accurate.
   std::vector<std::size_t> as_cheap =
       {};  ///< Others below the error than which `point` is not cheaper beyond the noise.
-  std::optional<std::size_t> paper_point = {};  ///< None: the paper's step is not, at any rate.
+  PointIndex paper_point = {};  ///< None: the paper's step is not, at any rate.
 };
 
 struct SpeedError {
