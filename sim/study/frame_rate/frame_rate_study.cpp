@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/study/display_rates.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/study.h"
 
@@ -191,11 +192,9 @@ Verdict verdict_of(const FrameRateStudy& study) {
 Result run_frame_rate(const StudyRequest& request) {
   constexpr std::int64_t kFlings = 120, kQuickFlings = 100;
   return frame_rate_result(
-      request.is_quick ? study_frame_rate(request.core, {24.0, 60.0, 144.0, 240.0}, kQuickFlings)
-                       : study_frame_rate(request.core,
-                                          {24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 72.0, 75.0, 90.0, 100.0, 120.0,
-                                           144.0, 165.0, 200.0, 240.0, 360.0, 500.0, 1000.0},
-                                          kFlings));
+      request.is_quick
+          ? study_frame_rate(request.core, {24.0, 60.0, 144.0, 240.0}, kQuickFlings)
+          : study_frame_rate(request.core, {kLandingRates_hz.begin(), kLandingRates_hz.end()}, kFlings));
 }
 
 }  // namespace
