@@ -27,7 +27,7 @@ class Shrinker {
 
   [[nodiscard]] bool starts_failing() { return is_failing(best_); }
 
-  void run() {
+  [[nodiscard]] Shrunk run() {
     for (Complexity before; before != complexity_ && !is_exhausted();) {
       before = complexity_;
       leave_out_extras();
@@ -39,9 +39,8 @@ class Shrinker {
       simplify_clock();
       round_numbers();
     }
+    return {std::move(best_), trials_, true, !is_exhausted()};
   }
-
-  [[nodiscard]] Shrunk take() { return {std::move(best_), trials_, true, !is_exhausted()}; }
 
  private:
   [[nodiscard]] bool is_exhausted() const { return trials_ >= options_.trials_max; }
@@ -154,8 +153,7 @@ Shrunk shrink(const Core& core, const Scenario& failing, const std::function<boo
               const ShrinkOptions& options) {
   Shrinker shrinker(core, plain(failing), fails, options);
   if (!shrinker.starts_failing()) return {.scenario = failing, .trials = 1};
-  shrinker.run();
-  return shrinker.take();
+  return shrinker.run();
 }
 
 }  // namespace hyrax
