@@ -14,7 +14,6 @@
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
 #include "sim/result/result.h"
-#include "sim/study/display_rates.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/study.h"
 

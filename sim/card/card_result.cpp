@@ -5,6 +5,7 @@
 
 #include "sim/card/card.h"
 #include "sim/result/number_text.h"
+#include "sim/study/display_rates.h"
 
 namespace hyrax {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/scenario/schedule.h"
 
 namespace hyrax {
 namespace {

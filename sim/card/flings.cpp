@@ -9,8 +9,8 @@
 #include "sim/reference/exact_fling.h"
 #include "sim/reference/flight.h"
 #include "sim/reference/model.h"
-#include "sim/scenario/schedule.h"
 #include "sim/scenario/split_mix64.h"
+#include "sim/study/display_rates.h"
 #include "sim/study/methods/many_flings.h"
 
 namespace hyrax {

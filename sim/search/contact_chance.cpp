@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sim/replay/replay.h"
-#include "sim/scenario/schedule.h"
 #include "sim/search/draws.h"
 #include "sim/trajectory/row_sink.h"
 

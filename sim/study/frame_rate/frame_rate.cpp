@@ -8,7 +8,6 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/method_errors.h"
 #include "sim/study/reference_model.h"
-#include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
