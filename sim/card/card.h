@@ -215,9 +215,6 @@ struct Card {
 void measure_flings(const ComparedCore& base, const ComparedCore& candidate, Card& card);
 
 inline constexpr std::int64_t kDisplayFlings = 200;
-inline constexpr std::array<double, 18> kLandingRates_hz = {24.0,  25.0,  30.0,  48.0,  50.0,  60.0,
-                                                            72.0,  75.0,  90.0,  100.0, 120.0, 144.0,
-                                                            165.0, 200.0, 240.0, 360.0, 500.0, 1000.0};
 [[nodiscard]] DisplayLine measure_displays(const ComparedCore& base, const ComparedCore& candidate,
                                            std::uint64_t seed, std::int64_t flings);
 [[nodiscard]] RestLine measure_rest(const ComparedCore& base, const ComparedCore& candidate);

@@ -5,6 +5,7 @@
 
 #include "sim/card/card.h"
 #include "sim/result/number_text.h"
+#include "sim/study/display_rates.h"
 
 namespace hyrax {
 namespace {
@@ -265,10 +266,10 @@ void add_speed(const CostLine& line, Lines& lines) {
 std::string invariants_text(const std::vector<std::string>& broken) {
   std::map<std::string, int> counts;
   for (const std::string& name : broken) ++counts[name.substr(name.rfind(' ') + 1)];
-  std::vector<std::string> parts;
-  parts.reserve(counts.size());
-  for (const auto& [invariant, count] : counts) parts.push_back(fmt::format("{} {}", invariant, count));
-  return list_text(parts, parts.size());
+  std::string text;
+  for (const auto& [invariant, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", invariant, count);
+  return text;
 }
 
 void add_hard_cases(const Card& card, Lines& lines) {

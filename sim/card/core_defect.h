@@ -67,12 +67,11 @@ class DefectSearch {
     return Core(state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s);
   }
   static void read(const Core& body) {
-    const Core& constant = body;
     for (int times = 0; times < 3; ++times) {
-      volatile double value = constant.vy();
-      value = constant.vx();
-      value = constant.y();
-      value = constant.x();
+      volatile double value = body.vy();
+      value = body.vx();
+      value = body.y();
+      value = body.x();
       static_cast<void>(value);
     }
   }

@@ -8,7 +8,6 @@
 
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/scenario/schedule.h"
 
 namespace hyrax {
 namespace {
@@ -94,10 +93,6 @@ std::vector<Contact> contacts_of(const std::vector<Row>& rows) {
   return contacts;
 }
 
-bool is_same_row(const Row& a, const Row& b) {
-  return same_bits(a.dt_s, b.dt_s) && same_bits(state_of(a), state_of(b));
-}
-
 }  // namespace
 
 void CoreRun::extend(std::size_t length) {
@@ -129,8 +124,7 @@ CoreRun play_by(const Core& core, const Scenario& scenario) {
 bool settles(const Core& core, const Scenario& scenario, const CoreRun& run) {
   if (run.at_rest_since_s || !run.is_finite) return run.at_rest_since_s.has_value();
   const std::optional<Scenario> longer = played_on(scenario);
-  if (!longer) return false;
-  return replay(core, *longer).at_rest_since_s.has_value();
+  return longer && replay(core, *longer).at_rest_since_s;
 }
 
 RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candidate) {
@@ -150,7 +144,8 @@ RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candida
     Row to = candidate.rows[index];
     to.t_s = from.t_s;  // The scenario's, not the core's.
     distance.add(from, to);
-    if (!is_same_row(from, to)) change.has_same_bits = false;
+    if (!same_bits(from.dt_s, to.dt_s) || !same_bits(state_of(from), state_of(to)))
+      change.has_same_bits = false;
   }
   if (base.is_cut || candidate.is_cut) {
     const bool is_known = base.final.step == candidate.final.step && base.final.step == step_count(scenario);

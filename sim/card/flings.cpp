@@ -9,13 +9,14 @@
 #include "sim/reference/exact_fling.h"
 #include "sim/reference/flight.h"
 #include "sim/reference/model.h"
-#include "sim/scenario/schedule.h"
 #include "sim/scenario/split_mix64.h"
+#include "sim/study/display_rates.h"
+#include "sim/study/methods/many_flings.h"
 
 namespace hyrax {
 namespace {
 
-// The paper's desktop.
+// Those of kDesktop.
 constexpr Size kWindow{1920, 1080};
 constexpr Size kSprite{128, 128};
 constexpr std::int64_t kRate_hz = 60;
@@ -52,7 +53,7 @@ Figure both_paths(const std::string& place, const CoreRun& base, const CoreRun& 
                                   .subtitle = "Both cores at 60 Hz, " + place,
                                   .a = "base",
                                   .b = "candidate",
-                                  .bounds = bounds_of(kWindow, kSprite)});
+                                  .bounds = kDesktop});
   figure.suffix = "-farthest";
   return figure;
 }
@@ -116,11 +117,10 @@ bool is_same_run(const CoreRun& a, const CoreRun& b) {
 
 // Its four numbers are draws 4 number .. 4 number + 3 of the seed.
 State random_fling(std::uint64_t seed, std::int64_t number) {
-  const Bounds bounds = bounds_of(kWindow, kSprite);
   const auto draw = [&](std::uint64_t which, double low, double high) {
     return low + (high - low) * split_mix64_unit(seed, 4 * static_cast<std::uint64_t>(number) + which);
   };
-  return {draw(0, 0.0, bounds.right_px), draw(1, 0.0, bounds.bottom_px), draw(2, -2000.0, 2000.0),
+  return {draw(0, 0.0, kDesktop.right_px), draw(1, 0.0, kDesktop.bottom_px), draw(2, -2000.0, 2000.0),
           draw(3, -2000.0, 500.0)};
 }
 
@@ -172,9 +172,8 @@ namespace {
 
 // Where a fling is after kDuration_s, if it moved less than half a pixel in the last second.
 std::optional<double> landing_x_px(const Core& core, const State& start, double rate_hz) {
-  const Bounds bounds = bounds_of(kWindow, kSprite);
   const auto seconds = [&](const State& from, double duration_s) {
-    return core.steps(from, 1.0 / rate_hz, bounds, static_cast<std::int64_t>(duration_s * rate_hz));
+    return core.steps(from, 1.0 / rate_hz, kDesktop, static_cast<std::int64_t>(duration_s * rate_hz));
   };
   const State earlier = seconds(start, static_cast<double>(kDuration_s - 1));
   const State end = seconds(earlier, 1.0);
@@ -223,15 +222,14 @@ DisplayLine measure_displays(const ComparedCore& base, const ComparedCore& candi
 
 RestLine measure_rest(const ComparedCore& base, const ComparedCore& candidate) {
   constexpr double kHeight_px = 100.0;
-  const Bounds bounds = bounds_of(kWindow, kSprite);
   const auto moved_px = [&](const ComparedCore& compared, double rate_hz) {
     const Core& core = compared.at("a drop at " + std::to_string(static_cast<int>(rate_hz)) + " Hz");
     const auto second = static_cast<std::int64_t>(rate_hz);
-    State body{0.5 * bounds.right_px, bounds.bottom_px - kHeight_px, 0.0, 0.0};
-    body = core.steps(body, 1.0 / rate_hz, bounds, (kDuration_s - 1) * second);
+    State body{0.5 * kDesktop.right_px, kDesktop.bottom_px - kHeight_px, 0.0, 0.0};
+    body = core.steps(body, 1.0 / rate_hz, kDesktop, (kDuration_s - 1) * second);
     double low_px = body.y_px, high_px = body.y_px;
     for (std::int64_t step = 0; step < second; ++step) {
-      body = core.step(body, 1.0 / rate_hz, bounds);
+      body = core.step(body, 1.0 / rate_hz, kDesktop);
       low_px = std::min(low_px, body.y_px);
       high_px = std::max(high_px, body.y_px);
     }
@@ -250,19 +248,18 @@ CostLine measure_cost(const ComparedCore& base, const ComparedCore& candidate, s
   constexpr int kPairs = 40;
   constexpr int kFlings = 50;
   constexpr std::int64_t kSteps = 600;  // 10 s: flight, bounces and rest.
-  const Bounds bounds = bounds_of(kWindow, kSprite);
-  volatile double used = 0.0;  // So that no step is left out.
+  volatile double used = 0.0;           // So that no step is left out.
   const auto sample_ns = [&](const ComparedCore& core) {
     const std::int64_t from_ns = now_ns();
     for (int number = 0; number < kFlings; ++number)
-      used = core.timed.steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps).x_px;
+      used = core.timed.steps(random_fling(seed, number), 1.0 / kRate_hz, kDesktop, kSteps).x_px;
     return static_cast<double>(now_ns() - from_ns) / static_cast<double>(kFlings * kSteps);
   };
   std::vector<double> before_ns, after_ns, ratios;
   for (const ComparedCore* const core : {&base, &candidate}) {
     for (int number = 0; number < kFlings; ++number) {  // Counted: the fling is named if the core ends.
       used = core->at(place_of(seed, number))
-                 .steps(random_fling(seed, number), 1.0 / kRate_hz, bounds, kSteps)
+                 .steps(random_fling(seed, number), 1.0 / kRate_hz, kDesktop, kSteps)
                  .x_px;
     }
     sample_ns(*core);

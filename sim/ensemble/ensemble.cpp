@@ -193,7 +193,6 @@ EnsemblePlayer::EnsemblePlayer(const Core& core, const Sweep& sweep, const Kerne
   batch_ = std::make_unique<Batch>(sweep, *kernels, *core.shape.constants);
 }
 EnsemblePlayer::~EnsemblePlayer() = default;
-EnsemblePlayer::EnsemblePlayer(EnsemblePlayer&&) noexcept = default;
 
 StepTally EnsemblePlayer::play(const WorkPart& part, std::int64_t first_row,
                                std::span<MemberResult> results) {

@@ -54,7 +54,6 @@ class EnsemblePlayer {
   /// Refers to the core and the sweep. @param kernels null: the fastest that this machine can run.
   EnsemblePlayer(const Core& core, const Sweep& sweep, const KernelSet* kernels = nullptr);
   ~EnsemblePlayer();
-  EnsemblePlayer(EnsemblePlayer&&) noexcept;
 
   /// Plays the members of rows `first_row`, `first_row + 1`, ... of a part, one for each result.
   /// REQUIRES: the rows exist.

@@ -248,7 +248,7 @@ class LanePlayer::Sliding {
 
   [[nodiscard]] std::int64_t frames(std::size_t index) const { return player_.slides_[index].frames; }
   void load(std::size_t index, std::size_t lane) {
-    const Slide& slide = player_.slides_[index];
+    const Leg& slide = player_.slides_[index];
     lanes_.x_px[lane] = slide.member->world.state.x_px;
     lanes_.vx_px_per_s[lane] = slide.member->world.state.vx_px_per_s;
     lanes_.dt_s[lane] = slide.dt_s;
@@ -258,7 +258,7 @@ class LanePlayer::Sliding {
   [[nodiscard]] std::uint32_t visits() const { return is_tracked() ? ~std::uint32_t{0} : lanes_.is_at_rest; }
 
   std::int64_t after(std::size_t index, std::size_t lane, std::int64_t steps, std::int64_t left) {
-    Slide& slide = player_.slides_[index];
+    const Leg& slide = player_.slides_[index];
     if (is_tracked() && lanes_.moved[lane] != 0.0) {
       const std::int64_t frames_after = left + steps - static_cast<std::int64_t>(lanes_.moved[lane]);
       slide.member->rest.t_s = slide.member->timeline.time_s(-frames_after);  // It is at the end of the leg.

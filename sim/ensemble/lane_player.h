@@ -54,19 +54,12 @@ class LanePlayer {
   class Sliding;
   class Slowing;
 
-  // A member on the ground: y and vy repeat.
-  struct Slide {
-    MovingMember* member = nullptr;
-    double dt_s = 0.0;
-    std::int64_t frames = 0;  // To play, up to the end of the leg.
-  };
-
   Lanes lanes_{};
   const KernelSet& kernels_;
   Constants constants_;
   Detail detail_;
-  std::vector<Slide> slides_;
-  std::vector<Slide> slowing_;
+  std::vector<Leg> slides_;   // What is left of legs on the ground: y and vy repeat,
+  std::vector<Leg> slowing_;  // and x, too.
 };
 
 }  // namespace hyrax

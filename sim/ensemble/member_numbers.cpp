@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -23,35 +22,27 @@ std::string count_note(std::int64_t count, std::int64_t members) {
 std::vector<const MemberNumbers*> results_of(const std::vector<MemberNumbers>& numbers) {
   std::vector<const MemberNumbers*> list;
   for (const MemberNumbers& each : numbers)
-    if (each.role() == MemberRole::result && std::isfinite(each.largest() - each.smallest()) &&
-        !each.is_constant())
+    if (each.is_result() && std::isfinite(each.largest() - each.smallest()) && !each.is_constant())
       list.push_back(&each);
   return list;
 }
 
-std::vector<double> known_of(const std::vector<double>& values) {
-  std::vector<double> known;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(known),
-               [](double value) { return std::isfinite(value); });
-  return known;
-}
-
 }  // namespace
 
-std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max) {
-  assert(members >= 0 && samples_max > 0);
-  std::int64_t stride = (members + samples_max - 1) / samples_max;
+std::int64_t sample_stride(std::int64_t members) {
+  assert(members >= 0);
+  std::int64_t stride = (members + kSamplesMax - 1) / kSamplesMax;
   while (stride > 1 && std::gcd(stride, members) > 1) ++stride;
   return std::max<std::int64_t>(stride, 1);
 }
 
-MemberNumbers::MemberNumbers(std::string name, std::string unit, std::string long_name, MemberRole role,
+MemberNumbers::MemberNumbers(std::string name, std::string unit, std::string long_name, bool is_result,
                              std::int64_t members)
     : name_(std::move(name)),
       unit_(std::move(unit)),
       long_name_(std::move(long_name)),
-      role_(role),
-      stride_(sample_stride(members, kSamplesMax)) {}
+      is_result_(is_result),
+      stride_(sample_stride(members)) {}
 
 void MemberNumbers::add(double value) {
   if (count_++ % stride_ == 0) sample_.push_back(value);
@@ -78,7 +69,7 @@ void MemberNumbers::bin(double value) {
 
 Plot MemberNumbers::histogram() const {
   Series series{.name = name_, .look = {.form = Form::band, .tone = Tone::blue}};
-  Axis axis{.label = label()};
+  Axis axis{.label = unit_.empty() || unit_ == "1" ? name_ : name_ + ", " + unit_};
   const double known = static_cast<double>(std::reduce(bins_.begin(), bins_.end()));
   constexpr std::size_t kTicksMax = 12;
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
@@ -108,7 +99,8 @@ bool MemberNumbers::is_constant() const {
 }
 
 double MemberNumbers::quantile(double part) const {
-  const std::vector<double> known = known_of(sample_);
+  std::vector<double> known = sample_;
+  std::erase_if(known, [](double value) { return !std::isfinite(value); });
   return known.empty() ? kNotGiven : hyrax::quantile(known, part);
 }
 

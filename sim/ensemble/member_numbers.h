@@ -14,19 +14,18 @@ namespace hyrax {
 /// So many values make the points and quantiles of a number.
 inline constexpr std::int64_t kSamplesMax = 20'000;
 
-/// The member whose number, and every multiple of it, is in a sample of at most `samples_max` of `members`:
+/// The member whose number, and every multiple of it, is in a sample of at most kSamplesMax of `members`:
 /// without a common divisor with `members`, so that the sample meets every value of a grid. REQUIRES: members
-/// >= 0, samples_max > 0.
-[[nodiscard]] std::int64_t sample_stride(std::int64_t members, std::int64_t samples_max);
-
-enum class MemberRole : std::uint8_t { result, input, grid };  ///< A grid is an input, too.
+/// >= 0.
+[[nodiscard]] std::int64_t sample_stride(std::int64_t members);
 
 /// One number of every member.
 class MemberNumbers {
  public:
   /// @param name as "x" or "contacts.left"; unit as "px", empty if there is none.
+  /// @param is_result or else an input.
   /// @param members how many will be added; if they are a sample already, at most kSamplesMax.
-  MemberNumbers(std::string name, std::string unit, std::string long_name, MemberRole role,
+  MemberNumbers(std::string name, std::string unit, std::string long_name, bool is_result,
                 std::int64_t members);
 
   /// The next member's; NaN: it has none.
@@ -37,12 +36,7 @@ class MemberNumbers {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::string& unit() const { return unit_; }
   [[nodiscard]] const std::string& long_name() const { return long_name_; }
-  /// "x, px".
-  [[nodiscard]] std::string label() const {
-    return unit_.empty() || unit_ == "1" ? name_ : name_ + ", " + unit_;
-  }
-  [[nodiscard]] MemberRole role() const { return role_; }
-  [[nodiscard]] bool is_whole() const { return is_whole_; }
+  [[nodiscard]] bool is_result() const { return is_result_; }
   [[nodiscard]] std::int64_t known() const { return known_; }
   [[nodiscard]] std::int64_t missing() const { return count_ - known_; }
   /// NaN if no member has one.
@@ -63,7 +57,7 @@ class MemberNumbers {
   std::string name_;
   std::string unit_;
   std::string long_name_;
-  MemberRole role_;
+  bool is_result_;
   std::int64_t stride_;
   std::int64_t count_ = 0;
   std::int64_t known_ = 0;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sim/replay/replay.h"
-#include "sim/scenario/schedule.h"
 #include "sim/search/draws.h"
 #include "sim/trajectory/row_sink.h"
 
@@ -78,8 +77,7 @@ ContactChance contact_chance(const Core& core, const Scenario& scenario, double 
   for (std::int64_t start = 0; start < starts; ++start) {
     const Position by = between_squares(margin_px, chance.within_px, draws);
     moved.start = {scenario.start.x_px + by.x_px, scenario.start.y_px + by.y_px};
-    chance.changed.count += contacts_of(core, moved, chance.steps) == contacts ? 0 : 1;
-    ++chance.changed.of;
+    chance.changed.add(contacts_of(core, moved, chance.steps) != contacts);
   }
   return chance;
 }

@@ -53,11 +53,9 @@ bool is_ever_wider_than_window(const Scenario& scenario) {
 std::vector<std::int64_t> usual_stops(const Scenario& scenario) {
   const std::int64_t steps = step_count(scenario);
   std::vector<std::int64_t> stops{steps / 3, 2 * steps / 3};
-  for (const std::int64_t frame : schedule_events(scenario, steps).frames)
-    if (frame > 0) {
-      stops.front() = frame;
-      break;
-    }
+  const std::vector<std::int64_t> frames = schedule_events(scenario, steps).frames;
+  const auto first = std::ranges::find_if(frames, [](std::int64_t frame) { return frame > 0; });
+  if (first != frames.end()) stops.front() = *first;
   std::sort(stops.begin(), stops.end());
   return stops;
 }

@@ -12,11 +12,6 @@ namespace {
 constexpr std::int64_t kRecordedMax = 10'000;  // Frames of a jittered clock that are written out.
 constexpr std::int64_t kChunksMax = 512;       // So many chunks of frames are tried one by one.
 
-std::int64_t clock_rank(const Clock& clock) {
-  if (clock.jitter) return 3;
-  return static_cast<std::int64_t>(clock.base.index());
-}
-
 Scenario with_clock(const Scenario& scenario, const Clock& clock) {
   Scenario changed = scenario;
   changed.clock = clock;
@@ -32,7 +27,7 @@ class Shrinker {
 
   [[nodiscard]] bool starts_failing() { return is_failing(best_); }
 
-  void run() {
+  [[nodiscard]] Shrunk run() {
     for (Complexity before; before != complexity_ && !is_exhausted();) {
       before = complexity_;
       leave_out_extras();
@@ -44,9 +39,8 @@ class Shrinker {
       simplify_clock();
       round_numbers();
     }
+    return {std::move(best_), trials_, true, !is_exhausted()};
   }
-
-  [[nodiscard]] Shrunk take() { return {std::move(best_), trials_, true, !is_exhausted()}; }
 
  private:
   [[nodiscard]] bool is_exhausted() const { return trials_ >= options_.trials_max; }
@@ -151,7 +145,7 @@ Complexity complexity_of(const Scenario& scenario) {
   return {.steps = step_count(scenario),
           .events = static_cast<std::int64_t>(scenario.events.size()),
           .extras = (scenario.expect ? 1 : 0) + (scenario.record_every != 1 ? 1 : 0),
-          .clock = clock_rank(scenario.clock),
+          .clock = scenario.clock.jitter ? 3 : static_cast<std::int64_t>(scenario.clock.base.index()),
           .digits = digits_of(scenario)};
 }
 
@@ -159,8 +153,7 @@ Shrunk shrink(const Core& core, const Scenario& failing, const std::function<boo
               const ShrinkOptions& options) {
   Shrinker shrinker(core, plain(failing), fails, options);
   if (!shrinker.starts_failing()) return {.scenario = failing, .trials = 1};
-  shrinker.run();
-  return shrinker.take();
+  return shrinker.run();
 }
 
 }  // namespace hyrax

@@ -137,8 +137,7 @@ void StepWatch::check_energy_ceiling(const Step& step) {
   const double c = constants_.restitution * std::max(1.0, constants_.air_drag);
   const double residual_px_per_s = c < 1.0 ? c * gravity * dt_max_s_ / (1.0 - c) : 0.0;
   const double ceiling = std::max(energy_y_start_px2_per_s2_, square(residual_px_per_s) / 2);
-  const double energy = square(step.row.vy_px_per_s) / 2 +
-                        gravity * (static_cast<double>(step.bounds.bottom_px) - step.row.y_px);
+  const double energy = square(step.row.vy_px_per_s) / 2 + gravity * (step.bounds.bottom_px - step.row.y_px);
   const double rounding = 12 * kRounding * static_cast<double>(steps_ + 1) *
                           (ceiling + gravity * (std::fabs(step.row.y_px) + std::abs(step.bounds.bottom_px)));
   record(Invariant::energy_ceiling, ceiling + rounding - energy, step.row.step);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
 
 #include "sim/core/core.h"
 #include "sim/search/invariant.h"

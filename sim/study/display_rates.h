@@ -1,9 +1,14 @@
-// The axis of display rates that figures share.
+// The display rates of landings, and the axis of display rates that figures share.
 #pragma once
 
 #include "sim/result/figure.h"
 
 namespace hyrax {
+
+/// At which the landing places of a fling are compared.
+inline constexpr std::array<double, 18> kLandingRates_hz = {24.0,  25.0,  30.0,  48.0,  50.0,  60.0,
+                                                            72.0,  75.0,  90.0,  100.0, 120.0, 144.0,
+                                                            165.0, 200.0, 240.0, 360.0, 500.0, 1000.0};
 
 /// Logarithmic, in Hz, with ticks at rates that displays have.
 [[nodiscard]] inline Axis display_rate_axis(double low_hz, double high_hz) {

@@ -126,8 +126,8 @@ STATED = (
     (CARD, "settle at {} Hz, after {} s:", FLINGS, "kRate_hz, kDuration_s"),
     (CARD, "in a window of {} x {} px", FLINGS, "Size kWindow, kWindow{1920,"),
     (CARD, "of the first {} flings:", "sim/card/card.h", "kDisplayFlings"),
-    (CARD, "where a fling lands on {} displays", "sim/card/card.h", "std::array<double,"),
-    (CARD, "is most on the {} displays", "sim/card/card.h", "std::array<double,"),
+    (CARD, "where a fling lands on {} displays", "sim/study/display_rates.h", "std::array<double,"),
+    (CARD, "is most on the {} displays", "sim/study/display_rates.h", "std::array<double,"),
     (CARD, "dropped from {} px still moves up and down in the {}th second", FLINGS, "kHeight_px, kDuration_s"),
     (CARD, "1 px is {} px²/s²", HEADER, "GRAVITY"),
     (CARD, "after 1 to {} s at {} rows", FLINGS, "kExactSeconds, kRate_hz"),
@@ -292,7 +292,7 @@ def computed():
     normal = sum(speed >= sys.float_info.min for speed in speeds)
     unsteady, *parts = decided("sim/study/methods/cost.h", "kDriftMax_rel") + [
         float(each) for each in re.findall(r"quantile\(probes_ns, (0\.\d5)\)", text_of("sim/study/methods/cost.cpp"))]
-    displays_hz = [float(each) for each in re.search(r"kLandingRates_hz = \{([\d., \n]*)\}", text_of("sim/card/card.h"))[1].split(",")]
+    displays_hz = [float(each) for each in re.search(r"kLandingRates_hz = \{([\d., \n]*)\}", text_of("sim/study/display_rates.h"))[1].split(",")]
     rates_hz = re.search(r"\{(20\.0, 24\.0, 25\.0[^}]*)\}", text_of("sim/study/hard_cases/hard_families_in_time.cpp"))[1].split(",")
     return (
         (STUDIES, "It is {} px off after one second at {} Hz, and {} px at {} Hz", [round(ends_px[0], 2), 60, round(ends_px[1]), 7680]),

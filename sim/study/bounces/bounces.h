@@ -36,8 +36,7 @@ struct KeptEnergy {
 };
 
 /// The first `throws` of kFlingSeed, by each method at each rate: in this order.
-[[nodiscard]] std::vector<KeptEnergy> kept_energies(const Core& core, const std::vector<double>& rates_hz,
-                                                    std::int64_t throws);
+[[nodiscard]] std::vector<KeptEnergy> kept_energies(const Core& core, std::int64_t throws);
 
 /// Tables, figures and verdict of the study. A rule: by exact impacts no throw changes its energy by more
 /// than 1e-9 of it. REQUIRES: not empty; of a method, those of one rate stand together.

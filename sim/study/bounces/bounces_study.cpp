@@ -171,8 +171,7 @@ Verdict verdict_of(const std::vector<KeptEnergy>& kept, const std::vector<KeptAt
 }
 
 Result run_bounces(const StudyRequest& request) {
-  return bounces_result(
-      kept_energies(request.core, {24.0, 60.0, 144.0, 240.0}, request.is_quick ? 100 : 1'000));
+  return bounces_result(kept_energies(request.core, request.is_quick ? 100 : 1'000));
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/methods/method_errors.h"
 #include "sim/study/reference_model.h"
-#include "sim/trajectory/row.h"
 #include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
@@ -34,7 +33,7 @@ struct PlayedFling {
 PlayedFling play_fling(const Core& core, const MethodKind& kind, Landing landing, const State& start,
                        const Clock& clock, std::int64_t frame_count, std::vector<FanPoint>* path = nullptr) {
   const std::unique_ptr<Method> method = kind.make();
-  method->start(start, kDrawnBounds);
+  method->start(start, kDesktop);
   const FrameClock frames(clock);
   landing.path_px = landing.across_px = 0.0;
   State now = start, by_core = start;
@@ -50,12 +49,12 @@ PlayedFling play_fling(const Core& core, const MethodKind& kind, Landing landing
     const State last = std::exchange(now, method->motion());
     landing.path_px += std::hypot(now.x_px - last.x_px, now.y_px - last.y_px);
     landing.across_px += std::fabs(now.x_px - last.x_px);
-    const auto is_on = walls_of(now, kDrawnBounds);
+    const auto is_on = walls_of(now, kDesktop);
     for (const Wall wall : kWalls)
       if (is_on[wall_index(wall)] && !was_on[wall_index(wall)]) ++landing.contacts[wall];
     was_on = is_on;
     if (rest.moves_to(now.x_px, now.y_px)) rest.t_s = time.time_s();
-    if (landing.method == 0) by_core = core.step(by_core, dt_s, kDrawnBounds);
+    if (landing.method == 0) by_core = core.step(by_core, dt_s, kDesktop);
     if (path != nullptr && time.time_s() >= next_point_s && rest.t_s >= time.time_s() - 0.5) {
       path->push_back({landing.method, landing.rate_hz, time.time_s(), now.x_px, now.y_px});
       next_point_s = time.time_s() + 1.0 / 61.0;
@@ -124,14 +123,13 @@ class DisplayFlings {
  private:
   [[nodiscard]] double exact_place_px(const State& start) const {
     ExactFling exact{FixedLaws(reference_model(core_))};
-    exact.start(start, kDrawnBounds);
+    exact.start(start, kDesktop);
     return exact.at(kUntil_s).x_px;
   }
 
   void play_drawn(const MethodKind& kind, const Landing& landing, const ManyFlings& flings) {
-    const bool has_path =
-        landing.clock == DisplayClock::steady &&
-        std::find(kPathRates_hz.begin(), kPathRates_hz.end(), landing.rate_hz) != kPathRates_hz.end();
+    const bool has_path = landing.clock == DisplayClock::steady &&
+                          std::ranges::find(kPathRates_hz, landing.rate_hz) != kPathRates_hz.end();
     landings_.push_back(play_fling(core_, kind, landing, kDrawnFling, flings.clock(0), flings.frames(),
                                    has_path ? &study_.paths : nullptr)
                             .landing);

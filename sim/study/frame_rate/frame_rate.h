@@ -95,9 +95,8 @@ struct FrameRateStudy {
 [[nodiscard]] std::vector<Landing> drawn_landings(const FrameRateStudy& study, std::size_t method,
                                                   DisplayClock clock);
 
-/// The drawn fling, in a desktop of 1920 x 1080 with a sprite of 128.
+/// The drawn fling, in kDesktop.
 inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
-inline constexpr Bounds kDrawnBounds = kDesktop;
 
 /// Where the drawn fling settles against the display rate, how far off many flings settle, the path of the
 /// drawn one by either method.

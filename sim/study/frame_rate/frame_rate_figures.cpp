@@ -20,9 +20,7 @@ Axis rate_axis(const FrameRateStudy& study) {
 }
 
 Figure landing_figure(const FrameRateStudy& study) {
-  Plot plot;
-  plot.x = rate_axis(study);
-  plot.y = {.label = "x where it settles, px"};
+  Plot plot{.x = rate_axis(study), .y = {.label = "x where it settles, px"}};
   Figure figure{
       .title = "One fling, many displays",
       .subtitle = fmt::format("Where the same fling settles; frame-rate independence {:.0f} by the "
@@ -85,8 +83,8 @@ Figure shift_figure(const FrameRateStudy& study) {
 Figure fan_figure(const FrameRateStudy& study, std::size_t method) {
   constexpr std::array<Tone, 6> kRateTones = {Tone::vermilion, Tone::orange,   Tone::blue,
                                               Tone::purple,    Tone::sky_blue, Tone::green};
-  Plot plot{.x = {.label = "x, px", .low = 0, .high = kDrawnBounds.right_px},
-            .y = {.label = "y, px, downwards", .is_reversed = true, .low = 0, .high = kDrawnBounds.bottom_px},
+  Plot plot{.x = {.label = "x, px", .low = 0, .high = kDesktop.right_px},
+            .y = {.label = "y, px, downwards", .is_reversed = true, .low = 0, .high = kDesktop.bottom_px},
             .has_equal_scales = true};
   Figure figure{.suffix = method == 0 ? "-fan" : "-fan-by-time",
                 .title = method == 0 ? "The fan of one fling" : "The same fling, drag and friction by time"};

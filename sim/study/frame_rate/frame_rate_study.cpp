@@ -4,13 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "sim/study/display_rates.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/study.h"
 
 namespace hyrax {
 namespace {
-
-constexpr std::size_t kClocks = kDisplayClockNames.size();
 
 std::string_view clock_name(DisplayClock clock) {
   return kDisplayClockNames[static_cast<std::size_t>(clock)];
@@ -174,7 +173,7 @@ Verdict verdict_of(const FrameRateStudy& study) {
                    "100 (1 - mean spread / mean horizontal path):"),
        shown_scores(study.scores)},
       {}};
-  for (std::size_t clock = 0; clock < kClocks; ++clock)
+  for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock)
     verdict.text.push_back(steadier_text(clock, study.steadier_by_time[clock]) + ".");
   for (const Landing& landing : study.landings)
     if (!landing.is_core) {
@@ -183,7 +182,7 @@ Verdict verdict_of(const FrameRateStudy& study) {
                       landing.rate_hz, clock_name(landing.clock)));
       break;
     }
-  for (std::size_t clock = 0; clock < kClocks; ++clock)
+  for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock)
     if (!(study.steadier_by_time[clock].low() > 0.5))
       verdict.broken.push_back(steadier_text(clock, study.steadier_by_time[clock]) +
                                ": they are no more independent of the frame rate than the paper's step");
@@ -193,11 +192,9 @@ Verdict verdict_of(const FrameRateStudy& study) {
 Result run_frame_rate(const StudyRequest& request) {
   constexpr std::int64_t kFlings = 120, kQuickFlings = 100;
   return frame_rate_result(
-      request.is_quick ? study_frame_rate(request.core, {24.0, 60.0, 144.0, 240.0}, kQuickFlings)
-                       : study_frame_rate(request.core,
-                                          {24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 72.0, 75.0, 90.0, 100.0, 120.0,
-                                           144.0, 165.0, 200.0, 240.0, 360.0, 500.0, 1000.0},
-                                          kFlings));
+      request.is_quick
+          ? study_frame_rate(request.core, {24.0, 60.0, 144.0, 240.0}, kQuickFlings)
+          : study_frame_rate(request.core, {kLandingRates_hz.begin(), kLandingRates_hz.end()}, kFlings));
 }
 
 }  // namespace

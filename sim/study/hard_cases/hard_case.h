@@ -38,8 +38,7 @@ struct HardCaseResult : CheckedRun {
   std::string broken_expectation = {};
 };
 
-/// Plays the case with every step checked, then once more, and once more stopped and resumed twice.
-/// `report_steps` is called with the number of steps checked, during the first of these, the longest.
+/// check_run at the usual stops, and the case's own invariants. @param report_steps see check_run.
 [[nodiscard]] HardCaseResult play_hard_case(const Core& core, const HardCase& hard_case,
                                             const std::function<void(std::int64_t)>& report_steps = {});
 

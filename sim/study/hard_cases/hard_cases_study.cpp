@@ -172,8 +172,7 @@ Figure figure_of(const std::vector<PlayedCase>& cases, const std::vector<Judgeme
   std::int64_t steps = 0;
   for (const PlayedCase& played : cases) {
     const std::string& origin = played.hard_case.made_from;
-    const auto known =
-        std::find_if(origins.begin(), origins.end(), [&](const auto& each) { return each.first == origin; });
+    const auto known = std::ranges::find(origins, origin, &std::pair<std::string, std::int64_t>::first);
     (known == origins.end() ? origins.emplace_back(origin, 0) : *known).second += 1;
     steps += played.result.summary.steps;
   }

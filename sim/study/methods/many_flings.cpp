@@ -42,11 +42,11 @@ Clock ManyFlings::clock(std::int64_t fling) const {
 }
 
 std::vector<MemberResult> ManyFlings::play(const Core& core) const {
-  std::vector<MemberResult> results(static_cast<std::size_t>(count()));
-  for (std::int64_t seed = 0; seed < std::min(count(), kJitterSeeds); ++seed) {
+  std::vector<MemberResult> results(static_cast<std::size_t>(sweep_.members));
+  for (std::int64_t seed = 0; seed < std::min(sweep_.members, kJitterSeeds); ++seed) {
     const WorkPart part{seed, kJitterSeeds};
     const Sweep sweep = with_jitter_seed(sweep_, seed);
-    std::vector<MemberResult> of_seed(static_cast<std::size_t>(part.rows(count())));
+    std::vector<MemberResult> of_seed(static_cast<std::size_t>(part.rows(sweep_.members)));
     EnsemblePlayer(core, sweep).play(part, 0, of_seed);
     for (std::size_t row = 0; row < of_seed.size(); ++row)
       results[static_cast<std::size_t>(part.member(static_cast<std::int64_t>(row)))] = of_seed[row];

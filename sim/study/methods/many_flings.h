@@ -23,7 +23,6 @@ class ManyFlings {
   /// @param duration_s in frames of the clock without jitter. REQUIRES: at least one fling.
   ManyFlings(const Clock& clock, double duration_s, std::int64_t flings);
 
-  [[nodiscard]] std::int64_t count() const { return sweep_.members; }
   [[nodiscard]] std::int64_t frames() const { return std::get<std::int64_t>(sweep_.base.length); }
   [[nodiscard]] State start(std::int64_t fling) const;
   /// The clock, with the seed of the fling.

@@ -144,9 +144,8 @@ std::vector<std::vector<double>> stage_frames_s(const Problem& problem, double r
       const double dt_s = left_s / count;
       const std::size_t end = frames_s.size() + static_cast<std::size_t>(count);
       for (; frames_s.size() < end; ++frame) {
-        const double drawn_s =
-            problem.jitter ? jittered_dt_s(dt_s, of_frame(*problem.jitter, dt_s), frame) : dt_s;
-        frames_s.push_back(drawn_s);
+        frames_s.push_back(problem.jitter ? jittered_dt_s(dt_s, of_frame(*problem.jitter, dt_s), frame)
+                                          : dt_s);
       }
     }
     stages.push_back(std::move(frames_s));

@@ -20,8 +20,7 @@ std::vector<Need> coverage_of(const ScenarioNeeds& needs) {
   std::vector<Need> coverage(coverage_columns().size(), Need::not_exercised);
   for (const PartNeed& part : needs.parts) {
     const std::string kind = part.part.substr(0, part.part.find(','));
-    const auto at =
-        std::find(coverage_columns().begin(), coverage_columns().end(), kind) - coverage_columns().begin();
+    const auto at = std::ranges::find(coverage_columns(), kind) - coverage_columns().begin();
     Need& most = coverage[static_cast<std::size_t>(at)];
     most = std::min(most, part.need);  // `needed` comes first.
   }

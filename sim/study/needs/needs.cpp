@@ -31,10 +31,7 @@ class Rows {
     const auto step = static_cast<std::int64_t>(rows_.size());
     for (const Wall wall : kWalls) {
       if (!touches(frame.contact, wall) || touches(before, wall)) continue;
-      Contact begun;
-      begun.step = begun.last_step = step;
-      begun.wall = wall;
-      contacts_.push_back(begun);
+      contacts_.push_back({.step = step, .last_step = step, .wall = wall});
     }
   }
   [[nodiscard]] const std::vector<RunRow>& all() const { return rows_; }
@@ -45,8 +42,7 @@ class Rows {
   // straight on. REQUIRES: t_s of at most end_s().
   [[nodiscard]] ScriptFrame at(double t_s, std::size_t index) const {
     if (index < rows_.size() && rows_[index].t_s == t_s) return rows_[index].frame;
-    const auto later = std::upper_bound(rows_.begin(), rows_.end(), t_s,
-                                        [](double at_s, const RunRow& row) { return at_s < row.t_s; });
+    const auto later = std::ranges::upper_bound(rows_, t_s, {}, &RunRow::t_s);
     if (later == rows_.end() || (later != rows_.begin() && std::prev(later)->t_s == t_s))
       return std::prev(later)->frame;
     ScriptFrame frame = later->frame;
@@ -57,8 +53,7 @@ class Rows {
   }
   // Number of the row that is nearest to a time.
   [[nodiscard]] std::int64_t step_at(double t_s) const {
-    const auto later = std::lower_bound(rows_.begin(), rows_.end(), t_s,
-                                        [](const RunRow& row, double at_s) { return row.t_s < at_s; });
+    const auto later = std::ranges::lower_bound(rows_, t_s, {}, &RunRow::t_s);
     const bool is_before =
         later == rows_.end() || (later != rows_.begin() && t_s - std::prev(later)->t_s < later->t_s - t_s);
     return later - rows_.begin() + (is_before ? 0 : 1);
@@ -105,8 +100,8 @@ PathDifference difference_of(const Rows& complete, const Rows& without) {
     difference.end_px = distance_px(a.frame.to, b.to);
     difference.path_px = std::max(difference.path_px, difference.end_px);
   }
-  const ContactChanges changes = contact_changes(complete.contacts(), contacts_by_time(complete, without));
-  difference.contacts_moved = changes.total();
+  difference.contacts_moved =
+      contact_changes(complete.contacts(), contacts_by_time(complete, without)).total();
   return difference;
 }
 
@@ -224,10 +219,8 @@ void find_methods(const Core& core, ScenarioNeeds& needs, const Scenario& scenar
   const ScenarioProblem made = problem_of(scenario);
   needs.why_no_methods = made.why_not;
   if (!made.problem) return;
-  SpeedErrorOptions speed;
-  speed.rates_hz = options.rates_hz;
-  speed.cost = options.cost;
-  speed.errors_asked_px = {options.within_px};
+  const SpeedErrorOptions speed{
+      .rates_hz = options.rates_hz, .cost = options.cost, .errors_asked_px = {options.within_px}};
   needs.methods = study_speed_error(core, {*made.problem}, frame_methods(core), speed, now_ns);
 }
 

@@ -60,8 +60,7 @@ Table part_table(const std::vector<ScenarioNeeds>& scenarios) {
 }
 
 std::int64_t unneeded_count(const ScenarioNeeds& needs) {
-  return std::count_if(needs.parts.begin(), needs.parts.end(),
-                       [](const PartNeed& part) { return is_unneeded(part.need); });
+  return std::ranges::count_if(needs.parts, is_unneeded, &PartNeed::need);
 }
 
 Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
@@ -81,7 +80,7 @@ Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_p
 const WorkPoint* cheapest_of(const ScenarioNeeds& needs, bool of_paper = false) {
   if (!needs.methods || needs.methods->cheapest.empty()) return nullptr;
   const CheapestBelow& answer = needs.methods->cheapest.front();
-  const std::optional<std::size_t>& point = of_paper ? answer.paper_point : answer.point;
+  const PointIndex& point = of_paper ? answer.paper_point : answer.point;
   return point ? &needs.methods->points[*point] : nullptr;
 }
 

@@ -26,7 +26,6 @@ void set_number(const std::vector<double>& values, Claim& claim) {
 std::int64_t steps_that_differ_from_listing(const Core& core, std::int64_t steps) {
   constexpr std::int64_t kStepsOfAFling = 500;
   constexpr std::int64_t kStepsInACorner = 25;
-  constexpr Bounds kBounds{1792, 952};
   const auto corner_speed = [](std::int64_t step) {
     return 500.0 + 2000.0 * split_mix64_unit(815, static_cast<std::uint64_t>(step));
   };
@@ -37,20 +36,20 @@ std::int64_t steps_that_differ_from_listing(const Core& core, std::int64_t steps
     if (step % kStepsOfAFling == 0) {
       const auto first = 4 * static_cast<std::uint64_t>(step);
       const auto random = [first](std::uint64_t which) { return split_mix64_unit(4711, first + which); };
-      body = {kBounds.right_px * random(0), kBounds.bottom_px * random(1), 6000.0 * (random(2) - 0.5),
+      body = {kDesktop.right_px * random(0), kDesktop.bottom_px * random(1), 6000.0 * (random(2) - 0.5),
               6000.0 * (random(3) - 0.5)};
     }
     // Every other fling is thrown into corners, so that both walls act in one step.
     if (step / kStepsOfAFling % 2 == 1 && step % kStepsInACorner == 1) {
       const double side = step % (2 * kStepsInACorner) == 1 ? 1.0 : 0.0;
-      body = {side * kBounds.right_px, kBounds.bottom_px, (2.0 * side - 1.0) * corner_speed(step),
+      body = {side * kDesktop.right_px, kDesktop.bottom_px, (2.0 * side - 1.0) * corner_speed(step),
               corner_speed(step)};
     }
     // Some frames have zero length: a sprite on a bound has then not passed it.
     const double random_dt_s = 0.03 * split_mix64_unit(1147, static_cast<std::uint64_t>(step));
     const double dt_s = step % 7 == 0 ? 0.0 : random_dt_s;
-    const State next = core.step(body, dt_s, kBounds);
-    if (!same_bits(next, stepped(constants, StepOrder::paper, body, dt_s, kBounds))) ++differing;
+    const State next = core.step(body, dt_s, kDesktop);
+    if (!same_bits(next, stepped(constants, StepOrder::paper, body, dt_s, kDesktop))) ++differing;
     body = next;
   }
   return differing;

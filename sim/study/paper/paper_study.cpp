@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -34,9 +33,7 @@ double step_time_s(const Core& core, std::int64_t (*now_ns)()) {
 
 // An end of the range, NaN of a single measurement.
 auto range_end(std::size_t end) {
-  return [end](const Claim& claim) {
-    return claim.range ? (*claim.range)[end] : std::numeric_limits<double>::quiet_NaN();
-  };
+  return [end](const Claim& claim) { return claim.range ? (*claim.range)[end] : kNotGiven; };
 }
 
 Table claim_table(const std::vector<Claim>& claims) {
@@ -58,11 +55,10 @@ Table claim_table(const std::vector<Claim>& claims) {
 }
 
 // The array of the JSON document.
-Table summary_of(const Table& claims) {
-  Table summary = claims;
-  for (Column& column : summary.columns)
+Table summary_of(Table claims) {
+  for (Column& column : claims.columns)
     if (column.name == "number_unit") column.name = "unit";
-  return summary;
+  return claims;
 }
 
 // ERRORS: RequestRefused that names every unknown claim and verdict.
@@ -162,11 +158,10 @@ Figure claim_figure(const std::vector<Claim>& claims, const VerdictsByClaim* exp
     if (expected != nullptr) row.insert(row.begin() + 3, expected_field(claim, *expected, kTones));
     listing.rows.push_back(std::move(row));
   }
-  Figure figure{.title = "The paper's claims, measured",
-                .subtitle = "Each sentence against the core: " + counts_text(claims) +
-                            (expected == nullptr ? "" : "; an expected verdict that differs is coloured")};
-  figure.body = std::move(listing);
-  return figure;
+  return {.title = "The paper's claims, measured",
+          .subtitle = "Each sentence against the core: " + counts_text(claims) +
+                      (expected == nullptr ? "" : "; an expected verdict that differs is coloured"),
+          .body = std::move(listing)};
 }
 
 Result run_paper(const StudyRequest& request) {

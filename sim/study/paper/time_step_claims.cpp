@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "sim/core/core.h"
+#include "sim/result/estimate.h"
 #include "sim/study/paper/claim_probe.h"
 
 namespace hyrax {
@@ -106,13 +107,9 @@ Claim stable_step(const Core& core) {
           largest_s == 1e6 ? "no dt tried is unstable" : ""};
 }
 
-// Throws at corners that cross both walls in one frame, in a range of speeds.
-struct CornerThrows {
-  std::int64_t crossed = 0;
-  std::int64_t outside = 0;
-};
-CornerThrows corner_throws(const Core& core, double least_px_per_s, double most_px_per_s) {
-  CornerThrows throws;
+// Of throws at corners that cross both walls in one frame, in a range of speeds, those that come out.
+Share corner_throws(const Core& core, double least_px_per_s, double most_px_per_s) {
+  Share outside;
   for (std::uint64_t draw = 0; draw < 20'000; ++draw) {
     const bool is_right = split_mix64_unit(6, 5 * draw) < 0.5,
                is_low = split_mix64_unit(6, 5 * draw + 1) < 0.5;
@@ -126,17 +123,16 @@ CornerThrows corner_throws(const Core& core, double least_px_per_s, double most_
     const bool crosses_x = flight.x_px < 0.0 || flight.x_px > kDesktop.right_px;
     const bool crosses_y = flight.y_px < 0.0 || flight.y_px > kDesktop.bottom_px;
     if (!crosses_x || !crosses_y) continue;
-    ++throws.crossed;
-    throws.outside += is_on_desktop(core.step(body, kSixtieth_s, kDesktop)) ? 0 : 1;
+    outside.add(!is_on_desktop(core.step(body, kSixtieth_s, kDesktop)));
   }
-  return throws;
+  return outside;
 }
 
 // Without a throw that crosses both walls, the claim is not measured.
-Claim if_crossed(const CornerThrows& throws, Claim claim, const std::string& none_outside) {
-  claim.remark = "of " + std::to_string(throws.crossed);
-  if (throws.crossed > 0 && throws.outside == 0) claim.remark += none_outside;
-  if (throws.crossed > 0) return claim;
+Claim if_crossed(const Share& outside, Claim claim, const std::string& none_outside) {
+  claim.remark = "of " + std::to_string(outside.of);
+  if (outside.of > 0 && outside.count == 0) claim.remark += none_outside;
+  if (outside.of > 0) return claim;
   claim.number = kNotGiven;
   claim.verdict = ClaimVerdict::not_measured;
   return claim;
@@ -145,10 +141,9 @@ Claim if_crossed(const CornerThrows& throws, Claim claim, const std::string& non
 }  // namespace
 
 std::vector<Claim> time_step_claims(const Core& core) {
-  const CornerThrows fast = corner_throws(core, 2000.0, 100'000.0);
-  const CornerThrows slow = corner_throws(core, 100.0, 2000.0);
-  const double slow_part =
-      slow.crossed > 0 ? static_cast<double>(slow.outside) / static_cast<double>(slow.crossed) : 0.0;
+  const Share fast = corner_throws(core, 2000.0, 100'000.0);
+  const Share slow = corner_throws(core, 100.0, 2000.0);
+  const double slow_part = slow.of > 0 ? slow.part() : 0.0;
   return {
       infinite_bounce(core), stable_step(core),
       if_crossed(fast,
@@ -156,7 +151,7 @@ std::vector<Claim> time_step_claims(const Core& core) {
                   "a fast sprite could tunnel through a corner if it crosses both boundaries in one frame",
                   "throws that came out of the window, of those that crossed both in a frame, above 2000 "
                   "px/s",
-                  "> 0", static_cast<double>(fast.outside), "1", holds_if(fast.outside > 0)},
+                  "> 0", static_cast<double>(fast.count), "1", holds_if(fast.count > 0)},
                  ": a clamp cannot be passed"),
       if_crossed(slow,
                  {"4.2-rare", "below 2000 px/s tunnelling is rare",

@@ -8,7 +8,6 @@
 namespace hyrax {
 namespace {
 
-constexpr Bounds kBounds = kDesktop;
 constexpr double kSettled_s = 15.0;  // Longer than any fling of the map takes to settle.
 
 double gain_px_per_s(const Core& core, double rate_hz) {
@@ -27,9 +26,8 @@ bool is_near(double a, double b) { return std::fabs(a - b) <= 1e-6 * std::fabs(b
 // On the floor at this speed, `steps` later.
 std::array<double, 2> speeds_after(const Core& core, double vy_px_per_s, double rate_hz, std::int64_t steps) {
   const double dt_s = 1.0 / rate_hz;
-  const State row =
-      core.steps({900.0, static_cast<double>(kBounds.bottom_px), 0.0, vy_px_per_s}, dt_s, kBounds, steps);
-  return {row.vy_px_per_s, core.step(row, dt_s, kBounds).vy_px_per_s};
+  const State row = core.steps({900.0, kDesktop.bottom_px, 0.0, vy_px_per_s}, dt_s, kDesktop, steps);
+  return {row.vy_px_per_s, core.step(row, dt_s, kDesktop).vy_px_per_s};
 }
 
 bool stays_at_zero(const Core& core, double rate_hz) {
@@ -76,9 +74,8 @@ RateEnds ends_at(const Core& core, double rate_hz, std::int64_t flings,
   std::vector<double> times_s;
   for (const MemberResult& end : ManyFlings({FixedRate{rate_hz}, {}}, kSettled_s, flings).play(core)) {
     const bool has_settled = !std::isnan(end.at_rest_since_s);
-    const State next = core.step(end.final, 1.0 / rate_hz, kBounds);
-    const FinalState state =
-        has_settled ? final_state(core, end.final, next, rate_hz, kBounds.bottom_px) : FinalState::moving;
+    const State next = core.step(end.final, 1.0 / rate_hz, kDesktop);
+    const FinalState state = has_settled ? final_state(core, end.final, next, rate_hz) : FinalState::moving;
     ++ends.flings[static_cast<std::size_t>(state)];
     if (!is_allowed(state, rate_hz, boundaries)) ++ends.unforeseen;
     if (has_settled) times_s.push_back(end.at_rest_since_s);
@@ -109,9 +106,8 @@ std::vector<RestBoundary> rest_boundaries(const Core& core) {
            changes_at(core, returns_to_zero)}};
 }
 
-FinalState final_state(const Core& core, const State& row, const State& next, double rate_hz,
-                       double bottom_px) {
-  if (row.y_px != bottom_px || next.y_px != bottom_px) return FinalState::moving;
+FinalState final_state(const Core& core, const State& row, const State& next, double rate_hz) {
+  if (row.y_px != kDesktop.bottom_px || next.y_px != kDesktop.bottom_px) return FinalState::moving;
   const double a = row.vy_px_per_s, b = next.vy_px_per_s;
   if (a == 0.0 && b == 0.0) return FinalState::zero_speed;
   const double thrown_px_per_s = -core.constants->restitution * gain_px_per_s(core, rate_hz);
@@ -144,13 +140,13 @@ std::vector<DropBounce> bounces_at(const Core& core, double rate_hz, std::int64_
                         .acceleration_px_per_s2 = constants.gravity_px_per_s2,
                         .drag_rate_per_s = -std::log(constants.air_drag) * rate_hz},
                        60.0);
-    State body{900.0, kBounds.bottom_px - height_px, 0.0, 0.0};
+    State body{900.0, kDesktop.bottom_px - height_px, 0.0, 0.0};
     for (std::int64_t step = 0; step < static_cast<std::int64_t>(kSettled_s * rate_hz); ++step) {
       const State flight = core.flight(body, dt_s);
-      body = core.step(body, dt_s, kBounds);
-      if (!(flight.y_px > kBounds.bottom_px)) continue;
+      body = core.step(body, dt_s, kDesktop);
+      if (!(flight.y_px > kDesktop.bottom_px)) continue;
       if (impact && impact->speed_px_per_s > 0.0)
-        bounces.push_back({rate_hz, (flight.y_px - kBounds.bottom_px) / (flight.vy_px_per_s * dt_s),
+        bounces.push_back({rate_hz, (flight.y_px - kDesktop.bottom_px) / (flight.vy_px_per_s * dt_s),
                            -body.vy_px_per_s / impact->speed_px_per_s});
       break;
     }

@@ -77,9 +77,8 @@ struct RestResults {
   std::vector<DropBounce> bounces = {};
 };
 
-/// Of two rows, one frame apart.
-[[nodiscard]] FinalState final_state(const Core& core, const State& row, const State& next, double rate_hz,
-                                     double bottom_px);
+/// Of two rows in kDesktop, one frame apart.
+[[nodiscard]] FinalState final_state(const Core& core, const State& row, const State& next, double rate_hz);
 
 /// Final states against the display rate, time to settle against the display rate, effective restitution
 /// against the phase of the contact.

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -66,7 +65,7 @@ Column analytic_column(const std::vector<RestBoundary>& boundaries) {
 }
 Column measured_column(const std::vector<RestBoundary>& boundaries) {
   const auto measured_hz = [](const RestBoundary& boundary) {
-    return boundary.measured_hz.value_or(std::numeric_limits<double>::quiet_NaN());
+    return boundary.measured_hz.value_or(kNotGiven);
   };
   return column_of("measured", "Hz", "found on the core by bisection", boundaries, measured_hz, 9);
 }

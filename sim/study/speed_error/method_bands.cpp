@@ -52,9 +52,9 @@ std::optional<MethodBands> bands_of(const std::vector<MethodErrors>& errors,
 
 }  // namespace
 
-std::vector<Problem> problems_like(const Problem& problem, std::int64_t count, std::uint64_t seed) {
+std::vector<Problem> problems_like(const Problem& problem, std::int64_t count) {
   std::vector<Problem> problems{problem};
-  Draws draws(seed);
+  Draws draws(kBandSeed);
   while (std::ssize(problems) < count) problems.push_back(moved(problem, problems.size(), draws));
   return problems;
 }
@@ -63,7 +63,7 @@ std::vector<MethodBands> method_bands(const Core& core, const Problem& problem,
                                       const std::vector<MethodKind>& methods,
                                       const std::vector<double>& rates_hz) {
   std::vector<MethodBands> all;
-  const std::vector<Problem> flings = problems_like(problem, kBandFlings, kBandSeed);
+  const std::vector<Problem> flings = problems_like(problem, kBandFlings);
   for (const double rate_hz : rates_hz) {
     const std::vector<MethodErrors> paper = errors_of(core, flings, methods.front(), rate_hz);
     for (std::size_t method = 0; method < methods.size(); ++method) {

@@ -119,7 +119,7 @@ void find_cheapest(SpeedError& study, const std::vector<double>& errors_asked_px
     for (const double error_px : errors_asked_px) {
       CheapestBelow answer{.problem = problem, .error_px = error_px};
       const auto cost = [&](std::size_t point) -> const Cost& { return study.points[point].cost; };
-      const auto improve = [&](std::optional<std::size_t>& best, std::size_t point) {
+      const auto improve = [&](PointIndex& best, std::size_t point) {
         if (!best || cost(point).time_ns.median < cost(*best).time_ns.median) best = point;
       };
       std::vector<std::size_t> below;

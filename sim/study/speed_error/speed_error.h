@@ -28,10 +28,9 @@ inline constexpr double kBandSpeed_rel = 0.05;
 
 /// `count` problems like one: the start anywhere within kBandStart_px in x and y, inside the first bounds,
 /// each speed within kBandSpeed_rel of itself, jitter of seeds of their own. The first is the problem itself.
-[[nodiscard]] std::vector<Problem> problems_like(const Problem& problem, std::int64_t count,
-                                                 std::uint64_t seed);
+[[nodiscard]] std::vector<Problem> problems_like(const Problem& problem, std::int64_t count);
 
-/// One method at one rate, over problems_like(problem, kBandFlings, kBandSeed).
+/// One method at one rate, over problems_like(problem, kBandFlings).
 struct MethodBands {
   std::size_t problem = 0;
   std::size_t method = 0;
@@ -101,14 +100,17 @@ struct PaperErrors {
   double truncation_expected_px_per_s = 0.0;
 };
 
+/// Into SpeedError::points.
+using PointIndex = std::optional<std::size_t>;
+
 /// The cheapest ranked point below an error, and the cheapest of the paper's step.
 struct CheapestBelow {
   std::size_t problem = 0;
   double error_px = 0.0;
-  std::optional<std::size_t> point = {};  ///< Into SpeedError::points; none: no method is so accurate.
+  PointIndex point = {};  ///< None: no method is so accurate.
   std::vector<std::size_t> as_cheap =
       {};  ///< Others below the error than which `point` is not cheaper beyond the noise.
-  std::optional<std::size_t> paper_point = {};  ///< None: the paper's step is not, at any rate.
+  PointIndex paper_point = {};  ///< None: the paper's step is not, at any rate.
 };
 
 struct SpeedError {

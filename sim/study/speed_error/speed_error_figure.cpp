@@ -291,15 +291,14 @@ std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem)
         std::max(std::isnan(plot.x.high) ? 0.0 : plot.x.high, kRoomForText * bands.position_px.high);
   }
   if (series.x.empty()) return std::nullopt;
-  Figure figure{
+  plot.series = {std::move(series)};
+  return Figure{
       .suffix = "-" + study.problems[problem].name + "-starts",
       .title = fmt::format("{} flings at 60 Hz: like {}", flings.of, study.problems[problem].label),
       .subtitle = fmt::format("Starts within {:g} px, speeds within {:g} %, seed {}; dot: median, bar: 10 "
                               "to 90 %; nearer: than by the paper's step",
-                              kBandStart_px, 100.0 * kBandSpeed_rel, kBandSeed)};
-  plot.series.push_back(std::move(series));
-  figure.body = std::vector{std::move(plot)};
-  return figure;
+                              kBandStart_px, 100.0 * kBandSpeed_rel, kBandSeed),
+      .body = std::vector{std::move(plot)}};
 }
 
 std::vector<std::string> convergence_sentences(const SpeedError& study) {

@@ -15,8 +15,6 @@
 namespace hyrax {
 namespace {
 
-using PointIndex = std::optional<std::size_t>;
-
 constexpr std::string_view kFlingName = "fling";  // Of study_problems().
 constexpr double kGslEnd_px = 1e-6;
 
@@ -229,11 +227,10 @@ Result run_speed_error(const StudyRequest& request) {
   };
   const SpeedError study =
       study_speed_error(request.core, problems_of(request), std::move(methods), options, request.now_ns);
-  Result result{.tables = speed_error_tables(study, request.machine),
-                .verdict = speed_error_verdict(study, request.machine, !request.scenarios.empty()),
-                .summary = speed_error_summary(study, request.machine)};
-  result.figures = figures_of(study, request.machine);
-  return result;
+  return {.tables = speed_error_tables(study, request.machine),
+          .figures = figures_of(study, request.machine),
+          .verdict = speed_error_verdict(study, request.machine, !request.scenarios.empty()),
+          .summary = speed_error_summary(study, request.machine)};
 }
 
 }  // namespace

@@ -14,17 +14,14 @@ std::string point_text(const SpeedError& study, std::size_t index) {
 
 std::string nearness_sentence(const MethodBands& bands, const SpeedError& study) {
   const Share& nearer = bands.nearer;
-  const auto percent = [](double part) { return 100.0 * part; };
   return fmt::format(
       "At {:.0f} Hz the {} ends nearer to the exact place than the paper's step in {} of {} flings "
       "({:.0f} .. {:.0f} %): {}.",
-      bands.rate_hz, study.methods[bands.method].label, nearer.count, nearer.of, percent(nearer.low()),
-      percent(nearer.high()), nearness_text(nearer));
+      bands.rate_hz, study.methods[bands.method].label, nearer.count, nearer.of, 100.0 * nearer.low(),
+      100.0 * nearer.high(), nearness_text(nearer));
 }
 
 namespace {
-
-using PointIndex = std::optional<std::size_t>;
 
 // Of records with a cost; NaN: not measured.
 template <class Record>

@@ -63,16 +63,10 @@ Json study_result(const std::string& path) {
   return json;
 }
 
-MemberRole role_of(const EnsembleReader& reader, std::size_t table, std::size_t column) {
-  if (reader.tables()[table].name == "members") return MemberRole::result;
-  return std::holds_alternative<GridAxis>(reader.sweep().vary[column].variation) ? MemberRole::grid
-                                                                                 : MemberRole::input;
-}
-
 // Every row is read, or of a very long file every K-th.
 std::int64_t rows_between_read(const EnsembleReader& reader) {
   constexpr std::int64_t kReadMax = 100'000'000;
-  return reader.rows() <= kReadMax ? 1 : sample_stride(reader.rows(), kSamplesMax);
+  return reader.rows() <= kReadMax ? 1 : sample_stride(reader.rows());
 }
 
 // All numbers of a column: one, or of contacts one a wall.
@@ -80,15 +74,15 @@ void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, 
                  std::size_t index) {
   const Column& column = reader.tables()[table].columns[index];
   if (std::holds_alternative<Codes>(column.values)) return;
-  const MemberRole role = role_of(reader, table, index);
+  const bool is_result = reader.tables()[table].name == "members";
   const std::size_t first = all.size();
   const std::int64_t between = rows_between_read(reader);
   for (std::size_t part = 0; part < column.width; ++part)
     all.emplace_back(column.width == 1 ? column.name : column.name + "." + std::string(kWallNames.at(part)),
-                     column.unit, column.long_name, role, (reader.rows() + between - 1) / between);
+                     column.unit, column.long_name, is_result, (reader.rows() + between - 1) / between);
   const std::int64_t rows_at_once = between == 1 ? 1 << 16 : 1;
   for (const auto take : {&MemberNumbers::add, &MemberNumbers::bin}) {
-    if (take == &MemberNumbers::bin && role != MemberRole::result) continue;
+    if (take == &MemberNumbers::bin && !is_result) continue;
     for (std::int64_t row = 0; row < reader.rows(); row += std::max(rows_at_once, between)) {
       const Column rows = reader.read(table, index, row, std::min(rows_at_once, reader.rows() - row));
       with_numbers(rows, [&](const auto& values) {
@@ -102,7 +96,7 @@ void add_numbers(std::vector<MemberNumbers>& all, const EnsembleReader& reader, 
 // One of every so many rows is in the samples.
 std::int64_t rows_between_samples(const EnsembleReader& reader) {
   const std::int64_t between = rows_between_read(reader);
-  return between * sample_stride((reader.rows() + between - 1) / between, kSamplesMax);
+  return between * sample_stride((reader.rows() + between - 1) / between);
 }
 
 // A varied number of each member: of a seed both halves.
@@ -136,7 +130,7 @@ Json members_json(const Core& core, const EnsembleReader& reader, const std::vec
         {"is_grid", std::holds_alternative<GridAxis>(sweep.vary[key].variation)},
         {"values", doubles_json(values_of(sweep, key, members))}});
   for (const MemberNumbers& each : numbers)
-    if (each.role() == MemberRole::result && each.known() > 0 && !each.is_constant())
+    if (each.is_result() && each.known() > 0 && !each.is_constant())
       results.push_back(Json::Object{
           {"name", each.name()}, {"unit", each.unit()}, {"values", doubles_json(each.sample())}});
   return Json::Object{{"core_fingerprint", hex(fingerprint_of(core))},
@@ -153,7 +147,7 @@ Json members_json(const Core& core, const EnsembleReader& reader, const std::vec
 std::string constants_text(const std::vector<MemberNumbers>& numbers) {
   std::string text;
   for (const MemberNumbers& each : numbers) {
-    if (each.role() != MemberRole::result || each.known() == 0 || !each.is_constant()) continue;
+    if (!each.is_result() || each.known() == 0 || !each.is_constant()) continue;
     const bool is_zero = std::abs(each.mean()) < 1e-9;
     const bool is_rounded = is_zero && (each.largest() != 0.0 || each.smallest() != 0.0);
     text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", each.name(),

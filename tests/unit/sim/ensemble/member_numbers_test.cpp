@@ -11,9 +11,10 @@
 namespace hyrax {
 namespace {
 
-MemberNumbers numbers_of(const std::vector<double>& values, MemberRole role = MemberRole::result,
+MemberNumbers numbers_of(const std::vector<double>& values, bool is_result = true,
                          const std::string& name = "x", const std::string& unit = "px") {
-  MemberNumbers numbers(name, unit, "what " + name + " is", role, static_cast<std::int64_t>(values.size()));
+  MemberNumbers numbers(name, unit, "what " + name + " is", is_result,
+                        static_cast<std::int64_t>(values.size()));
   for (const double value : values) numbers.add(value);
   for (const double value : values) numbers.bin(value);
   return numbers;
@@ -21,7 +22,7 @@ MemberNumbers numbers_of(const std::vector<double>& values, MemberRole role = Me
 
 TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
   constexpr std::int64_t kMembers = 1'000'000, kGrid = 50;
-  MemberNumbers numbers("x", "px", "", MemberRole::grid, kMembers);
+  MemberNumbers numbers("x", "px", "", false, kMembers);
   for (std::int64_t member = 0; member < kMembers; ++member) numbers.add(static_cast<double>(member % kGrid));
   EXPECT_LE(numbers.sample().size(), 20'000u);
   std::vector<int> met(kGrid);
@@ -29,9 +30,9 @@ TEST(MemberNumbers, HaveASampleOfBoundedSizeThatMeetsEveryValueOfAGrid) {
   for (std::int64_t row = 0; row < std::ssize(numbers.sample()); ++row)  // A page counts on its members.
     ASSERT_EQ(numbers.sample()[static_cast<std::size_t>(row)], static_cast<double>(row * 51 % kGrid));
   EXPECT_EQ(std::count(met.begin(), met.end(), 0), 0);
-  EXPECT_EQ(sample_stride(kMembers, 20'000), 51);
-  EXPECT_EQ(sample_stride(100'000, 20'000), 7);  // A grid of 5 or 10 values would lose some with 5.
-  EXPECT_EQ(sample_stride(20'000, 20'000), 1);
+  EXPECT_EQ(sample_stride(kMembers), 51);
+  EXPECT_EQ(sample_stride(100'000), 7);  // A grid of 5 or 10 values would lose some with 5.
+  EXPECT_EQ(sample_stride(20'000), 1);
 }
 
 TEST(MemberFigures, CountAllMembersWhateverTheSampleIs) {
@@ -110,15 +111,14 @@ TEST(MemberNumbers, GiveTheApprovedTableAndFigures) {
     contacts.push_back(member % 5);
     rest.push_back(member % 4 == 0 ? std::nan("") : 2.0 + 0.1 * member);
   }
-  const std::vector<MemberNumbers> numbers = {
-      numbers_of(place),
-      numbers_of(contacts, MemberRole::result, "contacts.left", "1"),
-      numbers_of(rest, MemberRole::result, "at_rest_since", "s"),
-      numbers_of(speed, MemberRole::result, "vx", "px/s"),
-      numbers_of(std::vector(24, std::nan("")), MemberRole::result, "y"),
-      numbers_of(across, MemberRole::grid, "start.x_px"),
-      numbers_of(up, MemberRole::grid, "clock.rate_hz", "Hz"),
-      numbers_of(speed, MemberRole::input, "start.vx_px_per_s", "px/s")};
+  const std::vector<MemberNumbers> numbers = {numbers_of(place),
+                                              numbers_of(contacts, true, "contacts.left", "1"),
+                                              numbers_of(rest, true, "at_rest_since", "s"),
+                                              numbers_of(speed, true, "vx", "px/s"),
+                                              numbers_of(std::vector(24, std::nan("")), true, "y"),
+                                              numbers_of(across, false, "start.x_px"),
+                                              numbers_of(up, false, "clock.rate_hz", "Hz"),
+                                              numbers_of(speed, false, "start.vx_px_per_s", "px/s")};
   std::string text = described(member_table(numbers));
   for (const Figure& figure : member_figures(numbers, 24)) text += described(figure);
   expect_approved("tests/unit/sim/ensemble/members.txt", text);

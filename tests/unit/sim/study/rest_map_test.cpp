@@ -31,7 +31,7 @@ TEST(FinalState, IsToldByTwoRowsInARow) {
                {0.0, 0.0, FinalState::moving, 1e-9}};
   for (const auto& [vy, next_vy, state, above_px] : cases)
     EXPECT_EQ(final_state(shipped_core(), {0.0, kBottom_px - above_px, 0.0, vy},
-                          {0.0, kBottom_px, 0.0, next_vy}, 60.0, kBottom_px),
+                          {0.0, kBottom_px, 0.0, next_vy}, 60.0),
               state)
         << vy << ", " << next_vy;
 }
