@@ -69,7 +69,8 @@ TEST(GslFlight, FliesTheModelAtItsOwnRate) {
 // The two share nothing: Halley's steps on the closed form, and Brent's method on GSL's solution.
 TEST(GslFlight, FindsTheTimeOfImpactAfterAllSpeedIsLost) {
   const Approach fall{-300.0, 0.0, 1200.0, 100.0};
-  EXPECT_NEAR(GslFlight().time_of_impact(fall, 100.0).value().t_s, time_of_impact(fall, 100.0).value().t_s, 1e-10);
+  EXPECT_NEAR(GslFlight().time_of_impact(fall, 100.0).value().t_s, time_of_impact(fall, 100.0).value().t_s,
+              1e-10);
 }
 
 TEST(GslFlight, CrossesAWallAtOnceWhenOnIt) {
