@@ -213,9 +213,10 @@ class Interrupted(FilesTest):
         self.assertEqual(self.names(), ["out.h5", "sweep.h5", "sweep.json"])
 
     def test_a_killed_sweep_leaves_nobody_who_holds_its_file(self):
-        """Not the child process either that looks whether the file is damaged; this one it would read for a second."""
+        """Not the child process either that looks whether the file is damaged; this one it would read for as many seconds as its size allows."""
         self.write("sweep.json", document())
         shutil.copyfile(SOURCE / "tests/robustness/fuzz/found/trajectory/endless-heap.h5", self.folder / "out.h5.partial")
+        os.truncate(self.folder / "out.h5.partial", 20 << 20)
         with Process(PROGRAM, "sweep", "sweep.json", "--resume", "-o", "out.h5", cwd=self.folder, env=NO_CLUSTER,
                      keeps_children=True) as process:
             children = pathlib.Path(f"/proc/{process.id}/task/{process.id}/children")
@@ -225,7 +226,7 @@ class Interrupted(FilesTest):
             self.addCleanup(os.close, child)
             process.send(signal.SIGKILL)
             self.assertEqual(process.wait().exit_code, -signal.SIGKILL)
-        self.assertEqual(select.select([child], [], [], 0.5)[0], [child])
+        self.assertEqual(select.select([child], [], [], 5)[0], [child])
         self.sweep("sweep.json", "--force", "-o", "out.h5")
 
     def partial(self, sweep, *part, name="out.h5"):

@@ -40,7 +40,10 @@ std::string read_text_file(const std::string& path) {
 void write_text_file(const std::string& path, std::string_view text, bool may_replace) {
   AtomicFile file(path);
   file.write(text);
-  may_replace ? file.commit() : file.commit_as_new();
+  if (may_replace)
+    file.commit();
+  else
+    file.commit_as_new();
 }
 
 }  // namespace hyrax
