@@ -117,6 +117,7 @@ void create_ensemble(const std::string& path, const EnsembleHead& head, const Sw
   h5::Handle file = h5::create_file(path, kNotInMemory);
   const bool is_written = file.is_open() && write_empty(file, head, sweep);
   if (file.close() < 0 || !is_written) fail_to_write(path, errno == 0 ? EIO : errno);
+  trust_own_file(path);
 }
 
 EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep)
