@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -94,12 +95,13 @@ std::string damage_of(int status) {
   return "the HDF5 library crashes on it";
 }
 
-// A file as it was when it was read.
-using FileVersion = std::tuple<std::string, std::uintmax_t, std::filesystem::file_time_type>;
+// A file as it was when it was read, whatever its name.
+using FileVersion = std::tuple<dev_t, ino_t, off_t, time_t, decltype(timespec::tv_nsec)>;
 
 FileVersion version_of(const std::string& path) {
-  std::error_code unknown;
-  return {path, std::filesystem::file_size(path, unknown), std::filesystem::last_write_time(path, unknown)};
+  struct stat state {};
+  stat(path.c_str(), &state);  // No file has the version of one that is unknown.
+  return {state.st_dev, state.st_ino, state.st_size, state.st_mtim.tv_sec, state.st_mtim.tv_nsec};
 }
 
 // The files that cannot harm this process; in a child process nothing needs another.
