@@ -205,13 +205,14 @@ class Prune(ProgramTest):
         for name in ("fling", "a/b/deep"):
             (self.folder / f"scenarios/{name}.json").unlink()
         (self.folder / "golden/fling.txt").unlink()
+        (self.folder / "golden/a/b/deep.h5").unlink()
         self.write("golden/README.md", "no golden file")
         before = self.state_of(".")
         outcome = self.expect(AGREED, "bless", "--prune", "--dry-run")
         self.assertIn("golden/fling.h5: has no scenario\n", outcome.out)
         self.assertEqual(self.state_of("."), before)
         document = self.expect(AGREED, "bless", "--prune", "--json").json
-        self.assertEqual(document["pruned"], ["golden/a/b/deep.h5", "golden/a/b/deep.txt", "golden/fling.h5"])
+        self.assertEqual(document["pruned"], ["golden/a/b/deep.txt", "golden/fling.h5"])
         kept = {path: state for path, state in before.items() if not path.endswith(tuple(document["pruned"]))}
         self.assertEqual(self.state_of("."), kept)
         self.expect(AGREED, "check")
@@ -220,6 +221,7 @@ class Prune(ProgramTest):
     def test_what_bless_did_not_write_stays(self):
         self.write("golden/README.txt", "about this folder")
         self.write("golden/data.h5", "no HDF5")
+        self.write("golden/a/other.txt", "notes")
         with h5py.File(self.folder / "golden/foreign.h5", "w") as file:
             file["x"] = [1, 2]
         (self.folder / "golden/away.h5").symlink_to("/no/such/file.h5")
@@ -227,14 +229,15 @@ class Prune(ProgramTest):
         for suffix in ("h5", "txt"):
             (self.folder / f"golden/pipe.{suffix}").symlink_to("../pipe")
         before = self.state_of("golden")
-        (self.folder / "scenarios/fling.json").unlink()
+        for name in ("fling", "a/other"):
+            (self.folder / f"scenarios/{name}.json").unlink()
         outcome = self.expect(AGREED, "bless", "--prune",
                               says=[f"golden/{name}: has no scenario; left" for name in
-                                    ("README.txt", "away.h5", "data.h5", "foreign.h5", "pipe.h5", "pipe.txt")])
+                                    ("README.txt", "a/other.txt", "away.h5", "data.h5", "foreign.h5", "pipe.h5", "pipe.txt")])
         self.assertTrue((self.folder / "golden/pipe.h5").is_symlink())
         self.assertIn("golden/fling.h5: removed\ngolden/fling.txt: removed\n", outcome.out)
         self.assertEqual(self.state_of("golden"),
-                         {path: state for path, state in before.items() if "golden/fling." not in path})
+                         {path: state for path, state in before.items() if "golden/fling." not in path and "other.h5" not in path})
 
     def test_of_a_link_only_the_link_is_removed(self):
         (self.folder / "golden/fling.h5").rename(self.folder / "kept.h5")

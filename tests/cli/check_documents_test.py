@@ -4,6 +4,7 @@
 import json
 import os
 import re
+import time
 import xml.etree.ElementTree
 
 from check_program import CheckTest
@@ -18,8 +19,11 @@ class Document(CheckTest):
                  b"beyond \xf4\x90\x80\x80", b"]]>&<\"'")
         for name in names:
             (self.folder.joinpath(os.fsdecode(b"scenarios/" + name + b".json"))).write_text("{")
-        self.check(BAD_INPUT, "--junit", "report.xml")
+        begin_s = time.monotonic()
+        self.check(BAD_INPUT, "--junit", "report.xml", "--jobs", "1")
+        elapsed_s = time.monotonic() - begin_s
         suite = xml.etree.ElementTree.parse(self.folder / "report.xml").getroot()
+        self.assertTrue(elapsed_s / 100 < float(suite.get("time")) < elapsed_s, suite.attrib)
         cases = [case.get("name") for case in suite.iter("testcase")]
         self.assertEqual(len(set(cases)), len(names) + 3)
         for name in ("bad \\xff\\xfe utf8", "escape \\u001b[31m", "line\nbreak\ttab\\u000dcr", "\\u0001\\u0008\\u007f", "é €𝄞", "]]>&<\"'"):

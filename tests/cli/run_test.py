@@ -49,13 +49,13 @@ class StandardOutput(ProgramTest):
         self.expect(AGREED, "run", "fling.json", "-o", "fling.csv")
         rows = (self.folder / "fling.csv").read_text()
         for name in ("-", "/dev/stdout"):
-            outcome = self.expect(AGREED, "run", "fling.json", "-o", name)
+            outcome = self.expect(AGREED, "run", "fling.json", "-o", name, "--figure", "fling.svg")
             self.assertEqual((outcome.out, outcome.err), (rows, "fling: agreed\n"))
         for steps in (300, 3):  # More than fits a buffer, and less.
             with open("/dev/full", "wb") as full:
                 outcome = self.expect(CANNOT_ACCESS, "run", "fling.json", "--set", f"/steps={steps}", "-o", "-", stdout=full)
             self.assertEqual(outcome.err, "hyrax-sim: standard output cannot be written\n")
-        self.assertEqual(self.names(), ["fling.csv", "fling.json"])
+        self.assertEqual(self.names(), ["fling.csv", "fling.json", "fling.svg"])
 
     def test_it_is_for_one_scenario_alone(self):
         self.write("fling.json", fling())
