@@ -156,6 +156,15 @@ class Text(CauseTest):
         self.altered("gravity_by_one_ulp", exit_code=AGREED)
         self.assertEqual(self.state_of("scenarios/a"), others)
 
+    def test_the_widest_class_is_suggested_whichever_cause_it_is_of(self):
+        self.write("scenarios/third.json", fling(name="third", events=[{"step": 0, "grab": {}}]))
+        self.bless("scenarios/third.json", "--accept", "shape")
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            file["trajectory/x"][100] += 1e-9
+        outcome = self.altered("gravity_stronger").out
+        self.assertEqual(re.findall(r"\(class (\w+)\)", outcome), ["contacts", "rounding"])
+        self.assertIn("  to accept it    hyrax-sim bless scenarios --reason TEXT --accept contacts\n", outcome)
+
     def test_a_missing_golden_file_does_not_hide_an_expectation(self):
         self.expecting({"contacts": {"right": 7}})
         (self.folder / "golden/third.h5").unlink()
