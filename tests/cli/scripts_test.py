@@ -144,8 +144,12 @@ class Scripts(ProgramTest):
                 self.assertEqual(re.sub(OF_EVERY_CALL, "", text.replace("PROJECT/build/", "/")), calls)
 
     def test_a_missing_scenario_is_reported_before_anything_is_built(self):
-        options = ",".join(re.findall(r"^  (-\S+) \S", run(PROGRAM, "run", "--help").out, re.MULTILINE)).split(",")
-        self.assertIn("--golden", options)
+        usage = run(PROGRAM, "run", "--help").out
+        options, flags = (",".join(re.findall(rf"^  (-\S+) {value}", usage, re.MULTILINE)).split(",") for value in (r"\S", " "))
+        self.assertTrue("--golden" in options and "--drift" in flags, usage)
+        of_run = re.search(r"^names_scenario.*?^}$", (self.folder / "tools/run").read_text(), re.DOTALL | re.MULTILINE)[0]
+        taken_for_options = run("bash", "-c", f'{of_run}\nfor flag; do names_scenario "$flag" x || echo "$flag"; done', "-", *flags).out
+        self.assertEqual(taken_for_options, "")
         with_values = [word for option in options for word in (option, "x")]
         outcome = run("bash", "tools/run", "--yes", *with_values, "--figure", cwd=self.folder)
         self.assertEqual((outcome.exit_code, outcome.out), (BAD_INPUT, ""), outcome)
@@ -181,6 +185,8 @@ class Scripts(ProgramTest):
         os.write(keyboard, "".join(ANSWERS.values()).encode())
         codes = run("bash", "-c", NO_PROGRAMS + cases, cwd=self.folder, env={**os.environ, "assume_yes": "yes"}, stdin=terminal).out.split()
         self.assertEqual(os.read(keyboard, 1 << 16).count(b"Install them?"), len(ANSWERS))
+        progress = run("bash", "-c", NO_PROGRAMS + "ninja() { echo progress; }; build build/x", cwd=self.folder, stderr=terminal)
+        self.assertEqual((progress.out, os.read(keyboard, 1 << 16)), ("", b"progress\r\n"))
         os.close(keyboard)
         os.close(terminal)
         for number, (command, fails, exit_code, err, called) in enumerate(FUNCTIONS):
