@@ -74,11 +74,7 @@ STATED = (
         ("tools/own_core/README.md", "`check` ends with exit code {}, even", "bad_input"))),
     *((CORE, "| `" + name + "` | {}", HEADER, name)
       for name in PHYSICS_CONSTANTS.split(", ")),
-    (CORE, "Gravity: `vy += {} dt`", HEADER, "GRAVITY"),
-    (CORE, "Drag: `vx *= {}`, `vy *= {}`", HEADER, "AIR_DRAG, AIR_DRAG"),
-    (CORE, "x is set to the bound and `vx = -{} vx`", HEADER, "RESTITUTION"),
-    (CORE, "y is set to 0 and `vy = -{} vy`", HEADER, "RESTITUTION"),
-    (CORE, "`vy = -{} vy`, `vx *= {}`; and if |vy| < {}", HEADER, "RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"),
+    (CORE, "; and if `|vy| < {}` then", HEADER, "REST_THRESHOLD"),  # The formulas: tests/oracle/witness_test.py.
     (DRIFT, "G = {} px/s², a = {} (paper", HEADER, "GRAVITY, AIR_DRAG"),
     (DRIFT, "leaves |vy| below {} px/s", HEADER, "REST_THRESHOLD"),
     (FORMAT, "`window` | yes | `width_px`, `height_px`: integers, 0 .. {} |", SCENARIO, "kWindowSideMax_px"),
@@ -212,7 +208,7 @@ NO_SOURCE = {
     "sim/README.md": "1 0 0 0 0",
     "sim/card/README.md": "95 1927 0",
     "sim/ensemble/README.md": "0 1 1 4 64 2 12.2 96",
-    "sim/physics/README.md": "6 1 2 3 4 0 5 0 6 0 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6",
+    "sim/physics/README.md": "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6",
     "sim/reference/README.md": "1e-11 1 95 60 1e-11 0 1 1 0 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 2 60 2nd 2006",
     "sim/study/README.md": ("95 22:209 1927 95 7:1 1979 3 95 1 60 60 60 15 0 60 4 60 95 0 0 0 3 75 8 960 60 100 1 100 50 240 24 "
         "2 2.3 60 7 95 60 1e-9 2.3 2.4 0 2.4 6.1 2.3 0.999 0.999 2.4 0.999 4.1 0.2 60 12 4.1 0.25 60 3.2.2"),
