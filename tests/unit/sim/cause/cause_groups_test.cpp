@@ -126,6 +126,8 @@ TEST(Cause, IsAnInputThatDiffers) {
             (Cause{CauseKind::input, "inputs differ: fling in frame 40: other values"}));
   EXPECT_EQ(cause_of({std::int64_t{40}, Fling{{-1500.0, -901.0}}}, fling, true),
             (Cause{CauseKind::input, "an input has another effect"}));
+  const StoredRun golden = kept_run(fling_at(60.0, 300)), fresh = kept_run(fling_at(60.0, 300, {fling}));
+  EXPECT_EQ(program.cause_of(golden, fresh).detail, "inputs differ: none -> fling in frame 40");
   // The frame of a hitch has another length, whatever the clock gives.
   EXPECT_EQ(cause_of({std::int64_t{40}, Hitch{0.2}}, {std::int64_t{40}, Hitch{0.1}}, false).kind,
             CauseKind::input);

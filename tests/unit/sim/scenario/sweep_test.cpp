@@ -97,6 +97,14 @@ TEST(Sweep, FindsTheFirstMemberWithoutFrames) {
   EXPECT_EQ(first_inconsistent_member(sweep), std::nullopt);
   sweep.members = 20;
   EXPECT_EQ(first_inconsistent_member(sweep), 10);
+  // A duration needs a dt, and has no more than so many frames.
+  sweep = sweep_of({{"/clock/dt_s", ScenarioNumberKind::real, GridAxis{1.0, 0.0, 10}}}, 10);
+  sweep.base.clock.base = FixedStep{1.0};
+  EXPECT_EQ(first_inconsistent_member(sweep), std::nullopt);
+  sweep.base.length = 5.0;
+  EXPECT_EQ(first_inconsistent_member(sweep), 9);
+  sweep.vary = {{"/duration_s", ScenarioNumberKind::real, GridAxis{0.0, 4.5e12, 10}}};
+  EXPECT_EQ(first_inconsistent_member(sweep), 3);  // 1.5e12 frames of 1 s; member 2 has 1e12, the most.
 }
 
 }  // namespace

@@ -2,15 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
+#include "sim/core/kernel_of.h"
 #include "sim/core/shipped_core.h"
 #include "sim/motion/displays.h"
+#include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/run_check.h"
 #include "sim/search/scenario_edit.h"
+#include "tests/unit/sim/replay/some_flings.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 
@@ -139,6 +143,40 @@ TEST(CheckRun, TheShippedCoreBreaksNoRule) {
         first_broken(random.scenario, check_run(shipped_core(), random.scenario, random.stops).measures);
     EXPECT_FALSE(broken) << random.scenario.name << " "
                          << kInvariantTexts[static_cast<std::size_t>(*broken)].name;
+  }
+}
+
+// Is kicked once, by a count of its steps.
+template <bool kOfAllRuns>
+struct Kicked : physics {
+  using physics::physics;
+  void update(double dt, int width, int height, int object_width, int object_height) {
+    physics::update(dt, width, height, object_width, object_height);
+    if (++(kOfAllRuns ? steps_of_all : steps) == (kOfAllRuns ? 250 : 150)) setVelocity(vx() + 300.0, vy());
+  }
+  static inline int steps_of_all = 0;
+  int steps = 0;
+};
+// Its keyframes do not hold the count.
+template <class Body>
+struct ForgetfulCores {
+  using Core = Body;
+  [[nodiscard]] Body make(const State& state) const {
+    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
+  }
+};
+
+TEST(CheckRun, ComparesWithASecondRunAndWithOneThatIsResumed) {
+  const std::shared_ptr<const Kernel> kernels[] = {
+      std::make_shared<const KernelOf<ForgetfulCores<Kicked<true>>>>(),
+      std::make_shared<const KernelOf<ForgetfulCores<Kicked<false>>>>()};
+  const Invariant broken[] = {Invariant::repeated, Invariant::resumed};
+  for (const std::size_t which : {0, 1}) {
+    const CheckedRun run =
+        check_run({.kernel = kernels[which]}, fling_at(60.0, 200), std::array{std::int64_t{100}});
+    EXPECT_EQ(first_broken(fling_at(60.0, 200), run.measures), broken[which]);
+    EXPECT_TRUE(run.measures[static_cast<std::size_t>(broken[1 - which])].holds);
+    EXPECT_EQ(run.measures[static_cast<std::size_t>(broken[which])].worst_step, 200);
   }
 }
 

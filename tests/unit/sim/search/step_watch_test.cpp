@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "sim/core/kernel_of.h"
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/search/step_watch.h"
@@ -15,7 +17,7 @@ namespace {
 
 // Of a run with one row changed.
 InvariantMeasures watched(const Scenario& scenario, std::int64_t step = -1,
-                          const std::function<void(Row&)>& change = {}) {
+                          const std::function<void(Row&)>& change = {}, const Core& core = shipped_core()) {
   TraceSink trace({.rows_every = 1});
   replay(shipped_core(), scenario, trace);
   Columns rows;
@@ -23,7 +25,7 @@ InvariantMeasures watched(const Scenario& scenario, std::int64_t step = -1,
     if (row.step == step) change(row);
     rows.append(row);
   }
-  StepWatch watch(shipped_core(), scenario);
+  StepWatch watch(core, scenario);
   watch.rows(rows);
   return watch.measures();
 }
@@ -70,6 +72,27 @@ TEST(StepWatch, FindsARowThatBreaksAnInvariant) {
     // The row after the changed one breaks it as well, since its start is changed.
     EXPECT_GE(measure.worst_step, kInFlight);
     EXPECT_LE(measure.worst_step, kInFlight + 1);
+  }
+}
+
+// Moves with the velocity before gravity.
+struct ExplicitStep {
+  void operator()(State& s, double dt_s, const Bounds&) const {
+    s.x_px += s.vx_px_per_s * dt_s;
+    s.y_px += s.vy_px_per_s * dt_s;
+    s.vx_px_per_s *= 0.999;
+    s.vy_px_per_s = (s.vy_px_per_s + 1200.0 * dt_s) * 0.999;
+  }
+};
+
+TEST(StepWatch, FindsAFlightThatIsNotThePapers) {
+  Core moves_first{.constants = shipped_core().constants}, heavier = shipped_core();
+  heavier.constants->gravity_px_per_s2 += 1.0;
+  moves_first.kernel = std::make_shared<const KernelOf<StepCores<ExplicitStep>>>();
+  for (Core* const core : {&heavier, &moves_first}) {
+    const InvariantMeasures measures = watched(fling_at(60.0, 9), -1, {}, *core);
+    EXPECT_EQ(of(measures, Invariant::velocity).holds, core != &heavier);
+    EXPECT_EQ(of(measures, Invariant::position).holds, core == &heavier);
   }
 }
 

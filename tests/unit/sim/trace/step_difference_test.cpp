@@ -195,6 +195,7 @@ TEST(ExpressionText, IsAsAHeaderWouldHaveIt) {
   EXPECT_EQ(written([](B b, F) { return -(b.x / b.y); }), "-(x / y)");
   EXPECT_EQ(written([](B b, F f) { return pow(b.x, f.dt); }), "pow(x, dt)");
   EXPECT_EQ(written([](B b, F) { return to_real(to_whole(b.x) % Whole(7)); }), "int(x) % 7");
+  EXPECT_EQ(written([](B b, F) { return to_real(to_single(b.x + b.y)); }), "float(x + y)");
   EXPECT_EQ(written([](B, F f) { return f.dt * Real(1200.0); }, {{1200.0, "GRAVITY"}}), "dt * GRAVITY");
   EXPECT_EQ(written([](B b, F f) {
               Real sum = b.x;
