@@ -10,6 +10,7 @@
 #include <initializer_list>
 
 #include "sim/core/core.h"
+#include "sim/core/listing_core.h"
 #include "sim/ensemble/lanes.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
@@ -57,9 +58,10 @@ std::string difference(const MemberResult& a, const MemberResult& b, const KeepS
 }
 
 // Of the replay's numbers, by which kernels may find them in different ways, those of each set.
-void expect_same(Sweep sweep, const std::string& note, const std::vector<KeepSet>& keeps = {kAllButTheHash}) {
+void expect_same(Sweep sweep, const std::string& note, const std::vector<KeepSet>& keeps = {kAllButTheHash},
+                 const Core& core = shipped_core()) {
   const auto members = static_cast<std::size_t>(sweep.members);
-  Core step_by_step = shipped_core();
+  Core step_by_step = core;
   step_by_step.shape = {};
   std::vector<MemberResult> expected(members);
   const StepTally replayed = EnsemblePlayer(step_by_step, sweep).play({}, 0, expected);
@@ -67,7 +69,7 @@ void expect_same(Sweep sweep, const std::string& note, const std::vector<KeepSet
     for (const KernelSet& kernels : kernel_sets()) {
       sweep.keep = keeps[set];
       std::vector<MemberResult> found(members);
-      const StepTally tally = EnsemblePlayer(shipped_core(), sweep, &kernels).play({}, 0, found);
+      const StepTally tally = EnsemblePlayer(core, sweep, &kernels).play({}, 0, found);
       EXPECT_EQ(tally.steps, replayed.steps) << note;
       EXPECT_LE(tally.computed, tally.steps) << note;
       for (std::size_t member = 0; member < members; ++member) {
@@ -95,6 +97,15 @@ TEST(Ensemble, EqualsTheReplayOfAnyNumberOfMembers) {
 TEST(Ensemble, EqualsTheReplayAtEveryRate) {
   for (const double rate_hz : {24.0, 58.0, 60.0, 75.0, 89.0, 100.0, 144.0, 240.0, 1000.0})
     expect_same_in_all_details(sweep_over(fling_at(rate_hz, 2000), 40), std::to_string(rate_hz) + " Hz");
+}
+
+// The last slides faster and faster, to the walls.
+TEST(Ensemble, EqualsTheReplayWithConstantsOfItsOwn) {
+  for (const Constants& constants : {Constants{980.0, 0.75, 0.9985, 0.65, 12.0},
+                                     {1200.0, 0.6, 1.0, 1.0, 5.0},
+                                     {1200.0, 0.6, 1.0, 1.02, 5.0}})
+    expect_same(sweep_over(fling_at(60.0, 900), 40), std::to_string(constants.ground_friction),
+                {kAllButTheHash, kFinalOnly}, listing_core(constants));
 }
 
 TEST(Ensemble, EqualsTheReplayInLongRuns) {
