@@ -37,18 +37,28 @@ class Stored(DriftTest):
             self.assertEqual(file["drift/arcs"].attrs["total"], len(run["arcs"]))
             self.assertEqual(file["reference"].attrs["checked_by"], "GSL rk8pd, tolerance 1e-12")
 
+    @staticmethod
+    def assert_near(actual, expected):
+        numpy.testing.assert_allclose(actual, expected, rtol=1e-9, atol=1e-6)
+
     def test_rows_are_stored_with_the_trajectory_and_are_nan_outside_of_arcs(self):
         with self.groups("--rows") as file:
             rows = len(file["trajectory/y"])
             flies = numpy.zeros(rows, bool)
-            for first, last in zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"], strict=True):
+            for arc, (first, last) in enumerate(zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"], strict=True)):
                 flies[first:last + 1] = True
-                apart = numpy.hypot(file["trajectory/x"][first:last + 1] - file["reference/x"][first:last + 1],
-                                    file["trajectory/y"][first:last + 1] - file["reference/y"][first:last + 1])
-                numpy.testing.assert_allclose(file["drift/truncation"][first:last + 1], apart, atol=1e-9)
+                x, y, vx, vy, *reference, apart, energies = (file[name][first:last + 1] for name in (
+                    *("trajectory/x", "trajectory/y", "trajectory/vx", "trajectory/vy"), *("reference/x", "reference/y", "reference/vx", "reference/vy"),
+                    "drift/truncation", "reference/energy"))
+                self.assert_near(apart, numpy.hypot(x - reference[0], y - reference[1]))
+                self.assert_near(energies, (reference[2]**2 + reference[3]**2) / 2 + 1200 * (952 - reference[1]))
+                for name, values in (("truncation", apart), ("truncation_speed", numpy.hypot(vx - reference[2], vy - reference[3])),
+                                     *((row, abs(file[f"drift/{row.removesuffix('_max')}"][first:last + 1])) for row in ("implementation", "model", "energy_drift_max"))):
+                    self.assert_near(file[f"drift/arcs/{name}"][arc] * 1e9, values.max() * 1e9)
             speeds, heights = (file[f"trajectory/{v}"][:] for v in ("vx", "vy")), 1080 - 128 - file["trajectory/y"][:]
             energy = sum(speed**2 for speed in speeds) / 2 + 1200 * heights
-            numpy.testing.assert_allclose(file["drift/energy"][flies], energy[flies], rtol=1e-12, atol=1e-6)
+            self.assert_near(file["drift/energy"][flies], energy[flies])
+            self.assert_near(file["drift/energy_drift"][flies], energy[flies] - file["reference/energy"][:][flies])
             for name in ("reference/x", "reference/energy", "drift/implementation", "drift/energy", "drift/energy_drift"):
                 self.assertEqual(file[name].shape, (rows,))
                 numpy.testing.assert_array_equal(numpy.isnan(file[name][:]), ~flies, name)
