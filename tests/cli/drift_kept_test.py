@@ -47,18 +47,21 @@ class Stored(DriftTest):
             flies = numpy.zeros(rows, bool)
             for arc, (first, last) in enumerate(zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"], strict=True)):
                 flies[first:last + 1] = True
-                x, y, vx, vy, *reference, apart, energies = (file[name][first:last + 1] for name in (
-                    *("trajectory/x", "trajectory/y", "trajectory/vx", "trajectory/vy"), *("reference/x", "reference/y", "reference/vx", "reference/vy"),
-                    "drift/truncation", "reference/energy"))
-                self.assert_near(apart, numpy.hypot(x - reference[0], y - reference[1]))
-                self.assert_near(energies, (reference[2]**2 + reference[3]**2) / 2 + 1200 * (952 - reference[1]))
-                for name, values in (("truncation", apart), ("truncation_speed", numpy.hypot(vx - reference[2], vy - reference[3])),
-                                     *((row, abs(file[f"drift/{row.removesuffix('_max')}"][first:last + 1])) for row in ("implementation", "model", "energy_drift_max"))):
+                x, y, vx, vy = (file[f"trajectory/{name}"][first:last + 1] - file[f"reference/{name}"][first:last + 1]
+                                for name in ("x", "y", "vx", "vy"))
+                largest = {"truncation": numpy.hypot(x, y), "truncation_speed": numpy.hypot(vx, vy)}
+                self.assert_near(file["drift/truncation"][first:last + 1], largest["truncation"])
+                for name in ("implementation", "truncation", "model", "energy_drift"):
+                    largest[name + "_max" * name.startswith("energy")] = abs(file[f"drift/{name}"][first:last + 1])
+                for name, values in largest.items():
                     self.assert_near(file[f"drift/arcs/{name}"][arc] * 1e9, values.max() * 1e9)
+            reference = {name: file[f"reference/{name}"][:] for name in ("y", "vx", "vy", "energy")}
+            self.assert_near(reference["energy"][flies], (
+                (reference["vx"]**2 + reference["vy"]**2) / 2 + 1200 * (952 - reference["y"]))[flies])
             speeds, heights = (file[f"trajectory/{v}"][:] for v in ("vx", "vy")), 1080 - 128 - file["trajectory/y"][:]
             energy = sum(speed**2 for speed in speeds) / 2 + 1200 * heights
             self.assert_near(file["drift/energy"][flies], energy[flies])
-            self.assert_near(file["drift/energy_drift"][flies], energy[flies] - file["reference/energy"][:][flies])
+            self.assert_near(file["drift/energy_drift"][flies], (energy - reference["energy"])[flies])
             for name in ("reference/x", "reference/energy", "drift/implementation", "drift/energy", "drift/energy_drift"):
                 self.assertEqual(file[name].shape, (rows,))
                 numpy.testing.assert_array_equal(numpy.isnan(file[name][:]), ~flies, name)

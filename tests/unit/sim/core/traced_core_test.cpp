@@ -76,17 +76,5 @@ TEST(TracedCore, PlaysEveryScenarioAsTheShippedCoreDoes) {
   expect_the_runs_of_the_shipped_core(*core);
 }
 
-// One that no function of the step reads.
-TEST(TracedCore, KeepsItsFurtherMembers) {
-  TracedStep step = recording::record_listing();
-  step.members.push_back(NumberKind::real);
-  for (std::vector<StepPath>& paths : step.paths)
-    for (StepPath& path : paths) path.members.push_back(path.members.front());
-  const std::optional<Core> core = traced_core(canonical(step));
-  ASSERT_TRUE(core);
-  for (const Scenario& scenario : {eventful_fling(), fling_at(60.0, 20'000)})
-    EXPECT_EQ(replay(*core, scenario).state_hash, replay(shipped_core(), scenario).state_hash);
-}
-
 }  // namespace
 }  // namespace hyrax

@@ -49,15 +49,6 @@ TEST(RandomRun, StopsAtTwoRowsOfTheRun) {
   }
 }
 
-TEST(RandomRun, HasEachFeatureInAboutHalfOfTheRuns) {
-  for (std::size_t feature = 0; feature < kFeatureCount; ++feature) {
-    int runs = 0;
-    for (std::uint64_t run = 0; run < 1000; ++run)
-      runs += random_run(shipped_core(), 1, run).features[feature] ? 1 : 0;
-    EXPECT_NEAR(runs, 500, 80) << "feature " << feature;
-  }
-}
-
 // What the features are for comes about: each kind of action, jitter and clock, and sizes that do not fit.
 TEST(RandomRun, ReachesWhatTheFormatAllows) {
   std::set<std::size_t> actions, clocks, jitters;
@@ -146,37 +137,30 @@ TEST(CheckRun, TheShippedCoreBreaksNoRule) {
   }
 }
 
-// Is kicked once, by a count of its steps.
-template <bool kOfAllRuns>
-struct Kicked : physics {
+// Is kicked once, by a count of the steps of all runs.
+struct Leaking : physics {
   using physics::physics;
   void update(double dt, int width, int height, int object_width, int object_height) {
     physics::update(dt, width, height, object_width, object_height);
-    if (++(kOfAllRuns ? steps_of_all : steps) == (kOfAllRuns ? 250 : 150)) setVelocity(vx() + 300.0, vy());
+    if (++steps == kick_at) setVelocity(vx() + 300.0, vy());
   }
-  static inline int steps_of_all = 0;
-  int steps = 0;
+  static inline int steps = 0, kick_at = 0;
 };
-// Its keyframes do not hold the count.
-template <class Body>
-struct ForgetfulCores {
-  using Core = Body;
-  [[nodiscard]] Body make(const State& state) const {
-    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
-  }
+struct LeakingCores {
+  using Core = Leaking;
+  [[nodiscard]] Leaking make(const State& s) const { return {s.x_px, s.y_px, s.vx_px_per_s, s.vy_px_per_s}; }
 };
 
 TEST(CheckRun, ComparesWithASecondRunAndWithOneThatIsResumed) {
-  const std::shared_ptr<const Kernel> kernels[] = {
-      std::make_shared<const KernelOf<ForgetfulCores<Kicked<true>>>>(),
-      std::make_shared<const KernelOf<ForgetfulCores<Kicked<false>>>>()};
-  const Invariant broken[] = {Invariant::repeated, Invariant::resumed};
-  for (const std::size_t which : {0, 1}) {
-    const CheckedRun run =
-        check_run({.kernel = kernels[which]}, fling_at(60.0, 200), std::array{std::int64_t{100}});
-    EXPECT_EQ(first_broken(fling_at(60.0, 200), run.measures), broken[which]);
-    EXPECT_TRUE(run.measures[static_cast<std::size_t>(broken[1 - which])].holds);
-    EXPECT_EQ(run.measures[static_cast<std::size_t>(broken[which])].worst_step, 200);
+  const Scenario scenario = fling_at(60.0, 200);
+  const Core core{.kernel = std::make_shared<const KernelOf<LeakingCores>>()};
+  for (const auto& [kick_at, broken] : {std::pair(250, Invariant::repeated), {450, Invariant::resumed}}) {
+    Leaking::steps = 0;
+    Leaking::kick_at = kick_at;
+    const InvariantMeasures measures = check_run(core, scenario, std::array{std::int64_t{100}}).measures;
+    for (const Invariant each : {Invariant::repeated, Invariant::resumed})
+      EXPECT_EQ(measures[static_cast<std::size_t>(each)].holds, each != broken);
+    EXPECT_EQ(first_broken(scenario, measures), broken);
   }
 }
 
