@@ -1,11 +1,15 @@
 #!/usr/bin/python3
 """Results of a drift: in files, in `run`, in expectations, in digests and in pictures."""
 
+import re
+
 import h5py
 import numpy
 
 from drift_program import DriftTest, flight
-from program import AGREED, BAD_INPUT, DISAGREED, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, fling, main
+
+DOCUMENT = (SOURCE / "sim/reference/README.md").read_text(encoding="utf-8")
 
 
 class Stored(DriftTest):
@@ -33,6 +37,8 @@ class Stored(DriftTest):
             self.assertEqual([ends[code] for code in file["drift/arcs/ended_by"]],
                              [arc["ended_by"] for arc in run["arcs"]])
             self.assertEqual(file["drift/whole/end"][0], run["whole"]["end_px"])
+            none, = re.search(r"row of the first other contact \((\S+): none\)", DOCUMENT).groups()
+            self.assertEqual((run["whole"]["contacts_differ_from"], file["drift/whole/contacts_differ_from"][0]), (None, int(none)))
             self.assertEqual(file["drift/arcs"].attrs["skipped"], run["skipped_arcs"])
             self.assertEqual(file["drift/arcs"].attrs["total"], len(run["arcs"]))
             self.assertEqual(file["reference"].attrs["checked_by"], "GSL rk8pd, tolerance 1e-12")
@@ -44,6 +50,8 @@ class Stored(DriftTest):
     def test_rows_are_stored_with_the_trajectory_and_are_nan_outside_of_arcs(self):
         with self.groups("--rows") as file:
             rows = len(file["trajectory/y"])
+            named, = re.search(r"\| `/drift/(.*?) \| per row, with `--rows`", DOCUMENT).groups()
+            self.assertEqual({"t", "step", "arcs", "contacts", "whole", *re.findall(r"\w+(?=`)", named)}, set(file["drift"]))
             flies = numpy.zeros(rows, bool)
             for arc, (first, last) in enumerate(zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"], strict=True)):
                 flies[first:last + 1] = True

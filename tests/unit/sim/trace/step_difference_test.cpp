@@ -281,12 +281,22 @@ TEST(StepSearch, FindsAStepForEveryConditionalChange) {
 
 TEST(StepSearch, StaysWithinWhatScenariosAllowAndItsSteps) {
   const TracedStep listing = canonical(record_listing());
-  const StepPair pair(listing, edited(slower_where([](B b, F) { return b.vx > 2e12; })));
-  ASSERT_FALSE(pair.differences().empty());
-  const DifferenceSearch search = pair.search(0, 1, 20'000);
-  EXPECT_FALSE(search.found);
-  EXPECT_GE(search.steps_tried, 20'000);
-  EXPECT_LT(search.steps_tried, 20'020);
+  const std::vector<Condition> none = {[](B b, F) { return b.vx > 2e12; },
+                                       [](B b, F) { return b.x < -1e12; },
+                                       [](B, F f) { return f.dt > 1e9; },
+                                       [](B, F f) { return f.dt < 0.0; },
+                                       [](B, F f) { return f.window_width > Whole(1e6); },
+                                       [](B, F f) { return f.window_height < Whole(0); },
+                                       [](B, F f) { return f.sprite_width < Whole(1); },
+                                       [](B, F f) { return f.sprite_height > Whole(1e6); }};
+  for (const Condition& condition : none) {
+    const StepPair pair(listing, edited(slower_where(condition)));
+    ASSERT_FALSE(pair.differences().empty());
+    const DifferenceSearch search = pair.search(0, 1, 20'000);
+    EXPECT_FALSE(search.found);
+    EXPECT_GE(search.steps_tried, 20'000);
+    EXPECT_LT(search.steps_tried, 20'020);
+  }
 }
 
 TEST(StepSearch, TriesTheSameStepsForTheSameSeed) {
