@@ -165,11 +165,12 @@ TEST(Cause, IsUnknownWhereTheAcceptedStepGivesOtherBits) {
   const StoredRun fresh = kept_run(scenario), golden = kept_run(scenario, core_with_gravity(1300.0));
   Program of_members, of_libm;
   of_members.has_further_members = of_libm.calls_libm = true;
-  for (const Program& program : {of_members, of_libm})
-    EXPECT_EQ(program.cause_of(golden, fresh),
-              (Cause{CauseKind::unknown,
-                     "the accepted core gives other bits, too: the compiler, its flags, the processor, the C "
-                     "library, or a fault of the program"}));
+  const Cause other_bits{CauseKind::unknown,
+                         "the accepted core gives other bits, too: the compiler, its flags, the processor, "
+                         "the C library, or a fault of the program"};
+  for (const Program& program : {of_members, of_libm}) EXPECT_EQ(program.cause_of(golden, fresh), other_bits);
+  const Scenario lasting = fling_at(60.0, 12'000);  // Kept as blocks.
+  EXPECT_EQ(Program().cause_of(kept_run(lasting, core_with_gravity(1300.0)), kept_run(lasting)), other_bits);
   StoredRun of_contacts = fresh;
   of_contacts.contacts[0].overshoot_px += 1.0;
   EXPECT_EQ(Program().cause_of(of_contacts, fresh),
