@@ -378,6 +378,8 @@ class Facts(unittest.TestCase):
                 measured, low, high = map(float, numbers)
                 self.assertTrue(low <= measured <= high)
                 self.assertEqual(bool(mark), measured < float(goal) if kind == "least" else measured > float(goal))
+        of_sweeps = re.findall(r"^\S.*? {2,}([\d.]+) \(([\d.]+) \.\. ([\d.]+)\)$", text_of(SWEEPS), re.MULTILINE)
+        self.assertEqual([float(low) <= float(median) <= float(high) for median, low, high in of_sweeps], 11 * [True])
         with_source = 0
         goals = re.findall(r'ratio\("([^"]*)"(?: \+ \w+ \+ "([^"]*)")?,[^;]*?Goal::at_(least|most), (\d[\d.]*)', sources)
         self.assertEqual(len(goals), len(re.findall(r"Goal::at_\w+, \d", sources)))
