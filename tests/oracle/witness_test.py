@@ -102,7 +102,8 @@ class Documents(unittest.TestCase):
                   [draw.choice((0, -5, -15, draw.uniform(-900, 900))) for _ in range(2)] + list(bounds)
                   for bounds in ((500, 400), (-20, 400), (500, -30)) for _ in range(300)]
         for *start, right, bottom in starts:
-            names, holds = {"dt": 1 / 60, **dict(zip(("x", "y", "vx", "vy"), start)), "W": right + 128, "w": 128, "H": bottom + 64, "h": 64}, True
+            names = {"dt": 1 / 60, **dict(zip(("x", "y", "vx", "vy"), start)), "W": right + 128, "w": 128, "H": bottom + 64, "h": 64}
+            holds = True
             for words, formula in re.findall("([^`]*)`(.*?)`", steps):
                 formula = re.sub(r"(?<=[\dvxy]) (?=[dv])", " * ", re.sub(r"\|(\w+)\|", r"abs(\1)", formula))
                 if re.search(r"\bif $", words):  # "and if" and "else" refer to the condition before.
@@ -129,7 +130,8 @@ class Documents(unittest.TestCase):
     def test_the_exact_motions(self):
         v_n, s_n, y_n, slope, moved, phi1, speed, phi2, law_slope, kappa, same_kappa, law_speed, eta, loss, ode_loss = (
             re.sub(r"(?<=[\w)]) (?=[A-Za-z(])", "*", formula.replace("²", "^2")) for formula in stated(
-                "sim/reference/README.md", r"v_n = (.*?) S_n = (.*?) y_n = (.*?) This is", r"The ODE is v' = (.*?)\. With z = -k t, displacement = (.*?) phi1\(z\) = (.*?) speed = (.*?) phi2\(z\) = (.*?) phi1 and",
+                "sim/reference/README.md", r"v_n = (.*?) S_n = (.*?) y_n = (.*?) This is",
+                r"The ODE is v' = (.*?)\. With z = -k t, displacement = (.*?) phi1\(z\) = (.*?) speed = (.*?) phi2\(z\) = (.*?) phi1 and",
                 r"With L = -ln a, k = L / h and .*? v' = (.*?) kappa = (.*?) = (.*?) = [\d.]+ y' = (kappa v \+ eta) eta = (.*?) = [\d.]+ px/s",
                 r"Along it de/dt = (.*?)\. The ODE without eta loses (.*?) only"))
         a, h, v_0, y_0 = 0.999, 1 / 60, -700.0, 300.0
