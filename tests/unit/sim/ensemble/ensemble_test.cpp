@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
+#include <tuple>
 
 #include "sim/core/core.h"
 #include "sim/core/listing_core.h"
@@ -115,7 +116,9 @@ TEST(Ensemble, EqualsTheReplayWhereMembersHaveDifferentLengthsAndRates) {
   Sweep sweep = sweep_over(base, 200);
   sweep.vary.push_back({"/clock/rate_hz", ScenarioNumberKind::real, ChoiceDraw{{60.0, 120.0, 144.0}}});
   sweep.vary.push_back({"/duration_s", ScenarioNumberKind::real, UniformDraw{0.0, 30.0}});
-  expect_same_in_all_details(sweep, "lengths and rates");
+  sweep.vary.push_back({"/window/width_px", ScenarioNumberKind::integer, UniformDraw{100.0, 1920.0}});
+  sweep.vary.push_back({"/sprite/height_px", ScenarioNumberKind::integer, UniformDraw{1.0, 1200.0}});
+  expect_same_in_all_details(sweep, "lengths, rates and sizes");
 }
 
 // Rounding keeps such a speed from becoming 0: in a long frame it moves the sprite by the least number there
@@ -162,18 +165,18 @@ TEST(Ensemble, EqualsTheReplayWithEvents) {
 }
 
 TEST(Ensemble, EqualsTheReplayWithJitter) {
-  for (const auto& [kind, amount] : {std::pair{Jitter::Kind::uniform, 0.2},
-                                     {Jitter::Kind::uniform, 1.0},
-                                     {Jitter::Kind::normal, 0.004},
-                                     {Jitter::Kind::normal, 0.05},
-                                     {Jitter::Kind::missed_frames, 0.1},
-                                     {Jitter::Kind::missed_frames, 0.9}})
+  for (const auto& [kind, pointer, most] : {std::tuple{Jitter::Kind::uniform, "/clock/jitter/fraction", 1.0},
+                                            {Jitter::Kind::normal, "/clock/jitter/sigma_s", 0.05},
+                                            {Jitter::Kind::missed_frames, "/clock/jitter/probability", 1.0}})
     for (Scenario base : {fling_at(60.0, 700), eventful_fling()}) {
-      base.clock.jitter = Jitter{kind, amount, 1};
+      base.clock.jitter = Jitter{kind, most, 1};
       if (!base.events.empty()) base.events.back().when = std::int64_t{250};
       Sweep sweep = sweep_over(base, 40);
       sweep.vary.push_back({"/clock/jitter/seed", ScenarioNumberKind::seed, MemberNumber{}});
-      expect_same_in_all_details(sweep, "jitter " + std::to_string(static_cast<int>(kind)));
+      expect_same_in_all_details(sweep, pointer);
+      sweep.vary.push_back({"/clock/rate_hz", ScenarioNumberKind::real, UniformDraw{50.0, 150.0}});
+      sweep.vary.push_back({pointer, ScenarioNumberKind::real, UniformDraw{0.0, most}});
+      expect_same_in_all_details(sweep, std::string(pointer) + " and rates");
     }
 }
 

@@ -39,16 +39,6 @@ TEST(RandomRun, IsTheSameWheneverItIsDrawn) {
   EXPECT_FALSE(plays_the_same(one.scenario, random_run(shipped_core(), 6, 17).scenario));
 }
 
-TEST(RandomRun, StopsAtTwoRowsOfTheRun) {
-  for (std::uint64_t run = 0; run < 500; ++run) {
-    const RandomRun random = random_run(shipped_core(), 1, run);
-    ASSERT_EQ(random.stops.size(), 2u);
-    EXPECT_GE(random.stops[0], 0);
-    EXPECT_LE(random.stops[0], random.stops[1]);
-    EXPECT_LE(random.stops[1], step_count(random.scenario));
-  }
-}
-
 // What the features are for comes about: each kind of action, jitter and clock, and sizes that do not fit.
 TEST(RandomRun, ReachesWhatTheFormatAllows) {
   std::set<std::size_t> actions, clocks, jitters;
