@@ -66,12 +66,15 @@ def documented(pattern, formula=False):
     groups = re.search(pattern, DEFINITIONS).groups()
     if not formula:
         return groups
-    return compile(re.sub(r"(?<=\w) (?=[\w(])", " * ", groups[0].replace("²", "**2")), pattern, "eval")
+    return compile(re.sub(r"(?<=\w) (?=[\w(])|(?<=\))(?=\()", " * ", groups[0].replace("²", "**2")), pattern, "eval")
 
 
 ENERGY = documented(r"Specific energy is e = (.*?) in px", True)
+DIFFERENCE = documented(r"Differences are computed as (.*?), with w and z the speed and position of the ODE", True)
 PER_FRAME = documented(r"\| gravity once a step \| (.*?) per frame", True)
 OF, FROM, LARGEST = documented(r"\*\*Drift\*\* is e of the (\w+) minus e of the (\w+) .*?, divided by the arc's (\w+) energy")
+AGAINST = dict(re.findall(r"\| (implementation|truncation|model) \| (.*?)(?:,.*?)? \|", DEFINITIONS))
+AFTER = {"once": 1, "twice": 2}[documented(r"is not crossed within the clamped frame plus (\w+) the last dt")[0]]
 LIFTS = {wall: 1 if sign == "+" else -1 for wall, sign in zip((8, 4), documented(
     r"\| ([+-]) G times the overshoot at the ground, ([+-]) G times it at the top"))}  # By wall.
 PARTS = [re.findall(r"\w+", part) for part in documented(r"`energy_parts` of each arc \((.*?);.*?order of its operations \((.*?);")]
@@ -169,12 +172,15 @@ class Arc:
             gravity += eval(PER_FRAME, {}, {"G": GRAVITY, "eta": eta_s * dt, "dt": dt})  # pylint: disable=eval-used
             flown = (x, y), matched, [axis.at(t)[0] for axis in model]
             apart.append([((run[0] - other[0]) ** 2 + (run[1] - other[1]) ** 2).sqrt() for other in flown])
-            energies = {"run": energy_of(*run), "matched": energy_of(*matched)}
-            points.append((t, energies[OF] - energies[FROM]))
+            states = {"run": run, "matched": matched}
+            (_, y_of, *of), (_, z, *ode) = states[OF], states[FROM]
+            points.append((t, sum(eval(DIFFERENCE, {}, {"G": GRAVITY, "v": v, "w": w, "y": each * y_of, "z": each * z})  # pylint: disable=eval-used
+                                  for v, w, each in zip(of, ode, (0, 1)))))
         drifts = [drift for _, drift in points]
         (tt, te), largest = least_squares(points), max(self.largest_energy(), GRAVITY)
-        implementation, truncation, far = (max(each) for each in zip(*apart))
-        return {"duration_s": t, "implementation_px": implementation, "truncation_px": truncation, "model_px": far,
+        far = dict(zip(("the closed form of the step's own recurrence", "the ODE with the drag of each frame", "the same ODE with the drag of 60 Hz"),
+                       (max(each) for each in zip(*apart))))
+        return {"duration_s": t, **{f"{name}_px": far[against] for name, against in AGAINST.items()},
                 "energy_drift_max": max(map(abs, drifts)), "energy_drift_end": drifts[-1],
                 "energy_drift_rel_max": max(map(abs, drifts)) / largest, "energy_drift_rel_end": drifts[-1] / largest,
                 "energy_drift_slope_px_per_s": te / tt / GRAVITY if tt else None,
@@ -199,7 +205,7 @@ class Arc:
         frames = [D(float(dt)) for dt in self.rows["dt"][self.first + 1:self.last + 2]]
         clamped = frames.pop()
         rate_dt = next((dt for dt in reversed(frames) if dt > 0), clamped)
-        frames = [(dt, dt) for dt in frames] + [(rate_dt, clamped + 2 * rate_dt)]
+        frames = [(dt, dt) for dt in frames] + [(rate_dt, clamped + AFTER * rate_dt)]
         left = sum(dt for dt, _ in frames[:-1]) + clamped
         for state, (dt, t_max) in zip(self.states, frames, strict=True):
             if dt > 0:

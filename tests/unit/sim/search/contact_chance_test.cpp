@@ -48,13 +48,6 @@ TEST(ContactChance, HoldsTheExactChanceAsOftenAsItSays) {
   }
 }
 
-TEST(ContactChance, IsZeroWithinTheMarginWithoutAnyStart) {
-  const ContactChance chance = contact_chance(shipped_core(), half_a_pixel_from_the_wall(), 1.0);
-  EXPECT_EQ(chance.changed.of, 0);
-  EXPECT_EQ(chance.chance(), 0.0);
-  EXPECT_EQ(chance.high(), 0.0);
-}
-
 TEST(ContactChance, IsThatOfPlainSampling) {
   const auto contacts_of = [](const Scenario& scenario) {
     TraceSink trace;
