@@ -422,6 +422,13 @@ class Facts(unittest.TestCase):
                 self.assertEqual([sum(column.dtype.itemsize * math.prod(column.shape[1:]) for column in columns)],
                                  stated(SWEEPS, "default columns and three inputs are {} bytes a member"))
 
+    def test_sim_has_the_folders_that_are_listed_and_neither_reads_nor_prints(self):
+        listed = re.findall(r"^\| (?:\[(\w+)\]\(.*?\)|`(\w+)`) \|", text_of("sim/README.md"), re.MULTILINE)
+        self.assertEqual(sorted(map("".join, listed)), sorted(path.name for path in (SOURCE / "sim").iterdir() if path.is_dir()))
+        for path in (*(SOURCE / "sim").rglob("*.cpp"), *(SOURCE / "sim").rglob("*.h")):
+            if path.parent != SOURCE / "sim/trace/host":
+                self.assertNotRegex(path.read_text(encoding="utf-8"), r"\b(chrono|getenv|fstream|iostream|fopen|setlocale|printf|fputs)\b", path)
+
     def test_every_count_of_scenarios_is_that_of_the_folder(self):
         counts = {int(each) for each in re.findall(r"of (\d{3}) (?:agree|differ)", text_of("tests/README.md"))}
         self.assertEqual(counts, {SCENARIOS, SCENARIOS - 1})
