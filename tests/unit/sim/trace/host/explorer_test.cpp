@@ -43,15 +43,6 @@ class Explorer : public testing::Test {
   }
 };
 
-TEST_F(Explorer, FindsTheTwelvePathsOfTheListing) {
-  const TracedStep step = step_of<physics>();
-  EXPECT_EQ(step.members, std::vector(4, NumberKind::real));
-  EXPECT_EQ(step.comparisons.size(), 5U);
-  EXPECT_EQ(paths_of<physics>(), 12U);
-  EXPECT_EQ(step.paths_of(CoreFunction::construct).size(), 1U);
-  EXPECT_EQ(read_step(step_text(step)), step);
-}
-
 TEST_F(Explorer, TellsWhatDiffersForNaNAndForNegativeZeroOnly) {
   EXPECT_NE(text_of<Plain>(), text_of<AddsZero>());
   EXPECT_EQ(paths_of<Plain>(), 1U);
