@@ -168,6 +168,9 @@ class Parts(FilesTest):
         job = (jobs / "kubernetes.yaml").read_text()
         command = re.search(r"command: \[(.*)\]", job)[1].replace('"', "").split(", ")
         self.assertEqual(re.findall(r"(?:completions|parallelism): (\d+)\n", job), 2 * [command[command.index("--parts") + 1]])
+        self.assertEqual(re.findall(r'cpu: "(\d+)"', job), [command[command.index("--threads") + 1]])
+        for text, repeats in ((job, "      restartPolicy: OnFailure"), ((jobs / "slurm.sh").read_text(), "#SBATCH --requeue")):
+            self.assertIn(repeats, text.splitlines())
         for task, variables in ((("bash", jobs / "slurm.sh", "sweep.json"), {"SLURM_ARRAY_TASK_ID": "3", "SLURM_ARRAY_TASK_COUNT": "4"}),
                                 (command, {"JOB_COMPLETION_INDEX": "3"})):
             environment = {**NO_CLUSTER, **variables, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"}
