@@ -88,7 +88,7 @@ class CauseFinder {
     // A golden file is no evidence of anything but its own damage.
     if (!is_as_blessed) return {CauseKind::golden, "the golden file was changed since it was blessed"};
     if (const auto cause = playback_cause(golden, fresh, core)) return *cause;
-    if (!is_judged) return {CauseKind::unknown, not_judged(names_accepted)};
+    if (!is_judged) return {CauseKind::unknown, not_judged()};
     return step_cause(golden, fresh, core);
   }
 
@@ -100,9 +100,9 @@ class CauseFinder {
             "its compiler, flags or processor, or a fault of the program"};
   }
 
-  [[nodiscard]] std::string not_judged(bool names_accepted) const {
-    if (base_.accepted == nullptr) return base_.why_not_played;
-    return names_accepted ? "" : "blessed with another core than the accepted one";
+  [[nodiscard]] std::string not_judged() const {
+    return base_.accepted == nullptr ? base_.why_not_played
+                                     : "blessed with another core than the accepted one";
   }
 
   [[nodiscard]] static Cause scenario_cause(const DifferingRun& run, const Core& core, bool is_judged) {
@@ -122,8 +122,7 @@ class CauseFinder {
     const auto time = time_difference(golden, fresh);
     const auto input = input_difference(golden.inputs, fresh.inputs);
     if (!time && !input) return std::nullopt;
-    const bool is_kept = golden.blocks.empty();
-    if (is_kept && !match(core, playback_of(golden), golden).rows) return std::nullopt;
+    if (golden.rows.size() > 0 && !match(core, playback_of(golden), golden).rows) return std::nullopt;
     if (!time) return Cause{CauseKind::input, *input};
     return Cause{CauseKind::clock, *time + (input ? "; " + *input : "")};
   }

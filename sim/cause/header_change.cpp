@@ -152,7 +152,7 @@ std::optional<double> number_of(std::string_view token) {
   return value;
 }
 
-// `... NAME = NUMBER ;`, the number perhaps with a sign, or `... NAME { NUMBER`.
+// `... NAME = NUMBER ;`, the number perhaps with a sign.
 std::optional<HeaderConstant> constant_of(const HeaderStatement& statement) {
   const auto& tokens = statement.tokens;
   const bool is_constant = std::ranges::any_of(

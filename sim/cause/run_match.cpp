@@ -157,18 +157,10 @@ std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun&
 Scenario playback_of(const StoredRun& golden) {
   Scenario playback = golden.scenario;
   playback.events.clear();
-  const bool has_rows = golden.rows.size() > 1;
   for (const Input& input : golden.inputs)
-    if (!has_rows || !std::holds_alternative<Hitch>(input.action))
-      playback.events.push_back({input.frame, input.action});
-  if (has_rows) {
-    playback.clock = {RecordedSteps{{golden.rows.dt_s.begin() + 1, golden.rows.dt_s.end()}}, {}};
-    playback.length = std::monostate();
-    return playback;
-  }
-  if (const auto* const rate = std::get_if<FixedRate>(&playback.clock.base))
-    playback.clock.base = FixedStep{1.0 / rate->rate_hz};
-  playback.length = golden.steps;
+    if (!std::holds_alternative<Hitch>(input.action)) playback.events.push_back({input.frame, input.action});
+  playback.clock = {RecordedSteps{{golden.rows.dt_s.begin() + 1, golden.rows.dt_s.end()}}, {}};
+  playback.length = std::monostate();
   return playback;
 }
 

@@ -11,8 +11,7 @@
 
 namespace hyrax {
 
-/// What a golden file says its program played: its own frame times and inputs as a scenario. The frame times
-/// of a short run are those of its rows; those of a long one with a jittered clock are drawn again.
+/// What a golden file says its program played: its own frame times and inputs as a scenario. REQUIRES: rows.
 [[nodiscard]] Scenario playback_of(const StoredRun& golden);
 
 /// What of a replay is the stored run's, bit for bit.

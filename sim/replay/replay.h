@@ -31,8 +31,7 @@ class Replay {
       : Replay(core, scenario, std::vector<RowSink*>{&sink}, options) {}
   /// Resumes after the keyframe's row, which the sink does not get again. Contacts that touch
   /// there go on uncounted; state_hash, at_rest_since_s and the search for repetition begin at the
-  /// keyframe's row: periodic_from_step is never before it, and is that row if the whole run repeats
-  /// there already.
+  /// keyframe's row.
   Replay(const Core& core, const Scenario& scenario, const Keyframe& from, RowSink& sink,
          ReplayOptions options = {});
   ~Replay();

@@ -74,11 +74,7 @@ STATED = (
         ("tools/own_core/README.md", "`check` ends with exit code {}, even", "bad_input"))),
     *((CORE, "| `" + name + "` | {}", HEADER, name)
       for name in PHYSICS_CONSTANTS.split(", ")),
-    (CORE, "Gravity: `vy += {} dt`", HEADER, "GRAVITY"),
-    (CORE, "Drag: `vx *= {}`, `vy *= {}`", HEADER, "AIR_DRAG, AIR_DRAG"),
-    (CORE, "x is set to the bound and `vx = -{} vx`", HEADER, "RESTITUTION"),
-    (CORE, "y is set to 0 and `vy = -{} vy`", HEADER, "RESTITUTION"),
-    (CORE, "`vy = -{} vy`, `vx *= {}`; and if |vy| < {}", HEADER, "RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"),
+    (CORE, "; and if `|vy| < {}` then", HEADER, "REST_THRESHOLD"),  # The formulas: tests/oracle/witness_test.py.
     (DRIFT, "G = {} px/s², a = {} (paper", HEADER, "GRAVITY, AIR_DRAG"),
     (DRIFT, "leaves |vy| below {} px/s", HEADER, "REST_THRESHOLD"),
     (FORMAT, "`window` | yes | `width_px`, `height_px`: integers, 0 .. {} |", SCENARIO, "kWindowSideMax_px"),
@@ -161,9 +157,6 @@ STATED = (
     (FILES, "every block of {} rows, with the golden", HASH, "kBlockRows"),
     (FILES, "compiled core's bits in {} states", "sim/trace/host/compiled_core.h", "kCheckedSteps"),
     (FILES, "apart the two cores are after {} s of it", "tools/app/causes/unnoticed.cpp", "kConsequence_s"),
-    ("sim/README.md", "within {} px of its last anchor until the end, for at least {} s", REST, "kStill_px, kLeastRest_s"),
-    ("sim/README.md", "ground contact leaves it below {} px/s", HEADER, "REST_THRESHOLD"),
-    ("sim/README.md", "XXH3-128 of {} rows; of all", HASH, "kBlockRows"),
     (FILES, "stays below {} MB (a test)", "tests/cli/goldens_test.py", "BYTES_MAX"),
     (HYRAX, "one file of less than {} MB", "tests/cli/hyrax/executable_test.py", "SIZE_MAX_BYTES"),
     ("tests/README.md", "({} damaged golden files; `--all` tries {})", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS, if _IS_ALL else"),
@@ -192,7 +185,7 @@ STATED = (
     (CARD, "`std::pow(AIR_DRAG, {} * dt)`", MODEL, "model_rate_hz"), (CARD, "settle at {} Hz", FLINGS, "kRate_hz"),
     (CARD, "20th second: at {} Hz", FLINGS, "kRate_hz"),
     (DRIFT, "drag of {} Hz, k", MODEL, "model_rate_hz"), (DRIFT, "At {} Hz the last two", MODEL, "model_rate_hz"),
-    (DRIFT, "at the rates of {} Hz, restitution", MODEL, "model_rate_hz"), ("sim/README.md", "ODE with the drag of {} Hz", MODEL, "model_rate_hz"),
+    (DRIFT, "at the rates of {} Hz, restitution", MODEL, "model_rate_hz"),
     (DRIFT, "moved by up to {} px in x", "sim/search/contact_chance.h", "within_px"),
     ("tools/own_core/README.md", "GRAVITY {} .. {} px/s², AIR", "sim/study/reference_model.cpp", ("constants.gravity_px_per_s2,", "constants.gravity_px_per_s2, 0.0,")),
     ("tools/own_core/README.md", "GROUND_FRICTION {} .. {}, REST_THRESHOLD\n{} .. {} px/s", "sim/study/reference_model.cpp",
@@ -209,11 +202,11 @@ NO_SOURCE = {
     "scenarios/README.md": ("320 240 5120 1440 60 165 110 400 0 1 2 3 4 120 1,500 0 0 0 0 2K 144 60.0 1e9 0 1 1 1.0 2.0 1.0 6.0 "
         "11 0.0 0 0.0 2.0 0 2 64 1 1 0x9E3779B97F4A7C15 2 64 30 27 31 0xBF58476D1CE4E5B9 0x94D049BB133111EB 11 2 0 0 0 0 0 1 2 "
         "3 4 1 0 0 0 0 1 0"),
-    "sim/README.md": "1 0 0 0 0",
+    "sim/README.md": "1 0 0 0",
     "sim/card/README.md": "95 1927 0",
     "sim/ensemble/README.md": "0 1 1 4 64 2 12.2 96",
-    "sim/physics/README.md": "6 1 2 3 4 0 5 0 6 0 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6",
-    "sim/reference/README.md": "1e-11 1 95 60 1e-11 0 1 1 0 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 2 60 2nd 2006",
+    "sim/physics/README.md": "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6",
+    "sim/reference/README.md": "1e-11 1 95 60 1e-11 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006",
     "sim/study/README.md": ("95 22:209 1927 95 7:1 1979 3 95 1 60 60 60 15 0 60 4 60 95 0 0 0 3 75 8 960 60 100 1 100 50 240 24 "
         "2 2.3 60 7 95 60 1e-9 2.3 2.4 0 2.4 6.1 2.3 0.999 0.999 2.4 0.999 4.1 0.2 60 12 4.1 0.25 60 3.2.2"),
     "tests/README.md": ("1e9 40 16 0.1.0 12 107 107 14 22 107 107 12 107 107 12 107 107 12 106 106 12 106 106 12 106 106 12 106 "
@@ -385,6 +378,8 @@ class Facts(unittest.TestCase):
                 measured, low, high = map(float, numbers)
                 self.assertTrue(low <= measured <= high)
                 self.assertEqual(bool(mark), measured < float(goal) if kind == "least" else measured > float(goal))
+        of_sweeps = re.findall(r"^\S.*? {2,}([\d.]+) \(([\d.]+) \.\. ([\d.]+)\)$", text_of(SWEEPS), re.MULTILINE)
+        self.assertEqual([float(low) <= float(median) <= float(high) for median, low, high in of_sweeps], 11 * [True])
         with_source = 0
         goals = re.findall(r'ratio\("([^"]*)"(?: \+ \w+ \+ "([^"]*)")?,[^;]*?Goal::at_(least|most), (\d[\d.]*)', sources)
         self.assertEqual(len(goals), len(re.findall(r"Goal::at_\w+, \d", sources)))
@@ -426,6 +421,13 @@ class Facts(unittest.TestCase):
                 columns = [column for group in ("members", "inputs") for column in file[group].values() if column.shape[:1] == (50,)]
                 self.assertEqual([sum(column.dtype.itemsize * math.prod(column.shape[1:]) for column in columns)],
                                  stated(SWEEPS, "default columns and three inputs are {} bytes a member"))
+
+    def test_sim_has_the_folders_that_are_listed_and_neither_reads_nor_prints(self):
+        listed = re.findall(r"^\| (?:\[(\w+)\]\(.*?\)|`(\w+)`) \|", text_of("sim/README.md"), re.MULTILINE)
+        self.assertEqual(sorted(map("".join, listed)), sorted(path.name for path in (SOURCE / "sim").iterdir() if path.is_dir()))
+        for path in (*(SOURCE / "sim").rglob("*.cpp"), *(SOURCE / "sim").rglob("*.h")):
+            if path.parent != SOURCE / "sim/trace/host":
+                self.assertNotRegex(path.read_text(encoding="utf-8"), r"\b(chrono|getenv|fstream|iostream|fopen|setlocale|printf|fputs)\b", path)
 
     def test_every_count_of_scenarios_is_that_of_the_folder(self):
         counts = {int(each) for each in re.findall(r"of (\d{3}) (?:agree|differ)", text_of("tests/README.md"))}

@@ -1,11 +1,15 @@
 #!/usr/bin/python3
 """Results of a drift: in files, in `run`, in expectations, in digests and in pictures."""
 
+import re
+
 import h5py
 import numpy
 
 from drift_program import DriftTest, flight
-from program import AGREED, BAD_INPUT, DISAGREED, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, fling, main
+
+DOCUMENT = (SOURCE / "sim/reference/README.md").read_text(encoding="utf-8")
 
 
 class Stored(DriftTest):
@@ -33,22 +37,39 @@ class Stored(DriftTest):
             self.assertEqual([ends[code] for code in file["drift/arcs/ended_by"]],
                              [arc["ended_by"] for arc in run["arcs"]])
             self.assertEqual(file["drift/whole/end"][0], run["whole"]["end_px"])
+            none, = re.search(r"row of the first other contact \((\S+): none\)", DOCUMENT).groups()
+            self.assertEqual((run["whole"]["contacts_differ_from"], file["drift/whole/contacts_differ_from"][0]), (None, int(none)))
             self.assertEqual(file["drift/arcs"].attrs["skipped"], run["skipped_arcs"])
             self.assertEqual(file["drift/arcs"].attrs["total"], len(run["arcs"]))
             self.assertEqual(file["reference"].attrs["checked_by"], "GSL rk8pd, tolerance 1e-12")
 
+    @staticmethod
+    def assert_near(actual, expected):
+        numpy.testing.assert_allclose(actual, expected, rtol=1e-9, atol=1e-6)
+
     def test_rows_are_stored_with_the_trajectory_and_are_nan_outside_of_arcs(self):
         with self.groups("--rows") as file:
             rows = len(file["trajectory/y"])
+            named, = re.search(r"\| `/drift/(.*?) \| per row, with `--rows`", DOCUMENT).groups()
+            self.assertEqual({"t", "step", "arcs", "contacts", "whole", *re.findall(r"\w+(?=`)", named)}, set(file["drift"]))
             flies = numpy.zeros(rows, bool)
-            for first, last in zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"], strict=True):
+            for arc, (first, last) in enumerate(zip(file["drift/arcs/first_step"], file["drift/arcs/last_step"], strict=True)):
                 flies[first:last + 1] = True
-                apart = numpy.hypot(file["trajectory/x"][first:last + 1] - file["reference/x"][first:last + 1],
-                                    file["trajectory/y"][first:last + 1] - file["reference/y"][first:last + 1])
-                numpy.testing.assert_allclose(file["drift/truncation"][first:last + 1], apart, atol=1e-9)
+                x, y, vx, vy = (file[f"trajectory/{name}"][first:last + 1] - file[f"reference/{name}"][first:last + 1]
+                                for name in ("x", "y", "vx", "vy"))
+                largest = {"truncation": numpy.hypot(x, y), "truncation_speed": numpy.hypot(vx, vy)}
+                self.assert_near(file["drift/truncation"][first:last + 1], largest["truncation"])
+                for name in ("implementation", "truncation", "model", "energy_drift"):
+                    largest[name + "_max" * name.startswith("energy")] = abs(file[f"drift/{name}"][first:last + 1])
+                for name, values in largest.items():
+                    self.assert_near(file[f"drift/arcs/{name}"][arc] * 1e9, values.max() * 1e9)
+            reference = {name: file[f"reference/{name}"][:] for name in ("y", "vx", "vy", "energy")}
+            self.assert_near(reference["energy"][flies], (
+                (reference["vx"]**2 + reference["vy"]**2) / 2 + 1200 * (952 - reference["y"]))[flies])
             speeds, heights = (file[f"trajectory/{v}"][:] for v in ("vx", "vy")), 1080 - 128 - file["trajectory/y"][:]
             energy = sum(speed**2 for speed in speeds) / 2 + 1200 * heights
-            numpy.testing.assert_allclose(file["drift/energy"][flies], energy[flies], rtol=1e-12, atol=1e-6)
+            self.assert_near(file["drift/energy"][flies], energy[flies])
+            self.assert_near(file["drift/energy_drift"][flies], (energy - reference["energy"])[flies])
             for name in ("reference/x", "reference/energy", "drift/implementation", "drift/energy", "drift/energy_drift"):
                 self.assertEqual(file[name].shape, (rows,))
                 numpy.testing.assert_array_equal(numpy.isnan(file[name][:]), ~flies, name)

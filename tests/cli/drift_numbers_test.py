@@ -58,9 +58,31 @@ def random_corner(draw, name):
             "start": {"x_px": x, "y_px": y, "vx_px_per_s": vx, "vy_px_per_s": vy}}
 
 
+DEFINITIONS = " ".join((SOURCE / "sim/reference/README.md").read_text(encoding="utf-8").split())
+
+
+def documented(pattern, formula=False):
+    """What the pattern's groups have in the document; a formula is compiled."""
+    groups = re.search(pattern, DEFINITIONS).groups()
+    if not formula:
+        return groups
+    return compile(re.sub(r"(?<=\w) (?=[\w(])|(?<=\))(?=\()", " * ", groups[0].replace("²", "**2")), pattern, "eval")
+
+
+ENERGY = documented(r"Specific energy is e = (.*?) in px", True)
+DIFFERENCE = documented(r"Differences are computed as (.*?), with w and z the speed and position of the ODE", True)
+PER_FRAME = documented(r"\| gravity once a step \| (.*?) per frame", True)
+OF, FROM, LARGEST = documented(r"\*\*Drift\*\* is e of the (\w+) minus e of the (\w+) .*?, divided by the arc's (\w+) energy")
+AGAINST = dict(re.findall(r"\| (implementation|truncation|model) \| (.*?)(?:,.*?)? \|", DEFINITIONS))
+AFTER = {"once": 1, "twice": 2}[documented(r"is not crossed within the clamped frame plus (\w+) the last dt")[0]]
+LIFTS = {wall: 1 if sign == "+" else -1 for wall, sign in zip((8, 4), documented(
+    r"\| ([+-]) G times the overshoot at the ground, ([+-]) G times it at the top"))}  # By wall.
+PARTS = [re.findall(r"\w+", part) for part in documented(r"`energy_parts` of each arc \((.*?);.*?order of its operations \((.*?);")]
+
+
 def energy_of(_, y, vx, vy):
     """Specific energy, 0 at rest on the floor."""
-    return (vx**2 + vy**2) / 2 + GRAVITY * (BOTTOM_PX - y)
+    return eval(ENERGY, {}, {"G": GRAVITY, "B": BOTTOM_PX, "y": y, "vx": vx, "vy": vy})  # pylint: disable=eval-used
 
 
 def least_squares(points):
@@ -134,7 +156,7 @@ class Arc:
         return x, y, vx, vy
 
     def largest_energy(self):
-        return max(energy_of(*state) for state in self.states)
+        return {"largest": max, "smallest": min}[LARGEST](energy_of(*state) for state in self.states)
 
     def errors(self):
         """What `drift --json` has of it, distances and energies of all rows: the run against the three exact flights."""
@@ -146,14 +168,19 @@ class Arc:
         for row, matched in zip(range(self.first + 1, self.last + 1), self.states[1:], strict=True):
             dt, *run = (D(float(self.rows[name][row])) for name in ("dt", "x", "y", "vx", "vy"))
             vx, vy = vx * a, (vy + GRAVITY * dt) * a
-            x, y, t, gravity = x + vx * dt, y + vy * dt, t + dt, gravity - GRAVITY * eta_s * dt * dt
+            x, y, t = x + vx * dt, y + vy * dt, t + dt
+            gravity += eval(PER_FRAME, {}, {"G": GRAVITY, "eta": eta_s * dt, "dt": dt})  # pylint: disable=eval-used
             flown = (x, y), matched, [axis.at(t)[0] for axis in model]
             apart.append([((run[0] - other[0]) ** 2 + (run[1] - other[1]) ** 2).sqrt() for other in flown])
-            points.append((t, energy_of(*run) - energy_of(*matched)))
+            states = {"run": run, "matched": matched}
+            (_, y_of, *of), (_, z, *ode) = states[OF], states[FROM]
+            points.append((t, sum(eval(DIFFERENCE, {}, {"G": GRAVITY, "v": v, "w": w, "y": each * y_of, "z": each * z})  # pylint: disable=eval-used
+                                  for v, w, each in zip(of, ode, (0, 1)))))
         drifts = [drift for _, drift in points]
         (tt, te), largest = least_squares(points), max(self.largest_energy(), GRAVITY)
-        implementation, truncation, far = (max(each) for each in zip(*apart))
-        return {"duration_s": t, "implementation_px": implementation, "truncation_px": truncation, "model_px": far,
+        far = dict(zip(("the closed form of the step's own recurrence", "the ODE with the drag of each frame", "the same ODE with the drag of 60 Hz"),
+                       (max(each) for each in zip(*apart))))
+        return {"duration_s": t, **{f"{name}_px": far[against] for name, against in AGAINST.items()},
                 "energy_drift_max": max(map(abs, drifts)), "energy_drift_end": drifts[-1],
                 "energy_drift_rel_max": max(map(abs, drifts)) / largest, "energy_drift_rel_end": drifts[-1] / largest,
                 "energy_drift_slope_px_per_s": te / tt / GRAVITY if tt else None,
@@ -178,7 +205,7 @@ class Arc:
         frames = [D(float(dt)) for dt in self.rows["dt"][self.first + 1:self.last + 2]]
         clamped = frames.pop()
         rate_dt = next((dt for dt in reversed(frames) if dt > 0), clamped)
-        frames = [(dt, dt) for dt in frames] + [(rate_dt, clamped + 2 * rate_dt)]
+        frames = [(dt, dt) for dt in frames] + [(rate_dt, clamped + AFTER * rate_dt)]
         left = sum(dt for dt, _ in frames[:-1]) + clamped
         for state, (dt, t_max) in zip(self.states, frames, strict=True):
             if dt > 0:
@@ -188,16 +215,6 @@ class Arc:
                     return left - t, abs(axis.at(t)[1])
             left -= dt
         return None
-
-
-def documented_lifts():
-    """By wall, the sign with which sim/reference/README.md counts the overshoot."""
-    text = (SOURCE / "sim/reference/README.md").read_text(encoding="utf-8")
-    signs = re.search(r"([+-]) G times the overshoot at the ground, ([+-]) G times it at the top", text).groups()
-    return {wall: 1 if sign == "+" else -1 for wall, sign in zip((GROUND, TOP), signs)}
-
-
-LIFTS = documented_lifts()
 
 
 class Numbers(DriftTest):
@@ -304,6 +321,7 @@ class Numbers(DriftTest):
         self.assertEqual([(arc["first_step"], arc["last_step"]) for arc in run["arcs"]],
                          [(begin, end) for begin, end in ends if end - begin >= 2])
         for arc in run["arcs"]:
+            self.assertEqual(list(arc["energy_parts"]), PARTS[0])
             self.assert_near(arc["exact_law_px"], D(arc["implementation_px"]), D("1e-9"))
             for key, value in Arc(rows, arc["first_step"], arc["last_step"]).errors()[0].items():
                 self.check_number(arc[key], value, key)
@@ -336,6 +354,7 @@ class Numbers(DriftTest):
     def check_contact(self, contact, arc, wall, stored, index):
         self.assertEqual(contact["overshoot_px"], stored["overshoot"][index])
         parts = arc.contact_parts()
+        self.assertEqual([list(contact["energy_parts"]), list(parts)], [PARTS[1], PARTS[1]])
         self.check_number(contact["energy_parts"], parts, "energy_parts")
         if wall in LIFTS:
             self.assert_near(LIFTS[wall] * contact["overshoot_px"], parts["lift"] / GRAVITY, D("1e-6"))

@@ -12,17 +12,6 @@ WIDTH_MAX = 100
 
 
 class Errors(DriftTest):
-    def test_the_parts_add_up_to_the_energy_change_of_the_run(self):
-        for rate_hz in (60, 2):
-            run = self.drift_of(fling(clock={"rate_hz": rate_hz}, steps=5 * rate_hz))
-            final, scenario = self.expect(AGREED, "run", "scenario.json", "--json").json["runs"][0]["final"], fling()
-            clamped_steps = {contact["step"]: contact for contact in run["contacts"]}  # A corner has two contacts.
-            parts = [sum(each["energy_parts"].values()) for each in (*run["arcs"], *clamped_steps.values())]
-            ends = [(each["vx_px_per_s"] ** 2 + each["vy_px_per_s"] ** 2) / 2 - 1200 * each["y_px"] for each in (scenario["start"], final)]
-            self.assertAlmostEqual(sum(parts) + run["reference_energy"] + run["unlisted_energy"], ends[1] - ends[0],
-                                   delta=1e-9 + 1e-12 * 1e7)
-            self.assertNotEqual(run["unlisted_energy"], 0.0)
-
     def test_the_end_moves_with_the_start(self):
         (xx, _, xv, _), (_, yy, _, _), *_ = self.drift_of(flight(60))["sensitivity"]
         self.assertEqual((xx, yy), (1, 1))

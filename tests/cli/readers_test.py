@@ -4,11 +4,13 @@
 The type, unit and name of each dataset is in outputs.md.
 """
 
+import re
+
 import h5py
 import numpy
 import xarray
 
-from program import AGREED, ProgramTest, fling, main
+from program import AGREED, SOURCE, ProgramTest, fling, main
 
 KINDS = {"fling": 0, "place": 1, "stop": 2, "resize-window": 3, "resize-sprite": 4, "hitch": 5, "grab": 6, "release": 7}
 EVENTS = [{"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -800}}, {"step": 40, "hitch": {"dt_s": 0.25}},
@@ -133,11 +135,14 @@ class EveryGroup(Reader):
         self.write("sweep.json", {"format": "hyrax-sweep/1", "base": fling(), "vary": {"/start/x_px": {"grid": [0, 9, 5]}},
                                   "keep": ["final", "contacts", "state_hash"]})
         self.expect(AGREED, "sweep", "sweep.json")
-        for group, sizes in (("members", {"member": 5, "wall": 4, "digest_byte": 16}), ("inputs", {"member": 5})):
+        text = " ".join((SOURCE / "sim/ensemble/README.md").read_text(encoding="utf-8").split())
+        member, wall, digest = re.search(r"the dimensions are `(\w+)`, `(\w+)` \(of `contacts`\) and `(\w+)` \(of `state_hash`\)", text).groups()
+        for group, sizes in (("members", {member: 5, wall: 4, digest: 16}), ("inputs", {member: 5})):
             with xarray.open_dataset(self.folder / "sweep.h5", group=group, engine="h5netcdf") as opened:
                 self.assertEqual(dict(opened.sizes), sizes)
                 self.assertEqual({name: opened[name].dims[0] for name in opened.variables},
-                                 dict.fromkeys(opened.variables, "member"))
+                                 dict.fromkeys(opened.variables, member))
+                self.assertEqual([opened[name].dims[1] for name in ("contacts", "state_hash") if name in opened], [wall, digest][:len(sizes) - 1])
 
 
 if __name__ == "__main__":

@@ -126,8 +126,10 @@ class Parts(FilesTest):
         first, second = self.two_parts()
         with h5py.File(self.folder / second, "a") as file:
             file["inputs/start.vx_px_per_s"][4] += 1
+        rule = re.search(r"plays every member i with\s+(.*?) into", (SOURCE / "sim/ensemble/README.md").read_text())[1]
+        members = [i for i in range(100) if eval(rule.replace("mod", "%").replace("=", "=="), {}, {"i": i, "N": 2, "I": 1})]  # pylint: disable=eval-used
         self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT,
-                   says=f"{second}: inputs/start.vx_px_per_s: the input of member 9 is not the sweep's")
+                   says=f"{second}: inputs/start.vx_px_per_s: the input of member {members[4]} is not the sweep's")
         self.assertEqual(self.names(), [first, second, "sweep.json"])
 
     def test_a_merged_file_replaces_no_link_of_another_name(self):
@@ -166,6 +168,9 @@ class Parts(FilesTest):
         job = (jobs / "kubernetes.yaml").read_text()
         command = re.search(r"command: \[(.*)\]", job)[1].replace('"', "").split(", ")
         self.assertEqual(re.findall(r"(?:completions|parallelism): (\d+)\n", job), 2 * [command[command.index("--parts") + 1]])
+        self.assertEqual(re.findall(r'cpu: "(\d+)"', job), [command[command.index("--threads") + 1]])
+        for text, repeats in ((job, "      restartPolicy: OnFailure"), ((jobs / "slurm.sh").read_text(), "#SBATCH --requeue")):
+            self.assertIn(repeats, text.splitlines())
         for task, variables in ((("bash", jobs / "slurm.sh", "sweep.json"), {"SLURM_ARRAY_TASK_ID": "3", "SLURM_ARRAY_TASK_COUNT": "4"}),
                                 (command, {"JOB_COMPLETION_INDEX": "3"})):
             environment = {**NO_CLUSTER, **variables, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"}

@@ -2,12 +2,13 @@
 """sweep: every number equals that of the member's own run, whatever the threads; what is refused, and what is written."""
 
 import json
+import re
 
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, few_threads, fling, main
-from sweep_members import ALL, Members, any_sweep, assert_same_bits, base, datasets
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, few_threads, fling, main
+from sweep_members import ALL, COLUMNS, WALLS, Members, any_sweep, assert_same_bits, base, datasets
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
 
@@ -53,12 +54,14 @@ class EveryMember(SweepTest):
             assert_same_bits(self, self.computed(sweep), Members(self, sweep).columns(), key)
 
     def test_what_is_not_kept_is_not_there(self):
-        final = ["members/vx", "members/vy", "members/x", "members/y"]
-        for keep, names in ((["final"], final), (["extremes"], ["members/speed_max", "members/x_max", "members/x_min",
-                                                                "members/y_max", "members/y_min"]),
-                            (None, ["members/at_rest_since", "members/contacts", *final])):
+        row = re.search(r"^\| `keep` \| (.*)\. The first three if left out \|$", (SOURCE / "sim/ensemble/README.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
+        said = dict(re.findall(r"`(\w+)`(?: \((.*?)\))?", row))
+        self.assertEqual(said["contacts"].split(", "), list(WALLS))
+        self.assertEqual({keep: re.findall(r"`(\w+)`", said[keep]) or [keep] for keep in said}, COLUMNS)
+        for keep in (["final"], ["extremes"], None):
             found = self.computed(document(keep=keep))
-            self.assertEqual(sorted(name for name in found if name.startswith("members/")), sorted(names))
+            self.assertEqual(sorted(name for name in found if name.startswith("members/")),
+                             sorted(f"members/{column}" for each in keep or list(said)[:3] for column in COLUMNS[each]))
 
     def test_members_default_to_the_combinations_of_the_grids(self):
         vary = {"/start/x_px": {"grid": [0, 1792, 5]}, "/start/y_px": {"grid": [0, 3, 4]}}

@@ -5,6 +5,7 @@ the vectors; and the second program with the formulas of the documents."""
 import json
 import math
 import pathlib
+import random
 import re
 import struct
 import unittest
@@ -95,16 +96,26 @@ class Documents(unittest.TestCase):
                 "/d/steps": by(whole, i, 3, 3, 9), "/e": by(real, i, 4, -7, 11)})
 
     def test_the_step(self):
-        items = stated("sim/physics/README.md", "does in this order: 1. (Gravity.*?) 2. (Drag.*?) 3. (Position.*?) 4. (Left.*?) 5. (Top.*?) 6. (Ground.*?) \\| constant")
-        for start, wall, bound in (((300, 200, 50.5, -70), None, {}), ((0.5, 200, -50.5, 70), 3, {"x": 0.0}), ((499, 200, 90, 7), 3, {"x": 500}),
-                                   ((300, 0.25, 50.5, -90), 4, {"y": 0.0}), ((300, 399.5, 50.5, 900), 5, {"y": 400})):
-            names = {"dt": 1 / 60, **dict(zip(("x", "y", "vx", "vy"), start))}
-            for item in (*items[:3], *([items[wall]] if wall else ())):
-                for formula in re.findall("`(.*?)`", item):
-                    exec(re.sub(r"(?<=[\dvxy]) (?=[dv])", " * ", formula), {}, names)  # pylint: disable=exec-used
+        steps = stated("sim/physics/README.md", "does in this order: (1. Gravity.*?) \\| constant")[0]
+        draw = random.Random(5)
+        starts = [[draw.choice((0, -1e-9, 250, high, high + 1e-9, draw.uniform(-20, high + 20))) for high in bounds] +
+                  [draw.choice((0, -5, -15, draw.uniform(-900, 900))) for _ in range(2)] + list(bounds)
+                  for bounds in ((500, 400), (-20, 400), (500, -30)) for _ in range(300)]
+        for *start, right, bottom in starts:
+            names = {"dt": 1 / 60, **dict(zip(("x", "y", "vx", "vy"), start)), "W": right + 128, "w": 128, "H": bottom + 64, "h": 64}
+            holds = True
+            for words, formula in re.findall("([^`]*)`(.*?)`", steps):
+                formula = re.sub(r"(?<=[\dvxy]) (?=[dv])", " * ", re.sub(r"\|(\w+)\|", r"abs(\1)", formula))
+                if re.search(r"\bif $", words):  # "and if" and "else" refer to the condition before.
+                    before = holds if "and if" in words else not holds if re.search(r"\b[Ee]lse\b", words) else True
+                    holds = before and eval(formula, {}, names)  # pylint: disable=eval-used
+                elif re.match(r"\.|\d", words.strip()):
+                    holds = True
+                if holds and not re.search(r"\bif $", words):
+                    exec(formula, {}, names)  # pylint: disable=exec-used
             sprite = replay.Sprite(*start)
-            sprite.update(1 / 60, 500, 400)
-            self.assertEqual({**names, **bound}, {"dt": 1 / 60, "x": sprite.x, "y": sprite.y, "vx": sprite.vx, "vy": sprite.vy}, wall)
+            sprite.update(1 / 60, right, bottom)
+            self.assertEqual([names[key] for key in ("x", "y", "vx", "vy")], [sprite.x, sprite.y, sprite.vx, sprite.vy], (start, right, bottom))
 
     def test_the_speed_at_a_wall(self):
         formulas = stated("golden/README.md", r"after gravity and drag: by the paper's step `(.*?)`, `(.*?)` of the row before")
@@ -117,10 +128,12 @@ class Documents(unittest.TestCase):
                              [value(re.sub(r"(?<=[A-Z]) (?=[a-z(])", " * ", each), **names) for each in formulas])
 
     def test_the_exact_motions(self):
-        v_n, s_n, y_n, moved, phi1, speed, phi2, kappa, same_kappa, eta = (
+        v_n, s_n, y_n, slope, moved, phi1, speed, phi2, law_slope, kappa, same_kappa, law_speed, eta, loss, ode_loss = (
             re.sub(r"(?<=[\w)]) (?=[A-Za-z(])", "*", formula.replace("²", "^2")) for formula in stated(
-                "sim/reference/README.md", r"v_n = (.*?) S_n = (.*?) y_n = (.*?) This is", r"displacement = (.*?) phi1\(z\) = (.*?) speed = (.*?) phi2\(z\) = (.*?) phi1 and",
-                r"kappa = (.*?) = (.*?) = [\d.]+ y' = kappa v \+ eta eta = (.*?) = [\d.]+ px/s"))
+                "sim/reference/README.md", r"v_n = (.*?) S_n = (.*?) y_n = (.*?) This is",
+                r"The ODE is v' = (.*?)\. With z = -k t, displacement = (.*?) phi1\(z\) = (.*?) speed = (.*?) phi2\(z\) = (.*?) phi1 and",
+                r"With L = -ln a, k = L / h and .*? v' = (.*?) kappa = (.*?) = (.*?) = [\d.]+ y' = (kappa v \+ eta) eta = (.*?) = [\d.]+ px/s",
+                r"Along it de/dt = (.*?)\. The ODE without eta loses (.*?) only"))
         a, h, v_0, y_0 = 0.999, 1 / 60, -700.0, 300.0
         v, y, k = v_0, y_0, -math.log(a) / h
 
@@ -142,10 +155,16 @@ class Documents(unittest.TestCase):
             law = {"a": a, "L": k * h, "phi1": first(-k * h), "phi2": second(-k * h), "G": 1200, "h": h}
             law["kappa"] = value(kappa, **law)
             way, last = flown(v_0, t, law["kappa"] * 1200)
-            for found, wanted in ((value(v_n, **names), v), (value(y_n, **names), y), (law["kappa"], value(same_kappa, **law)),
+            law["eta"] = value(eta, **law)
+            now = {"v": v, "k": k, "G": 1200, **law}
+            rise, fall = (value(each, **now) for each in (law_slope, law_speed))
+            ahead, behind = (flown(v_0, t + each, 1200)[1] for each in (1e-4, -1e-4))
+            for found, wanted in ((value(slope, **{**now, "v": flown(v_0, t, 1200)[1]}), (ahead - behind) / 2e-4),
+                                  (value(loss, **now), v * rise - 1200 * fall), (-value(ode_loss, **now), v * value(slope, **now) - 1200 * v),
+                                  (value(v_n, **names), v), (value(y_n, **names), y), (law["kappa"], value(same_kappa, **law)),
                                   (flown(v_0, t, 1200)[1], ends + (v_0 - ends) * math.exp(-k * t)),
                                   (flown(v_0, t, 1200)[0], ends * t - (v_0 - ends) * math.expm1(-k * t) / k),
-                                  (last, v), (y_0 + law["kappa"] * way + value(eta, **law) * t, y)):
+                                  (last, v), (y_0 + law["kappa"] * way + law["eta"] * t, y)):
                 self.assertAlmostEqual(found, wanted, delta=1e-6)
 
     def test_the_state_hash(self):

@@ -126,6 +126,8 @@ TEST(Cause, IsAnInputThatDiffers) {
             (Cause{CauseKind::input, "inputs differ: fling in frame 40: other values"}));
   EXPECT_EQ(cause_of({std::int64_t{40}, Fling{{-1500.0, -901.0}}}, fling, true),
             (Cause{CauseKind::input, "an input has another effect"}));
+  const StoredRun golden = kept_run(fling_at(60.0, 300)), fresh = kept_run(fling_at(60.0, 300, {fling}));
+  EXPECT_EQ(program.cause_of(golden, fresh).detail, "inputs differ: none -> fling in frame 40");
   // The frame of a hitch has another length, whatever the clock gives.
   EXPECT_EQ(cause_of({std::int64_t{40}, Hitch{0.2}}, {std::int64_t{40}, Hitch{0.1}}, false).kind,
             CauseKind::input);
@@ -163,11 +165,12 @@ TEST(Cause, IsUnknownWhereTheAcceptedStepGivesOtherBits) {
   const StoredRun fresh = kept_run(scenario), golden = kept_run(scenario, core_with_gravity(1300.0));
   Program of_members, of_libm;
   of_members.has_further_members = of_libm.calls_libm = true;
-  for (const Program& program : {of_members, of_libm})
-    EXPECT_EQ(program.cause_of(golden, fresh),
-              (Cause{CauseKind::unknown,
-                     "the accepted core gives other bits, too: the compiler, its flags, the processor, the C "
-                     "library, or a fault of the program"}));
+  const Cause other_bits{CauseKind::unknown,
+                         "the accepted core gives other bits, too: the compiler, its flags, the processor, "
+                         "the C library, or a fault of the program"};
+  for (const Program& program : {of_members, of_libm}) EXPECT_EQ(program.cause_of(golden, fresh), other_bits);
+  const Scenario lasting = fling_at(60.0, 12'000);  // Kept as blocks.
+  EXPECT_EQ(Program().cause_of(kept_run(lasting, core_with_gravity(1300.0)), kept_run(lasting)), other_bits);
   StoredRun of_contacts = fresh;
   of_contacts.contacts[0].overshoot_px += 1.0;
   EXPECT_EQ(Program().cause_of(of_contacts, fresh),

@@ -62,6 +62,9 @@ TEST(HeaderChanges, OfAConstantHasNameAndBothValues) {
   EXPECT_EQ(change.from.value, 1200.0);
   EXPECT_EQ(change.to.value, 1250.0);
   EXPECT_EQ(only_change(with("-0.5", "-0.25")).detail, "DRAG -0.5 -> -0.25");
+  for (const auto& [written, value] :
+       {std::pair("1.25e+3", "1250"), {"5E-1", "0.5"}, {".5", "0.5"}, {"2.5F", "2.5"}, {"-3f", "-3"}})
+    EXPECT_EQ(only_change(with("1200.0", written)).detail, std::string("GRAVITY 1200 -> ") + value);
   const Table table = changes_table({change, only_change(with("m_vx *= DRAG;", ""))});
   for (const auto& [name, value] : {std::pair("from", 1200.0), {"to", 1250.0}}) {
     const auto& numbers =

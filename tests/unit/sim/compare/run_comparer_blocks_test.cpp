@@ -110,21 +110,26 @@ TEST_F(LongRun, OfAnotherLengthDiffersInShape) {
 }
 
 TEST_F(LongRun, ADamagedKeyframeIsNoAgreement) {
-  const auto is_found = [&, whole = kept_](const std::string& what = "keyframes") {
-    const Comparison comparison = compare(kept_, scenario_);
-    kept_ = whole;
-    return comparison.shape.starts_with("the golden file contradicts itself (" + what + ")");
-  };
-  kept_.blocks[1].keyframe.row.t_s = std::nextafter(kept_.blocks[1].keyframe.row.t_s, 1e9);
-  EXPECT_TRUE(is_found());
-  kept_.blocks[2].keyframe.row.vy_px_per_s += 1.0;
-  EXPECT_TRUE(is_found());
-  kept_.blocks[3].keyframe.timeline.comp_s += 1.0;
-  EXPECT_TRUE(is_found());
-  kept_.blocks[0].keyframe.is_held = true;
-  EXPECT_TRUE(is_found());
-  kept_.blocks[0].checks[17][3] ^= 1;
-  EXPECT_TRUE(is_found("row checks"));
+  void (*const damages[])(StoredBlock&) = {
+      [](StoredBlock& b) { b.checks[17][3] ^= 1; },
+      [](StoredBlock& b) { b.keyframe.row.t_s = std::nextafter(b.keyframe.row.t_s, 1e9); },
+      [](StoredBlock& b) { b.keyframe.row.vy_px_per_s += 1.0; },
+      [](StoredBlock& b) { b.keyframe.row.contact ^= 4; },
+      [](StoredBlock& b) { ++b.keyframe.timeline.frames; },
+      [](StoredBlock& b) { b.keyframe.timeline.dt_s += 1.0; },
+      [](StoredBlock& b) { b.keyframe.timeline.base_s += 1.0; },
+      [](StoredBlock& b) { b.keyframe.timeline.comp_s += 1.0; },
+      [](StoredBlock& b) { ++b.keyframe.window.width_px; },
+      [](StoredBlock& b) { ++b.keyframe.sprite.height_px; },
+      [](StoredBlock& b) { b.keyframe.is_held = true; }};
+  for (std::size_t damage = 0; damage < std::size(damages); ++damage) {
+    StoredRun damaged = kept_;
+    damages[damage](damaged.blocks[damage % damaged.blocks.size()]);
+    const char* const what = damage == 0 ? "row checks" : "keyframes";
+    EXPECT_TRUE(compare(damaged, scenario_)
+                    .shape.starts_with(std::string("the golden file contradicts itself (") + what + ")"))
+        << damage;
+  }
 }
 
 // A sprite at rest repeats the same block; it is kept once, whether the replay skips repetitions or not.

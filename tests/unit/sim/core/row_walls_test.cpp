@@ -93,6 +93,8 @@ TEST(KernelOfARowCore, GivesTheBitsOfItsStepAndTheContactsOfItsRows) {
       bounces.push_back({.step = step,
                          .last_step = step,
                          .wall = wall,
+                         .x_px = state.x_px,
+                         .y_px = state.y_px,
                          .vx_before_px_per_s = before.vx_px_per_s,
                          .vy_before_px_per_s = before.vy_px_per_s,
                          .vx_after_px_per_s = state.vx_px_per_s,
@@ -105,15 +107,10 @@ TEST(KernelOfARowCore, GivesTheBitsOfItsStepAndTheContactsOfItsRows) {
   ASSERT_GE(bounces.size(), 6u);
   ASSERT_EQ(trace.contacts().size(), bounces.size());
   for (std::size_t index = 0; index < bounces.size(); ++index) {
-    const Contact& found = trace.contacts()[index];
+    Contact found = trace.contacts()[index];
     EXPECT_TRUE(std::isnan(found.overshoot_px));
-    EXPECT_EQ(found.step, bounces[index].step);
-    EXPECT_EQ(found.last_step, bounces[index].last_step);
-    EXPECT_EQ(found.wall, bounces[index].wall);
-    EXPECT_EQ(found.vx_before_px_per_s, bounces[index].vx_before_px_per_s);
-    EXPECT_EQ(found.vy_before_px_per_s, bounces[index].vy_before_px_per_s);
-    EXPECT_EQ(found.vx_after_px_per_s, bounces[index].vx_after_px_per_s);
-    EXPECT_EQ(found.vy_after_px_per_s, bounces[index].vy_after_px_per_s);
+    found.overshoot_px = found.t_s = 0.0;
+    EXPECT_EQ(found, bounces[index]);
   }
   EXPECT_EQ(summary.contacts.top, 0);
   EXPECT_TRUE(summary.had_friction);

@@ -43,23 +43,37 @@ TEST(ContactKernel, TellsThemByRowsThatAreThePapers) {
   expect_the_runs_of_the_shipped_core(by_contact_kernel(nullptr));
 }
 
+// A spin, which no row shows, turns it.
+struct SpinningBody : recording::Body {
+  recording::Real spin = 3.0;
+};
+
+TEST(ContactKernel, TellsTheContactsOfAStepWithFurtherMembers) {
+  const TracedStep step =
+      canonical(recording::record_of<SpinningBody>([](SpinningBody& body, const recording::Frame& frame) {
+        body.vx = body.vx + body.spin * frame.dt;
+        body.spin = body.spin * recording::Real(0.5);
+        recording::Listing()(body, frame);
+      }));
+  const std::optional<Core> core = traced_core(step);  // Knows its contacts.
+  ASSERT_TRUE(core);
+  Core told = *core;
+  told.kernel = std::make_shared<const ContactKernel>(core->kernel, make_step_program(step), std::nullopt);
+  const Event fling{std::int64_t{9'000}, Fling{{-1500.0, -900.0}}};
+  for (const Scenario& scenario :
+       {eventful_fling(), fling_at(60.0, 20'000), fling_at(60.0, 10'000, {fling})}) {
+    TraceSink own, found;
+    const std::string expected = text_of(replay(*core, scenario, own));
+    EXPECT_EQ(text_of(replay(told, scenario, found)), expected);
+    EXPECT_TRUE(same_trace(found, own));
+  }
+}
+
 TEST(TracedCore, PlaysEveryScenarioAsTheShippedCoreDoes) {
   const std::optional<Core> core = traced_core(canonical(recording::record_listing()));
   ASSERT_TRUE(core);
   EXPECT_FALSE(core->constants);
   expect_the_runs_of_the_shipped_core(*core);
-}
-
-// One that no function of the step reads.
-TEST(TracedCore, KeepsItsFurtherMembers) {
-  TracedStep step = recording::record_listing();
-  step.members.push_back(NumberKind::real);
-  for (std::vector<StepPath>& paths : step.paths)
-    for (StepPath& path : paths) path.members.push_back(path.members.front());
-  const std::optional<Core> core = traced_core(canonical(step));
-  ASSERT_TRUE(core);
-  for (const Scenario& scenario : {eventful_fling(), fling_at(60.0, 20'000)})
-    EXPECT_EQ(replay(*core, scenario).state_hash, replay(shipped_core(), scenario).state_hash);
 }
 
 }  // namespace

@@ -120,13 +120,19 @@ TEST(ArcCutter, FindsNothingInARunWithoutFrames) {
   EXPECT_EQ(c.skipped_arcs, 0);
 }
 
-TEST(ArcCutter, StopsBeforeARowThatIsNotFinite) {
-  Columns rows = fly_by(paper_step(0.999), open_sky({300.0, -500.0}, 60.0, 30));
-  rows.vy_px_per_s[20] = std::numeric_limits<double>::quiet_NaN();
-  const Cut c = cut(open_sky({}, 60.0, 30), rows);
-  ASSERT_EQ(c.arcs.size(), 1u);
-  EXPECT_EQ(c.arcs[0].last_step, 19);
-  EXPECT_EQ(c.non_finite_step, 20);
+TEST(ArcCutter, StopsBeforeARowThatIsNotFiniteOrThatNoScenarioHas) {
+  for (const auto& [column, value] :
+       {std::pair(&Columns::vy_px_per_s, std::numeric_limits<double>::quiet_NaN()),
+        {&Columns::x_px, -2e100},
+        {&Columns::dt_s, -1e-9},
+        {&Columns::dt_s, 2e9}}) {
+    Columns rows = fly_by(paper_step(0.999), open_sky({300.0, -500.0}, 60.0, 30));
+    (rows.*column)[20] = value;
+    const Cut c = cut(open_sky({}, 60.0, 30), rows);
+    ASSERT_EQ(c.arcs.size(), 1u);
+    EXPECT_EQ(c.arcs[0].last_step, 19);
+    EXPECT_EQ(c.non_finite_step, 20);
+  }
 }
 
 }  // namespace

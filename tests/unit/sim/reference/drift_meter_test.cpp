@@ -45,23 +45,6 @@ TEST(ArcErrors, SayWhereXWasNotSolved) {
   EXPECT_EQ(measured.summary.arcs_without_x, 2);
 }
 
-TEST(DriftMeter, PassesEveryRowOfAnArcOnRequest) {
-  Measured measured(true);
-  measure(fling(), measured);
-  std::size_t rows = 0;
-  for (const ArcErrors& arc : measured.arcs) {
-    ASSERT_EQ(measured.rows[rows].step, arc.first_step);
-    EXPECT_EQ(measured.rows[rows].truncation_px, 0.0);
-    double truncation_px = 0.0;
-    for (std::int64_t step = arc.first_step; step <= arc.last_step; ++step, ++rows) {
-      ASSERT_EQ(measured.rows[rows].step, step);
-      truncation_px = std::max(truncation_px, measured.rows[rows].truncation_px);
-    }
-    EXPECT_DOUBLE_EQ(truncation_px, arc.truncation_px);
-  }
-  EXPECT_EQ(rows, measured.rows.size());
-}
-
 TEST(ContactErrors, HaveNoTimeWhereTheWallIsNotMetInTwoFrames) {
   // A contact byte that claims the floor where neither the run nor the ODE is near it.
   const Scenario scenario = open_sky({0.0, -500.0}, 60.0, 30);

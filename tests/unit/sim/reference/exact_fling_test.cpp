@@ -39,15 +39,6 @@ TEST(ExactFling, BouncesAsADropWithoutDragDoes) {
   EXPECT_EQ(fling.at(11.0).vy_px_per_s, 0.0);
 }
 
-TEST(ExactFling, SlidesAsFarAsItsFrictionLets) {
-  const FixedLaws laws;
-  ExactFling fling(laws);
-  fling.start({100.0, 1000.0, 500.0, 0.0}, kBounds);
-  const double rate_per_s = laws.drag_rate_per_s + laws.friction_rate_per_s;
-  // It starts on the ground: the contact is immediate and takes a fifth of its speed.
-  EXPECT_NEAR(fling.at(100.0).x_px, 100.0 + 0.8 * 500.0 / rate_per_s, 1e-10);
-}
-
 TEST(ExactFling, AStartOutsideIsPutOntoItsWall) {
   ExactFling fling;
   fling.start({-50.0, 500.0, -100.0, 0.0}, kBounds);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "sim/reference/arc_solution.h"
@@ -144,36 +146,28 @@ struct AlteredSolver final : FlightSolver {
   bool judges = true;
 };
 
-TEST(DriftMeterWithGsl, ReportsDifferentSolutionsAsAFaultOfTheReference) {
-  AlteredSolver solver;
-  solver.off_px = 0.9e-9;
-  Measured within, measured;
-  measure(fling(), within, &solver);
-  EXPECT_EQ(within.summary.first_reference_fault, "");
-  solver.off_px = 2e-9;
-  measure(fling(), measured, &solver);
-  EXPECT_EQ(measured.arcs.at(0).reference_fault, "position differs");
-  EXPECT_GE(measured.summary.reference_faults, measured.summary.arcs);
-  EXPECT_EQ(measured.summary.first_reference_fault_step, 0);
-}
-
-TEST(DriftMeterWithGsl, CallsAFailedSolverAFault) {
-  AlteredSolver solver;
-  solver.fails = true;
-  Measured measured;
-  measure(fling(), measured, &solver);
-  EXPECT_EQ(measured.arcs.at(0).reference_fault, "the second solver failed");
-  EXPECT_FALSE(measured.arcs.at(0).gsl_vs_closed_px);
-}
-
-TEST(DriftMeterWithGsl, DoesNotHoldALesserSolverToTheBound) {
-  AlteredSolver solver;
-  solver.off_px = 1.0;
-  solver.judges = false;
-  Measured measured;
-  measure(fling(), measured, &solver);
-  EXPECT_EQ(measured.arcs.at(0).reference_fault, "");
-  EXPECT_NEAR(*measured.arcs.at(0).gsl_vs_closed_px, 1.0, 1e-9);
+TEST(DriftMeterWithGsl, HoldsAJudgeToTheBoundAndCallsAFailedOneAFault) {
+  const struct {
+    double off_px;
+    bool fails, judges;
+    std::string_view fault;
+  } cases[] = {{0.9e-9, false, true, ""},
+               {2e-9, false, true, "position differs"},
+               {0.0, true, true, "the second solver failed"},
+               {1.0, false, false, ""}};
+  for (const auto& [off_px, fails, judges, fault] : cases) {
+    AlteredSolver solver;
+    std::tie(solver.off_px, solver.fails, solver.judges) = std::tie(off_px, fails, judges);
+    Measured measured;
+    measure(fling(), measured, &solver);
+    EXPECT_EQ(measured.arcs.at(0).reference_fault, fault);
+    EXPECT_EQ(measured.arcs.at(0).gsl_vs_closed_px.has_value(), !fails);
+    EXPECT_NEAR(measured.arcs.at(0).gsl_vs_closed_px.value_or(0.0), off_px, 1e-9);
+    EXPECT_EQ(measured.summary.first_reference_fault, fault);
+    EXPECT_EQ(measured.summary.reference_faults >= measured.summary.arcs, !fault.empty());
+    EXPECT_EQ(measured.summary.first_reference_fault_step.has_value(), !fault.empty());
+    EXPECT_EQ(measured.summary.first_reference_fault_step.value_or(0), 0);
+  }
 }
 
 }  // namespace

@@ -150,8 +150,6 @@ TEST(Margin, IsNoneWhereNoDecisionDependsOnTheStart) {
   EXPECT_EQ(margin.sensitivity_norm, 0.0);
 }
 
-TEST(Margin, IsNoneWithoutFrames) { EXPECT_FALSE(margin_of(open_sky({}, 60.0, 0)).half_width); }
-
 // A sprite that was placed on the floor, and stopped, decides on the very edge at every step; but
 // no start can change that.
 TEST(Margin, IsNotLimitedByAnEdgeThatTheStartDoesNotMove) {

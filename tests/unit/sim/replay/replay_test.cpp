@@ -75,15 +75,6 @@ TEST(Replay, EndsAtTheStepThatIsNotFinite) {
   EXPECT_FALSE(is_finite(state_of(trace.rows()[21])));
 }
 
-TEST(Replay, EndsAtTheFirstStepWhereTheStartCannotMove) {
-  Scenario scenario = fling_at(60.0, 100);
-  scenario.start_velocity.vx_px_per_s = kInfinity;
-  scenario.clock.base = FixedStep{0.0};
-  TraceSink trace;
-  EXPECT_EQ(replay(shipped_core(), scenario, trace).non_finite_step, 1);
-  EXPECT_EQ(trace.rows().size(), 2u);
-}
-
 TEST(Replay, EndsWhereAFramesDtOverflowsTheSpeed) {
   Scenario scenario = fling_at(60.0, 9000, {{std::int64_t{5000}, Hitch{1e306}}});
   TraceSink skipping;

@@ -67,20 +67,6 @@ TEST(ResumedReplay, ContinuesFromARecordedTrace) {
   expect_resumable_everywhere(scenario);
 }
 
-TEST(ResumedReplay, RecordsTheRowsOfAnUninterruptedRun) {
-  const Scenario scenario = fling_at(60.0, 100);
-  for (const std::int64_t every : {1, 3, 10, 64, 1000})
-    for (const std::int64_t step : {0, 1, 29, 30, 99}) {
-      TraceSink whole(RowSink::Wants{.rows_every = every});
-      replay(shipped_core(), scenario, whole);
-      TraceSink trace(RowSink::Wants{.rows_every = every});
-      Replay resumed(shipped_core(), scenario, stop_at(scenario, step), trace);
-      resumed.play_to(resumed.steps());
-      resumed.finish();
-      EXPECT_TRUE(same_rows(trace.rows(), rows_after(whole.rows(), step))) << every << " from " << step;
-    }
-}
-
 TEST(ResumedReplay, MakesEveryBlockAgainFromItsKeyframe) {
   Scenario jittered = fling_at(60.0, 20'000, {{std::int64_t{9000}, Fling{{300.0, -900.0}}}});
   jittered.clock.jitter = Jitter{Jitter::Kind::normal, 0.001, 3};
@@ -111,40 +97,6 @@ TEST(ResumedReplay, CountsNoContactThatWasCountedBefore) {
   Replay resumed(shipped_core(), scenario, stop_at(scenario, rest.step + 5), trace);
   resumed.play_to(resumed.steps());
   EXPECT_EQ(resumed.finish().contacts, WallCounts{});
-}
-
-// The first row from which the rows of a run repeat with a period to its end.
-void expect_periodic_from(const std::vector<Row>& rows, std::int64_t step, std::int64_t period) {
-  ASSERT_GT(period, 0);
-  for (auto at = static_cast<std::size_t>(step); at + static_cast<std::size_t>(period) < rows.size(); ++at) {
-    const Row& b = rows[at + static_cast<std::size_t>(period)];
-    ASSERT_TRUE(same_bits(state_of(rows[at]), state_of(b))) << at;
-  }
-}
-
-TEST(ResumedReplay, DetectsRepetitionFromItsKeyframeOn) {
-  const Scenario scenario = fling_at(60.0, 30'000);
-  const Played whole(scenario);
-  const std::int64_t periodic_from = whole.summary.periodic_from_step.value();
-  const std::int64_t period = whole.summary.period_steps;
-  for (const std::int64_t step : {std::int64_t{1}, periodic_from - 100, periodic_from, periodic_from + 1,
-                                  std::int64_t{20'000}, 30'000 - 3 * period - 1, std::int64_t{29'999}}) {
-    TraceSink trace;
-    Replay resumed(shipped_core(), scenario, stop_at(scenario, step), trace);
-    resumed.play_to(resumed.steps());
-    const RunSummary summary = resumed.finish();
-    if (step == 29'999) {
-      EXPECT_EQ(summary.periodic_from_step, std::nullopt);
-      continue;
-    }
-    ASSERT_TRUE(summary.periodic_from_step) << step;
-    if (step >= periodic_from) {
-      EXPECT_EQ(summary.periodic_from_step, step);
-    }
-    EXPECT_GE(*summary.periodic_from_step, step);
-    EXPECT_EQ(summary.period_steps, period);
-    expect_periodic_from(whole.trace.rows(), *summary.periodic_from_step, period);
-  }
 }
 
 // In pieces of 0 .. piece_max - 1 frames, or of one frame.

@@ -2,15 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
+#include "sim/core/kernel_of.h"
 #include "sim/core/shipped_core.h"
 #include "sim/motion/displays.h"
+#include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/run_check.h"
 #include "sim/search/scenario_edit.h"
+#include "tests/unit/sim/replay/some_flings.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 
@@ -33,25 +37,6 @@ TEST(RandomRun, IsTheSameWheneverItIsDrawn) {
   EXPECT_EQ(one.stops, again.stops);
   EXPECT_EQ(one.scenario.name, "fuzz-5-17");
   EXPECT_FALSE(plays_the_same(one.scenario, random_run(shipped_core(), 6, 17).scenario));
-}
-
-TEST(RandomRun, StopsAtTwoRowsOfTheRun) {
-  for (std::uint64_t run = 0; run < 500; ++run) {
-    const RandomRun random = random_run(shipped_core(), 1, run);
-    ASSERT_EQ(random.stops.size(), 2u);
-    EXPECT_GE(random.stops[0], 0);
-    EXPECT_LE(random.stops[0], random.stops[1]);
-    EXPECT_LE(random.stops[1], step_count(random.scenario));
-  }
-}
-
-TEST(RandomRun, HasEachFeatureInAboutHalfOfTheRuns) {
-  for (std::size_t feature = 0; feature < kFeatureCount; ++feature) {
-    int runs = 0;
-    for (std::uint64_t run = 0; run < 1000; ++run)
-      runs += random_run(shipped_core(), 1, run).features[feature] ? 1 : 0;
-    EXPECT_NEAR(runs, 500, 80) << "feature " << feature;
-  }
 }
 
 // What the features are for comes about: each kind of action, jitter and clock, and sizes that do not fit.
@@ -139,6 +124,33 @@ TEST(CheckRun, TheShippedCoreBreaksNoRule) {
         first_broken(random.scenario, check_run(shipped_core(), random.scenario, random.stops).measures);
     EXPECT_FALSE(broken) << random.scenario.name << " "
                          << kInvariantTexts[static_cast<std::size_t>(*broken)].name;
+  }
+}
+
+// Is kicked once, by a count of the steps of all runs.
+struct Leaking : physics {
+  using physics::physics;
+  void update(double dt, int width, int height, int object_width, int object_height) {
+    physics::update(dt, width, height, object_width, object_height);
+    if (++steps == kick_at) setVelocity(vx() + 300.0, vy());
+  }
+  static inline int steps = 0, kick_at = 0;
+};
+struct LeakingCores {
+  using Core = Leaking;
+  [[nodiscard]] Leaking make(const State& s) const { return {s.x_px, s.y_px, s.vx_px_per_s, s.vy_px_per_s}; }
+};
+
+TEST(CheckRun, ComparesWithASecondRunAndWithOneThatIsResumed) {
+  const Scenario scenario = fling_at(60.0, 200);
+  const Core core{.kernel = std::make_shared<const KernelOf<LeakingCores>>()};
+  for (const auto& [kick_at, broken] : {std::pair(250, Invariant::repeated), {450, Invariant::resumed}}) {
+    Leaking::steps = 0;
+    Leaking::kick_at = kick_at;
+    const InvariantMeasures measures = check_run(core, scenario, std::array{std::int64_t{100}}).measures;
+    for (const Invariant each : {Invariant::repeated, Invariant::resumed})
+      EXPECT_EQ(measures[static_cast<std::size_t>(each)].holds, each != broken);
+    EXPECT_EQ(first_broken(scenario, measures), broken);
   }
 }
 

@@ -38,15 +38,6 @@ TEST(ScenarioEdit, RecordedPlaysTheSame) {
   }
 }
 
-TEST(ScenarioEdit, WithoutItsLastFramesTheFirstRowsAreTheSame) {
-  const Scenario scenario = plain(eventful_fling());
-  const std::vector<Row> all = rows_of(scenario);
-  const std::vector<Row> some = rows_of(without_frames(scenario, 120, step_count(scenario)));
-  ASSERT_EQ(some.size(), 121u);
-  for (std::size_t row = 0; row < some.size(); ++row)
-    EXPECT_TRUE(same_bits(state_of(all[row]), state_of(some[row])));
-}
-
 TEST(ScenarioEdit, AfterFramesTheOtherRowsAreTheSame) {
   const Scenario scenario = recorded(plain(eventful_fling()));
   const std::vector<Row> all = rows_of(scenario);

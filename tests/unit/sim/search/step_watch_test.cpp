@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <functional>
+#include <string>
 
+#include "sim/core/kernel_of.h"
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/search/step_watch.h"
@@ -15,7 +18,7 @@ namespace {
 
 // Of a run with one row changed.
 InvariantMeasures watched(const Scenario& scenario, std::int64_t step = -1,
-                          const std::function<void(Row&)>& change = {}) {
+                          const std::function<void(Row&)>& change = {}, const Core& core = shipped_core()) {
   TraceSink trace({.rows_every = 1});
   replay(shipped_core(), scenario, trace);
   Columns rows;
@@ -23,7 +26,7 @@ InvariantMeasures watched(const Scenario& scenario, std::int64_t step = -1,
     if (row.step == step) change(row);
     rows.append(row);
   }
-  StepWatch watch(shipped_core(), scenario);
+  StepWatch watch(core, scenario);
   watch.rows(rows);
   return watch.measures();
 }
@@ -34,6 +37,40 @@ const InvariantMeasure& of(const InvariantMeasures& measures, Invariant invarian
 
 // In flight at this row, far from all walls.
 constexpr std::int64_t kInFlight = 10;
+
+// As fuzz and the study of hard cases print them.
+TEST(Invariants, AreCalledBy) {
+  const std::pair<Invariant, std::string_view> texts[] = {
+      {Invariant::finite, "finite: state and time are finite, time does not go back, decades, of any core"},
+      {Invariant::in_bounds,
+       "in-bounds: inside the window after a step, if the sprite fits into it, px, of any core"},
+      {Invariant::step_energy,
+       "step-energy: flight adds no energy, a clamp no more than its lift, px2/s2, of any core"},
+      {Invariant::energy_ceiling,
+       "energy-ceiling: energy never above that after the last input, or of residual speed, px2/s2, of any "
+       "core"},
+      {Invariant::speed, "speed: no faster than the same fling in endless free fall, px/s"},
+      {Invariant::velocity, "velocity: a flight changes vx to a vx, vy to a (vy + G dt), bit for bit, px/s"},
+      {Invariant::position, "position: a flight adds dt times the new velocity to x and y, bit for bit, px"},
+      {Invariant::clamp, "clamp: no clamp without overshoot, no overshoot without clamp, px"},
+      {Invariant::bounce,
+       "bounce: a clamp turns the speed with the restitution, friction and rest rule on the ground, px/s"},
+      {Invariant::mirror,
+       "mirror: left and right exchanged: the same contacts, to rounding, px, of any core"},
+      {Invariant::y_alone, "y-alone: y and vy are the same bits whatever x does, px/s"},
+      {Invariant::no_time, "no-time: a zero-length frame changes nothing, px/s"},
+      {Invariant::resumed, "resumed: stopped and resumed: the same bits as without a stop, 1, of any core"},
+      {Invariant::repeated, "repeated: run twice: the same bits, repetition skipped or not, 1, of any core"},
+      {Invariant::comes_to_rest, "comes-to-rest: left alone, it settles and ends at zero speed, px/s"},
+      {Invariant::expectations, "expectations: what the scenario itself expects, 1"}};
+  ASSERT_EQ(std::size(texts), kInvariantCount);
+  for (const auto& [invariant, text] : texts) {
+    const auto& [name, rule, unit, is_general] = kInvariantTexts[static_cast<std::size_t>(invariant)];
+    std::string said(name);
+    said.append(": ").append(rule).append(", ").append(unit).append(is_general ? ", of any core" : "");
+    EXPECT_EQ(said, text);
+  }
+}
 
 TEST(StepWatch, EveryKindOfInputKeepsAllInvariants) {
   Scenario scenario = eventful_fling();
@@ -70,6 +107,27 @@ TEST(StepWatch, FindsARowThatBreaksAnInvariant) {
     // The row after the changed one breaks it as well, since its start is changed.
     EXPECT_GE(measure.worst_step, kInFlight);
     EXPECT_LE(measure.worst_step, kInFlight + 1);
+  }
+}
+
+// Moves with the velocity before gravity.
+struct ExplicitStep {
+  void operator()(State& s, double dt_s, const Bounds&) const {
+    s.x_px += s.vx_px_per_s * dt_s;
+    s.y_px += s.vy_px_per_s * dt_s;
+    s.vx_px_per_s *= 0.999;
+    s.vy_px_per_s = (s.vy_px_per_s + 1200.0 * dt_s) * 0.999;
+  }
+};
+
+TEST(StepWatch, FindsAFlightThatIsNotThePapers) {
+  Core moves_first{.constants = shipped_core().constants}, heavier = shipped_core();
+  heavier.constants->gravity_px_per_s2 += 1.0;
+  moves_first.kernel = std::make_shared<const KernelOf<StepCores<ExplicitStep>>>();
+  for (Core* const core : {&heavier, &moves_first}) {
+    const InvariantMeasures measures = watched(fling_at(60.0, 9), -1, {}, *core);
+    EXPECT_EQ(of(measures, Invariant::velocity).holds, core != &heavier);
+    EXPECT_EQ(of(measures, Invariant::position).holds, core == &heavier);
   }
 }
 

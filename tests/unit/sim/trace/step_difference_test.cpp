@@ -195,6 +195,7 @@ TEST(ExpressionText, IsAsAHeaderWouldHaveIt) {
   EXPECT_EQ(written([](B b, F) { return -(b.x / b.y); }), "-(x / y)");
   EXPECT_EQ(written([](B b, F f) { return pow(b.x, f.dt); }), "pow(x, dt)");
   EXPECT_EQ(written([](B b, F) { return to_real(to_whole(b.x) % Whole(7)); }), "int(x) % 7");
+  EXPECT_EQ(written([](B b, F) { return to_real(to_single(b.x + b.y)); }), "float(x + y)");
   EXPECT_EQ(written([](B, F f) { return f.dt * Real(1200.0); }, {{1200.0, "GRAVITY"}}), "dt * GRAVITY");
   EXPECT_EQ(written([](B b, F f) {
               Real sum = b.x;
@@ -280,12 +281,22 @@ TEST(StepSearch, FindsAStepForEveryConditionalChange) {
 
 TEST(StepSearch, StaysWithinWhatScenariosAllowAndItsSteps) {
   const TracedStep listing = canonical(record_listing());
-  const StepPair pair(listing, edited(slower_where([](B b, F) { return b.vx > 2e12; })));
-  ASSERT_FALSE(pair.differences().empty());
-  const DifferenceSearch search = pair.search(0, 1, 20'000);
-  EXPECT_FALSE(search.found);
-  EXPECT_GE(search.steps_tried, 20'000);
-  EXPECT_LT(search.steps_tried, 20'020);
+  const std::vector<Condition> none = {[](B b, F) { return b.vx > 2e12; },
+                                       [](B b, F) { return b.x < -1e12; },
+                                       [](B, F f) { return f.dt > 1e9; },
+                                       [](B, F f) { return f.dt < 0.0; },
+                                       [](B, F f) { return f.window_width > Whole(1e6); },
+                                       [](B, F f) { return f.window_height < Whole(0); },
+                                       [](B, F f) { return f.sprite_width < Whole(1); },
+                                       [](B, F f) { return f.sprite_height > Whole(1e6); }};
+  for (const Condition& condition : none) {
+    const StepPair pair(listing, edited(slower_where(condition)));
+    ASSERT_FALSE(pair.differences().empty());
+    const DifferenceSearch search = pair.search(0, 1, 20'000);
+    EXPECT_FALSE(search.found);
+    EXPECT_GE(search.steps_tried, 20'000);
+    EXPECT_LT(search.steps_tried, 20'020);
+  }
 }
 
 TEST(StepSearch, TriesTheSameStepsForTheSameSeed) {

@@ -83,39 +83,12 @@ TEST(StateHash, OfARepeatedBlockIsTheHashOfAllItsRows) {
   }
 }
 
-TEST(StateHash, CanBeReadBeforeTheEnd) {
-  StateHash asked;
-  StateHash quiet;
-  for (const Digest& block : block_digests(kTwoRows)) {
-    asked.add(block);
-    static_cast<void>(asked.value());
-    asked.add(block);
-    quiet.add(block, 2);
-  }
-  EXPECT_EQ(asked.value(), quiet.value());
-}
-
 TEST(RowBlock, GivesBackTheBitsOfItsRows) {
   RowBlock block;
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const Row row{0, 0.0, 0.1, -0.0, not_a_number, 5e-324, -1.7976931348623157e308, 31};
   block.append(row);
   EXPECT_TRUE(same_row(block.row(0), row));
-}
-
-TEST(RowBlock, AppendsRowsOfAnotherAndDropsRowsWhenShrunk) {
-  RowBlock from, to;
-  for (const double x_px : {1.0, 2.0, 3.0}) from.append({.x_px = x_px});
-  to.append({.x_px = 9.0});
-  to.append(from, 1, 2);
-  ASSERT_EQ(to.size(), 3u);
-  EXPECT_EQ(to.row(0).x_px, 9.0);
-  EXPECT_EQ(to.row(1).x_px, 2.0);
-  EXPECT_EQ(to.row(2).x_px, 3.0);
-  to.shrink(1);
-  to.append(from, 0, 1);
-  ASSERT_EQ(to.size(), 2u);
-  EXPECT_EQ(to.row(1).x_px, 1.0);
 }
 
 TEST(FiniteState, ChecksEveryField) {

@@ -115,9 +115,9 @@ TEST(SweepLimits, AreOfEveryNumberOfAScenario) {
     EXPECT_TRUE(number_at(scenario, pointer) && number_at(scenario, pointer)->is_timing) << pointer;
   for (const char* const pointer :
        {"", "/", "/name", "/start", "/start/x_px/0", "/clock/dt_s", "/clock/jitter/kind",
-        "/clock/jitter/sigma_s", "/events", "/events/6/step", "/events/-/step", "/events/3/grab",
-        "/events/0/place/x_px", "/duration_s", "/expect/final_x_px/0", "/events/5/resize/window",
-        "start/x_px"})
+        "/clock/jitter/sigma_s", "/events", "/events/6/step", "/events/-/step", "/events/0x/step",
+        "/events/3/grab", "/events/0/place/x_px", "/duration_s", "/expect/final_x_px/0",
+        "/events/5/resize/window", "start/x_px"})
     EXPECT_FALSE(number_at(scenario, pointer)) << pointer;
 }
 

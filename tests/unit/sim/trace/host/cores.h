@@ -176,6 +176,19 @@ struct OtherMember : Plain {
   std::int64_t steps = 0;
 };
 
+struct Large : Plain {
+  using Plain::Plain;
+  std::array<double, 29> further{};
+};
+
+struct Divides : Body<> {
+  using Body::Body;
+  void update(double, int, int, int, int) {
+    const int none = 0;
+    m_x = 1 / none;
+  }
+};
+
 struct Grows : Plain {
   using Plain::Plain;
   std::vector<double> trail;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim/trace/host/recorder.h"
+#include "sim/trace/listing_step.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/trace/host/cores.h"
 
@@ -42,15 +43,6 @@ class Explorer : public testing::Test {
   }
 };
 
-TEST_F(Explorer, FindsTheTwelvePathsOfTheListing) {
-  const TracedStep step = step_of<physics>();
-  EXPECT_EQ(step.members, std::vector(4, NumberKind::real));
-  EXPECT_EQ(step.comparisons.size(), 5U);
-  EXPECT_EQ(paths_of<physics>(), 12U);
-  EXPECT_EQ(step.paths_of(CoreFunction::construct).size(), 1U);
-  EXPECT_EQ(read_step(step_text(step)), step);
-}
-
 TEST_F(Explorer, TellsWhatDiffersForNaNAndForNegativeZeroOnly) {
   EXPECT_NE(text_of<Plain>(), text_of<AddsZero>());
   EXPECT_EQ(paths_of<Plain>(), 1U);
@@ -67,6 +59,7 @@ TEST_F(Explorer, KeepsTheArithmeticOfFloat) {
   EXPECT_NE(text.find("members: single single single single\n"), std::string::npos);
   EXPECT_NE(text.find(": single = to_single(dt)"), std::string::npos);
   EXPECT_NE(text.find(": real = to_real(x)"), std::string::npos);  // Compared with a half, which is a double.
+  EXPECT_EQ(shape_of(step_of<Floats>()).difference, "x, y, vx and vy that are not double");
 }
 
 TEST_F(Explorer, KeepsTheArithmeticOfInt) {
@@ -104,6 +97,8 @@ TEST_F(Explorer, SaysWhyAStepIsNotComplete) {
   EXPECT_EQ(why_incomplete<NotAMember>(),
             "memory outside the body: x(), y(), vx() and vy() are not four members");
   EXPECT_EQ(why_incomplete<Indexes>(), "a number becomes an integer");
+  EXPECT_EQ(why_incomplete<Large>(), "more than 32 members");
+  EXPECT_EQ(why_incomplete<Divides>(), "over its limits: divides an integer by 0");
   EXPECT_EQ(why_incomplete<Calculates>(), "over its limits: more than 100,000 operations");
 }
 
