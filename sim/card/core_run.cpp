@@ -144,8 +144,7 @@ RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candida
     Row to = candidate.rows[index];
     to.t_s = from.t_s;  // The scenario's, not the core's.
     distance.add(from, to);
-    if (!same_bits(from.dt_s, to.dt_s) || !same_bits(state_of(from), state_of(to)))
-      change.has_same_bits = false;
+    if (!same_bits(state_of(from), state_of(to))) change.has_same_bits = false;
   }
   if (base.is_cut || candidate.is_cut) {
     const bool is_known = base.final.step == candidate.final.step && base.final.step == step_count(scenario);

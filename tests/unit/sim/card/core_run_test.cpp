@@ -69,6 +69,17 @@ TEST(CompareRuns, FindsADifferenceBeforeAndPastTheLastRowKept) {
   }
 }
 
+TEST(CompareRuns, FindsNoStateThatBecameNonFiniteWhereThatOfTheBaseDidToo) {
+  Constants unbounded = kPaper;
+  unbounded.air_drag = 1e200;
+  const Scenario scenario = fling_at(60.0, 5);
+  const CoreRun run = play_by(listing_core(unbounded), scenario);
+  for (CoreRun base : {run, run_with_friction(0.8, scenario)}) {
+    CoreRun candidate = run;
+    EXPECT_EQ(compare_runs(scenario, base, candidate).became_non_finite, base.is_finite);
+  }
+}
+
 // Told by its rows alone, what stands at the left wall touches it in every step.
 TEST(CompareRuns, FindsNoOtherBitsWhereContactsAloneAreOthers) {
   Scenario scenario = flung_at(kCoreRunRowsMax + 50'000);

@@ -27,11 +27,15 @@ ComparedCore candidate_with(void (*change)(Constants&)) {
                        play_watch);
 }
 
+Constants& bouncy(Constants& constants) {
+  constants.restitution = 0.9;
+  return constants;
+}
+
 TEST(MeasuredCard, IsTheOneApproved) {
   const ComparedCore base = base_core();
   const ComparedCore candidate = candidate_with([](Constants& constants) {  // Bounces higher, slides farther.
-    constants.restitution = 0.9;
-    constants.ground_friction = 0.95;
+    bouncy(constants).ground_friction = 0.95;
   });
   Scenario high = fling_at(60.0, 60);  // Bounces for half a minute by the candidate.
   high.window.height_px = 5000;
@@ -43,6 +47,7 @@ TEST(MeasuredCard, IsTheOneApproved) {
                       .seed = 3,
                       .flings = 6,
                       .now_ns = [&] { return now_ns += 100'000 + 400 * (++calls % 7); }};
+  request.proof = {.is_complete = true, .is_equal = false, .why = "they differ"};
   request.recordings = {request.library[1]};
   request.hard = {request.library[2]};
   request.rows_hash = {rows_hash(base, request), rows_hash(candidate, request)};
@@ -57,6 +62,85 @@ TEST(MeasuredCard, IsTheOneApproved) {
   for (const Table& table : result.summary) text += described(table);
   for (const Figure& figure : result.figures) text += described(figure);
   expect_approved("tests/unit/sim/card/measured.txt", text);
+}
+
+TEST(MeasuredCard, LeavesOutWhatIsNotMeasuredOrNoChange) {
+  ComparedCore base = base_core(),
+               candidate =
+                   candidate_with([](Constants&constants) { bouncy(constants).ground_friction = 0.95; });
+  Scenario frozen = fling_at(60.0, 50);  // In frames of no time it settles with neither core, nor moves in x.
+  frozen.clock.base = FixedStep{0.0};
+  frozen.start.y_px = 957.0;
+  std::int64_t now_ns = 0;
+  CardRequest request{.library = {{"recorded/frozen.json", frozen}},
+                      .hard = {{"hard/long.json", fling_at(60.0, 2'000'000)}},
+                      .flings = 1,
+                      .now_ns = [&] { return now_ns += 100'000; },
+                      .proof = {.is_equal = true}};
+  request.recordings = request.library;
+  base.lacking = "GRAVITY";
+  candidate.lacking = "AIR_DRAG";
+  request.rows_hash = {rows_hash(base, request), rows_hash(candidate, request)};
+  const Card other = measure_card(base, candidate, request);
+  EXPECT_EQ(other.step.status, StepStatus::not_proved);
+  EXPECT_EQ(other.step.why, "the traced steps are equal, but the compiled cores give other bits");
+  EXPECT_EQ(other.lacking, "the base has no GRAVITY; the candidate has no AIR_DRAG");
+  EXPECT_EQ(other.claims.claims, 0);
+  EXPECT_EQ(other.hard_cases.cases, 0) << "a long one";
+  EXPECT_GT(other.hard_cases.other_random_runs.count, 0);
+  EXPECT_EQ(other.hard_cases.listing.random_runs.after.count, 0);
+  ASSERT_EQ(other.library.changed.size(), 1u);
+  EXPECT_FALSE(other.library.changed[0].change.no_longer_settles);
+  EXPECT_EQ(other.recordings.value().recordings, 1);
+  EXPECT_TRUE(other.recordings->moved.empty());
+  try {  // As played by another process.
+    request.rows_hash.after = request.rows_hash.before;
+    static_cast<void>(measure_card(base, candidate, request));
+    ADD_FAILURE() << "not refused";
+  } catch (const CoreRefused& refused) {
+    EXPECT_EQ(refused.core, 1);
+    EXPECT_STREQ(refused.what(), "does not repeat: scenarios played again by another process differ");
+  }
+  candidate.lacking.clear();
+  request.rows_hash.before = request.rows_hash.after = rows_hash(candidate, request);
+  const Card same = measure_card(candidate, candidate, request);
+  EXPECT_EQ(same.step.status, StepStatus::proved_equal);
+  EXPECT_GT(same.hard_cases.general.random_runs.before.count, 0);
+  EXPECT_EQ(same.hard_cases.general.random_runs.after.count,
+            same.hard_cases.general.random_runs.before.count);
+  EXPECT_TRUE(same.hard_cases.general.newly_broken.empty());
+}
+
+// Plays every other run as another core does.
+class Alternating final : public KernelOver {
+ public:
+  Alternating(std::shared_ptr<const Kernel> kernel, std::shared_ptr<const Kernel> other)
+      : KernelOver(std::move(kernel)), other_(std::move(other)) {}
+  void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
+            StretchLog& log) const override {
+    if (stretch.from_step == 0) ++runs_;
+    if (runs_ % 2 == 0) return other_->play(stretch, body, rest, rows, log);
+    KernelOver::play(stretch, body, rest, rows, log);
+  }
+
+ private:
+  std::shared_ptr<const Kernel> other_;
+  mutable int runs_ = 0;
+};
+
+TEST(MeasuredFlings, AreRefusedOfACoreThatDoesNotRepeatThem) {
+  ComparedCore candidate = base_core();
+  candidate.number = 1;
+  const ComparedCore other = candidate_with([](Constants& constants) { bouncy(constants); });
+  candidate.core.kernel = std::make_shared<const Alternating>(candidate.core.kernel, other.core.kernel);
+  try {
+    Card card{.seed = 5, .flings = 2};
+    measure_flings(base_core(), candidate, card);
+    ADD_FAILURE() << "not refused";
+  } catch (const CoreRefused& refused) {
+    EXPECT_EQ(refused.core, 1);
+    EXPECT_STREQ(refused.what(), "does not repeat: random fling 0 of seed 5 played twice differs");
+  }
 }
 
 TEST(MeasuredFlings, ThatDoNotStayFiniteAreLeftOutOfBothCores) {
