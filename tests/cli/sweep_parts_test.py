@@ -128,6 +128,11 @@ class Parts(FilesTest):
             file["inputs/start.vx_px_per_s"][4] += 1
         self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT,
                    says=f"{second}: inputs/start.vx_px_per_s: the input of member 9 is not the sweep's")
+        for change, says in ((lambda file: file.move("members/x", "members/z"), "is damaged: a column is missing, or has another length"),
+                             (lambda file: file.attrs.update(part=2), "is no result file of a sweep")):
+            with h5py.File(self.folder / second, "a") as file:
+                change(file)
+            self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT, says=f"{second}: {says}")
         self.assertEqual(self.names(), [first, second, "sweep.json"])
 
     def test_a_merged_file_replaces_no_link_of_another_name(self):
@@ -323,13 +328,15 @@ class Interrupted(FilesTest):
 
     def test_a_part_with_fewer_than_no_rows_or_more_than_all_is_damaged(self):
         os.rename(self.folder / self.file("out.h5"), self.folder / "sweep.h5.partial")
-        for rows in (-1, 101):
+        for rows, column in ((-1, "x"), (101, "x"), (0, "z")):
             with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
                 file.attrs["rows_done"] = numpy.int64(rows)
+                file.move("members/x", f"members/{column}")
             self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="is damaged; `--force` starts over")
             self.assertEqual(self.names(), ["sweep.h5.partial", "sweep.json"])
         with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
             file.attrs["rows_done"] = numpy.int64(100)
+            file.move("members/z", "members/x")
         self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 0)
 
 

@@ -143,6 +143,9 @@ TEST_F(Refusal, OfAWrongTypeOrLength) {
   }
   replace("/trajectory/x", H5T_IEEE_F64LE, {331, 1});
   expect_refused("/trajectory/x: must have one axis");
+  remove("/trajectory/x");
+  static_cast<void>(h5::create_dataset(open(), "/trajectory/x", H5T_IEEE_F64LE, {331}));  // Without values.
+  expect_refused("/trajectory/x: is incomplete");
 }
 
 TEST_F(Refusal, OfAWallOrAnInputThatIsNone) {
