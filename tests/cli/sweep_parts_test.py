@@ -114,7 +114,7 @@ class Parts(FilesTest):
             file.attrs["rows_done"] = numpy.int64(7)
         os.rename(self.folder / second, self.folder / f"{second}.partial")
         self.sweep("sweep.json", "--part", "1/2", "-o", "out.h5", "--resume", exit_code=BAD_INPUT,
-                   says="is of another sweep, part or physics model")
+                   says="is of another sweep, part or physics model; `--force` starts over")
 
     def test_a_result_of_another_physics_model_is_computed_again(self):
         self.file("out.h5")

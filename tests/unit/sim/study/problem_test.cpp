@@ -71,16 +71,38 @@ TEST(ProblemOfScenario, IsCutOnlyAboveItsLimits) {
 }
 
 TEST(ProblemOfScenario, WithoutTimeOrRoomIsRefused) {
-  Scenario scenario = fling();
-  scenario.length = std::int64_t{0};
-  EXPECT_FALSE(problem_of(scenario).problem);
-  scenario = fling();
-  scenario.sprite = {4000, 128};
-  EXPECT_FALSE(problem_of(scenario).problem);
-  EXPECT_NE(problem_of(scenario).why_not, "");
-  scenario = fling();
-  scenario.clock.base = FixedStep{1e6};
-  EXPECT_FALSE(problem_of(scenario).problem);
+  Scenario none = fling(), narrow = fling(), slow = fling();
+  none.length = std::int64_t{0};
+  narrow.sprite = {4000, 128};
+  slow.clock.base = FixedStep{1e6};
+  for (const auto& [scenario, why] :
+       {std::pair(none, "no time passes in it"),
+        {narrow, "its window cannot hold its sprite, so that it has no exact solution"},
+        {slow, "a frame of it lasts longer than a study may"}}) {
+    EXPECT_FALSE(problem_of(scenario).problem);
+    EXPECT_EQ(problem_of(scenario).why_not, why);
+  }
+}
+
+TEST(StudyProblems, AreTheseMotions) {
+  std::string text;
+  for (const Problem& problem : study_problems()) {
+    text += problem.name + ": " + problem.label + ", ";
+    for (const double number : {problem.start.x_px, problem.start.y_px, problem.start.vx_px_per_s,
+                                std::round(problem.start.vy_px_per_s), problem.duration_s()})
+      text += std::to_string(std::lround(10.0 * number)) + " ";
+    text += std::string(problem.is_free_flight ? "free" : "") + (problem.jitter ? "jittered" : "") + "\n";
+  }
+  EXPECT_EQ(
+      text,
+      "long-arc: one second in the air, 2000 4000 9000 -9000 10 free\n"
+      "short-arc: a fifth of a second in the air, 2000 4000 9000 -9000 2 free\n"
+      "fast-arc: one second at 10,000 px/s, 2000 60000 80000 -60000 10 free\n"
+      "terminal-speed: one second at terminal speed, 2000 2000 0 199900 10 free\n"
+      "fling: a fling that bounces until it settles, 600 9000 10000 -13500 80 \n"
+      "corner-fling: a fast fling into a corner, 3000 5000 24000 -7000 80 \n"
+      "jittered-fling: the fling on a clock that jitters by half a frame, 600 9000 10000 -13500 80 jittered\n"
+      "hitched-arc: the second in the air, a quarter of it one frame, 2000 4000 9000 -9000 10 \n");
 }
 
 }  // namespace
