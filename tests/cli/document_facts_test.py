@@ -187,6 +187,14 @@ STATED = (
         ("fraction", "dt * (1 - fraction) .. dt * (1 + fraction)"), ("sigma_s", "Standard deviation, s"),
         ("probability", "Of a frame that takes twice the time"))),
     (FORMAT, "`state_hash` | {} hex digits", SCHEMA, ('"^[0-9a-f]{32}$", "maxLength":',)),
+    (SCHEMA, "within 0 .. window - sprite. Sides 0 .. {} px.", SCENARIO, "kWindowSideMax_px"),
+    (SCHEMA, '"Sides {} .. {} px. May be larger than the window', SCENARIO, "kSpriteSideMin_px, kSpriteSideMax_px"),
+    (SCHEMA, "dt = 1 / rate. Greater than 0, at most {}, and no frame longer than {} s.", SCENARIO, "kRateMax_hz, kFrameMax_s"),
+    (SCHEMA, "an array with the dt of each (a recorded trace). 0 .. {} s.", SCENARIO, "kFrameMax_s"),
+    (SCHEMA, "Plays ceil(duration / dt - {}) frames", "sim/scenario/frame_clock.cpp", "base_dt_s(scenario.clock) -"),
+    (SCHEMA, "frames, at most {}; dt is that of the clock without jitter", SCENARIO, "kStepsMax"),
+    (SCHEMA, "Since when the sprite stays within {} px, s", REST, "kStill_px"),
+    (SCHEMA, "{} hex digits, as `run` prints it", SCHEMA, ('"^[0-9a-f]{32}$", "maxLength":',)),
     (CARD, "with a sprite of {} px; vx {} .. {}, vy {} .. {} px/s", FLINGS, ("kSprite", "draw(2,", "draw(2, -2000.0,", "draw(3,", "draw(3, -2000.0,")),
     (CARD, "is played on for {} s before", "sim/card/core_run.h", "kPlayedOn_s"),
     (CARD, "`std::pow(AIR_DRAG, {} * dt)`", MODEL, "model_rate_hz"), (CARD, "settle at {} Hz", FLINGS, "kRate_hz"),
@@ -248,6 +256,8 @@ SAID_AGAIN = (
 # Document and its words, with `{}` for a definition; the source that has it, too, for readers of code or of files.
 NEEDS, CARD_LINES = "sim/study/needs/needs_study.cpp", "sim/card/card.h"
 DEFINED = (
+    (SCHEMA, "played frame by frame. Origin top left, {}; px, px/s, s.", HEADER, "+x right, +y down"),
+    (SCHEMA, '"time": { "description": "[low, high], both inclusive{}."', "tools/files/scenario_members.cpp", ", or a number as upper bound"),
     (STUDIES, "`path moves` is the {},", NEEDS, "largest distance at equal times"),
     (STUDIES, "`contacts moved` counts {},", NEEDS, "contacts that moved, appeared or vanished"),
     (STUDIES, "`end moves` is the {}.", NEEDS, "distance at the end"),
@@ -508,7 +518,7 @@ class Facts(unittest.TestCase):
             with self.subTest(document=document, words=words):
                 code = re.sub(r'"\s+"|\n\s*//[/<!]*', " ", text_of(source)).replace("  ", " ")
                 self.assertTrue(text.lower() in " ".join(code.split()).lower(), source)
-                self.assertTrue(words.format(text).lower() in " ".join(text_of(document).split()).lower())
+                self.assertTrue(words.replace("{}", text).lower() in " ".join(text_of(document).split()).lower())
 
     def test_the_ways_to_end_on_the_floor_have_their_names_in_files(self):
         names, texts = (re.findall('"(.*?)"', re.search(array + r" = \{(.*?)\}", text_of("sim/study/rest/rest_map.h"))[1])
