@@ -92,7 +92,10 @@ TEST(CardResult, IsTheOneApproved) {
   const Result result = card_result(card);
   text += described(result.verdict);
   for (const Table& table : result.summary) text += described(table);
-  for (const Table& table : result.tables) text += described(table);
+  for (const Table& table : result.tables)  // The others are members of the summary.
+    text += table.name == "invariants"
+                ? described(table)
+                : "table " + table.name + ": " + std::to_string(row_count(table)) + " rows\n";
   for (const Figure& figure : result.figures) text += described(figure);
   expect_approved("tests/unit/sim/card/card.txt", text);
 }

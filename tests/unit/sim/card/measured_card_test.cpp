@@ -59,7 +59,7 @@ TEST(MeasuredCard, IsTheOneApproved) {
   text += "a drop moves " + described(rest.moved_px.before) + "; springy " + described(rest.moved_px.after) +
           "\n";
   text += described(result.verdict);
-  for (const Table& table : result.summary) text += described(table);
+  for (const Table& table : result.tables) text += described(table);
   for (const Figure& figure : result.figures) text += described(figure);
   expect_approved("tests/unit/sim/card/measured.txt", text);
 }
