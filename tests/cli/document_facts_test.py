@@ -258,6 +258,10 @@ NEEDS, CARD_LINES = "sim/study/needs/needs_study.cpp", "sim/card/card.h"
 DEFINED = (
     (SCHEMA, "played frame by frame. Origin top left, {}; px, px/s, s.", HEADER, "+x right, +y down"),
     (SCHEMA, '"time": { "description": "[low, high], both inclusive{}."', "tools/files/scenario_members.cpp", ", or a number as upper bound"),
+    (STUDIES, "is *cheaper* only if {};", "sim/study/methods/cost.h", "the 95 % interval of a / b, round by round, is below 1"),
+    (STUDIES, "all costs are `{}`.", "sim/study/methods/cost.cpp", "not measured: clock unsteady"),
+    (STUDIES, "± standard error | least squares of {};", "sim/study/speed_error/speed_error_tables.cpp", "log error against log dt"),
+    (STUDIES, "each work once a round and {}.", "sim/study/speed_error/speed_error_tables.cpp", "in random order"),
     (STUDIES, "`path moves` is the {},", NEEDS, "largest distance at equal times"),
     (STUDIES, "`contacts moved` counts {},", NEEDS, "contacts that moved, appeared or vanished"),
     (STUDIES, "`end moves` is the {}.", NEEDS, "distance at the end"),
