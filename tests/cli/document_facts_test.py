@@ -258,6 +258,9 @@ NEEDS, CARD_LINES = "sim/study/needs/needs_study.cpp", "sim/card/card.h"
 DEFINED = (
     (SCHEMA, "played frame by frame. Origin top left, {}; px, px/s, s.", HEADER, "+x right, +y down"),
     (SCHEMA, '"time": { "description": "[low, high], both inclusive{}."', "tools/files/scenario_members.cpp", ", or a number as upper bound"),
+    (STUDIES, "For each, the study measures the {}, and", "sim/study/speed_error/speed_error_tables.cpp", "largest distance from the exact fling"),
+    (STUDIES, "and the {}. Exact means", "sim/study/speed_error/speed_error_tables.cpp", "time per simulated second"),
+    (CARD, "Each line gives base and candidate (`{}`)", "sim/card/card_result.cpp", "before -> after"),
     (STUDIES, "is *cheaper* only if {};", "sim/study/methods/cost.h", "the 95 % interval of a / b, round by round, is below 1"),
     (STUDIES, "all costs are `{}`.", "sim/study/methods/cost.cpp", "not measured: clock unsteady"),
     (STUDIES, "± standard error | least squares of {};", "sim/study/speed_error/speed_error_tables.cpp", "log error against log dt"),
@@ -338,6 +341,9 @@ def computed():
         (STUDIES, "and {} steps later stuck at two units of the last place ({}\npx/s)", [round(len(speeds) - normal, -1), speeds[-1]]),
         (STUDIES, "more than {} %\n({}th minus {}th percentile)", [100 * unsteady, *(100 * part for part in parts)]),
         (STUDIES, "is also dropped at {}\ndisplay rates", [len(rates_hz)]),
+        *((STUDIES, words, [100 * part for part in decided(f"sim/study/{source}.cpp", name)]) for words, source, name in (
+            ("spread less in more than {} % of the flings, beyond", "frame_rate/frame_rate_study", "steadier_by_time[clock].low() >"),
+            ("if the interval of their share is above {} %", "paper/energy_claims", "kBetter"), ("window is below\n  {} %", "paper/use_claims", "kMost"))),
         (DRIFT, "per frame: {} px of height per second at {} Hz, whatever", [round((drag - kappa**2 * phi2) * gravity * dt), 60]),
         (STUDIES, "| median ({} .. {} %) | quantiles", [100 * float(band[2]), 100 * float(band[3])]),
         ("README.md", "Below {} Hz a sprite on the floor", rates[:1]),
@@ -542,7 +548,11 @@ class Facts(unittest.TestCase):
         (low_minute, low_ten), (high_minute, high_ten) = after["the paper's step", low], after["the paper's step", high]
         self.assertGreater(high_minute, 1.1 * low_minute)
         self.assertAlmostEqual(high_ten, low_ten, delta=0.05)
-        off = re.findall(r"^ +(\d+)  \d+ \(\d+ \.\. \d+\) +(\d+) \(.* of 121$", text_of(STUDIES), re.MULTILINE)
+        off = re.findall(r"^ +(\d+)  \d+ \(\d+ \.\. \d+\) +(\d+) \(.* (\d+) \(\d+ \.\. \d+\) +\d+ of 121$", text_of(STUDIES), re.MULTILINE)
+        by_time = [int(row[2]) for row in off]
+        self.assertEqual(by_time, sorted(by_time, reverse=True))
+        self.assertIn("by time\nflings settle nearer to it the shorter the frames are", text_of(STUDIES))
+        self.assertRegex(text_of(STUDIES), r"\n  the paper's step +-\d\S+ ± [^`]*```\n\n[^`]*`order`[^`]*The paper's step\n  has a negative one")
         self.assertEqual([float(min(off, key=lambda row: int(row[1]))[0])], stated(STUDIES, "by the paper's step they do so near {} Hz"))
 
     def test_the_card_of_the_document_is_one_of_the_program(self):
