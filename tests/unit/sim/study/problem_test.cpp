@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "sim/study/methods/problem.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
@@ -87,22 +89,21 @@ TEST(ProblemOfScenario, WithoutTimeOrRoomIsRefused) {
 TEST(StudyProblems, AreTheseMotions) {
   std::string text;
   for (const Problem& problem : study_problems()) {
-    text += problem.name + ": " + problem.label + ", ";
-    for (const double number : {problem.start.x_px, problem.start.y_px, problem.start.vx_px_per_s,
-                                std::round(problem.start.vy_px_per_s), problem.duration_s()})
-      text += std::to_string(std::lround(10.0 * number)) + " ";
-    text += std::string(problem.is_free_flight ? "free" : "") + (problem.jitter ? "jittered" : "") + "\n";
+    const State& start = problem.start;
+    text += fmt::format("{}: {}, {:g} {:g} {:g} {:.0f} {:g} s{}{}\n", problem.name, problem.label, start.x_px,
+                        start.y_px, start.vx_px_per_s, start.vy_px_per_s, problem.duration_s(),
+                        problem.is_free_flight ? " free" : "", problem.jitter ? " jittered" : "");
   }
   EXPECT_EQ(
       text,
-      "long-arc: one second in the air, 2000 4000 9000 -9000 10 free\n"
-      "short-arc: a fifth of a second in the air, 2000 4000 9000 -9000 2 free\n"
-      "fast-arc: one second at 10,000 px/s, 2000 60000 80000 -60000 10 free\n"
-      "terminal-speed: one second at terminal speed, 2000 2000 0 199900 10 free\n"
-      "fling: a fling that bounces until it settles, 600 9000 10000 -13500 80 \n"
-      "corner-fling: a fast fling into a corner, 3000 5000 24000 -7000 80 \n"
-      "jittered-fling: the fling on a clock that jitters by half a frame, 600 9000 10000 -13500 80 jittered\n"
-      "hitched-arc: the second in the air, a quarter of it one frame, 2000 4000 9000 -9000 10 \n");
+      "long-arc: one second in the air, 200 400 900 -900 1 s free\n"
+      "short-arc: a fifth of a second in the air, 200 400 900 -900 0.2 s free\n"
+      "fast-arc: one second at 10,000 px/s, 200 6000 8000 -6000 1 s free\n"
+      "terminal-speed: one second at terminal speed, 200 200 0 19990 1 s free\n"
+      "fling: a fling that bounces until it settles, 60 900 1000 -1350 8 s\n"
+      "corner-fling: a fast fling into a corner, 300 500 2400 -700 8 s\n"
+      "jittered-fling: the fling on a clock that jitters by half a frame, 60 900 1000 -1350 8 s jittered\n"
+      "hitched-arc: the second in the air, a quarter of it one frame, 200 400 900 -900 1 s\n");
 }
 
 }  // namespace
