@@ -253,46 +253,33 @@ SAID_AGAIN = (
      (BENCHMARKS, "sweep of 10 s at 60 Hz, times faster than naive                      13.05    (12.69 .. 13.31)  at least {}"),
      (SWEEPS, "sweep of 100 s at 60 Hz, keep final                          {} ("), (SWEEPS, "keep final (naive: mt19937_64)       {} (")),
 )
-# Document and its words, with `{}` for a definition; the source that has it, too, for readers of code or of files.
-NEEDS, CARD_LINES = "sim/study/needs/needs_study.cpp", "sim/card/card.h"
+# Document, a source, and what the document says with words, in «», of that source, for readers of its code or files.
 DEFINED = (
-    (SCHEMA, "played frame by frame. Origin top left, {}; px, px/s, s.", HEADER, "+x right, +y down"),
-    (SCHEMA, '"time": { "description": "[low, high], both inclusive{}."', "tools/files/scenario_members.cpp", ", or a number as upper bound"),
-    (STUDIES, "For each, the study measures the {}, and", "sim/study/speed_error/speed_error_tables.cpp", "largest distance from the exact fling"),
-    (STUDIES, "and the {}. Exact means", "sim/study/speed_error/speed_error_tables.cpp", "time per simulated second"),
-    (CARD, "Each line gives base and candidate (`{}`)", "sim/card/card_result.cpp", "before -> after"),
-    (STUDIES, "is *cheaper* only if {};", "sim/study/methods/cost.h", "the 95 % interval of a / b, round by round, is below 1"),
-    (STUDIES, "all costs are `{}`.", "sim/study/methods/cost.cpp", "not measured: clock unsteady"),
-    (STUDIES, "± standard error | least squares of {};", "sim/study/speed_error/speed_error_tables.cpp", "log error against log dt"),
-    (STUDIES, "each work once a round and {}.", "sim/study/speed_error/speed_error_tables.cpp", "in random order"),
-    (STUDIES, "`path moves` is the {},", NEEDS, "largest distance at equal times"),
-    (STUDIES, "`contacts moved` counts {},", NEEDS, "contacts that moved, appeared or vanished"),
-    (STUDIES, "`end moves` is the {}.", NEEDS, "distance at the end"),
-    (STUDIES, "`saves` is how much shorter a step is without the part, where that is above its {}", NEEDS, "95 % interval"),
-    (STUDIES, "(`set_up` in the files: {})", "sim/study/speed_error/speed_error_tables.cpp", "time of a run before its first frame"),
-    (STUDIES, "An energy error is the {},", "sim/study/speed_error/speed_error_tables.cpp",
-     "largest difference of energy / largest kinetic energy of the exact fling"),
-    (STUDIES, "verdicts {}.", "sim/study/hard_cases/hard_cases_study.cpp", "held, finding (an expected failure), broken, or finding gone (it holds)"),
-    (STUDIES, "Other contacts: {} than at 60 Hz.", "sim/study/frame_rate/frame_rate_study.cpp",
-     "flings that meet a side wall or the top another number of times"),
-    (STUDIES, "The score is {}:", "sim/study/frame_rate/frame_rate_study.cpp", "100 (1 - mean spread / mean horizontal path)"),
-    (CARD, "| step | whether both cores do the {},", "sim/card/card_result.cpp", "same operations on every path"),
-    (CARD, "after 20 s: {}, and distance.", "sim/card/card_result.cpp", "shift in x"),
-    (CARD, "Claims that were {} are listed apart", "sim/card/card_result.cpp", "not measured with one of the cores"),
-    (CARD, "the long one left out, {};", "sim/card/card.cpp", "made by the constants of the base"),
-    (CARD, "or the {} after everything else was measured", "sim/card/card.cpp", "scenarios played again by another process"),
-    (CARD, "A scenario whose sprite still moves {} is played on", "sim/card/core_run.h", "within the last second of its file"),
-    (CARD, "Everything but the speed {}.", CARD_LINES, "is the same on every machine"),
-    (CARD, "| consequence | {}:", CARD_LINES, "The largest consequence for a user, one sentence"),
-    *((CARD, words, CARD_LINES, text) for words, text in (
-        ("largest minus smallest x where a fling lands on 18 displays of 24 to 1000 Hz. {};", "Of the flings that settle on all with both cores"),
-        ("At walls, until the fling settles: over {}.", "each step that touched one, the row minus the exact flight of the paper's laws from the row before"),
-        ("It is lift ({}),", "Height: back to the wall"),
-        ("bounces ({}) and", "Speed across the walls that were touched"), ("friction ({}).", "Speed along them"),
-        ("Energy and exact motion are {} |", "of the flings that stay finite with both cores"),
-        ("| exact motion | {} 1 to", "Distance from the exact motion of the paper's laws, frames left out, after"),
-        ("{}, and the ratio,", "pairs of samples, base and candidate one after the other in changing order"), ("the ratio, {} |", "Candidate / base, of each pair"),
-        ("recorded`: those that end {} |", "elsewhere: more than half a pixel away"))),
+    (SCHEMA, HEADER, "played frame by frame. Origin top left, «+x right, +y down»; px, px/s, s."),
+    (SCHEMA, "tools/files/scenario_members.cpp", '"time": { "description": "[low, high], both inclusive«, or a number as upper bound»."'),
+    (STUDIES, "sim/study/methods/cost.h", "is *cheaper* only if «the 95 % interval of a / b, round by round, is below 1»;"),
+    (STUDIES, "sim/study/methods/cost.cpp", "all costs are `«not measured: clock unsteady»`."),
+    (STUDIES, "sim/study/speed_error/speed_error_tables.cpp", "± standard error | least squares of «log error against log dt»;",
+     "each work once a round and «in random order».", "For each, the study measures the «largest distance from the exact fling», and",
+     "and the «time per simulated second». Exact means", "(`set_up` in the files: «time of a run before its first frame»)",
+     "An energy error is the «largest difference of energy / largest kinetic energy of the exact fling»,"),
+    (STUDIES, "sim/study/needs/needs_study.cpp", "`path moves` is the «largest distance at equal times»,", "`end moves` is the «distance at the end».",
+     "`contacts moved` counts «contacts that moved, appeared or vanished»,", "shorter a step is without the part, where that is above its «95 % interval»"),
+    (STUDIES, "sim/study/hard_cases/hard_cases_study.cpp", "verdicts «held, finding (an expected failure), broken, or finding gone (it holds)»."),
+    (STUDIES, "sim/study/frame_rate/frame_rate_study.cpp", "The score is «100 (1 - mean spread / mean horizontal path)»:",
+     "Other contacts: «flings that meet a side wall or the top another number of times» than at 60 Hz."),
+    (CARD, "sim/card/card_result.cpp", "Each line gives base and candidate (`«before -> after»`)", "after 20 s: «shift in x», and distance.",
+     "| step | whether both cores do the «same operations on every path»,", "Claims that were «not measured with one of the cores» are listed apart"),
+    (CARD, "sim/card/card.cpp", "the long one left out, «made by the constants of the base»;",
+     "or the «scenarios played again by another process» after everything else was measured"),
+    (CARD, "sim/card/core_run.h", "A scenario whose sprite still moves «within the last second of its file» is played on"),
+    (CARD, "sim/card/card.h", "Everything but the speed «is the same on every machine».", "| consequence | «the largest consequence for a user, one sentence»:",
+     "largest minus smallest x where a fling lands on 18 displays of 24 to 1000 Hz. «Of the flings that settle on all with both cores»;",
+     "settles: over «each step that touched one, the row minus the exact flight of the paper's laws from the row before».",
+     "It is lift («height: back to the wall»), bounces (", "bounces («speed across the walls that were touched») and friction («speed along them»).",
+     "Energy and exact motion are «of the flings that stay finite with both cores» |", "recorded`: those that end «elsewhere: more than half a pixel away» |",
+     "| exact motion | «distance from the exact motion of the paper's laws, frames left out, after» 1 to",
+     "«pairs of samples, base and candidate one after the other in changing order», and the ratio, «candidate / base, of each pair» |"),
 )
 SCENARIOS = len([path for path in (SOURCE / "scenarios").rglob("*.json") if not path.name.endswith(".schema.json")])
 WORDS = "zero one two three four five six seven eight nine ten".split()
@@ -532,11 +519,12 @@ class Facts(unittest.TestCase):
         self.assertIn(f"`{','.join(['step', *csv, 'contact'])}`", text_of(FILES))
 
     def test_what_is_defined_has_the_words_of_the_source(self):
-        for document, words, source, text in DEFINED:
-            with self.subTest(document=document, words=words):
-                code = re.sub(r'"\s+"|\n\s*//[/<!]*', " ", text_of(source)).replace("  ", " ")
-                self.assertTrue(text.lower() in " ".join(code.split()).lower(), source)
-                self.assertTrue(words.replace("{}", text).lower() in " ".join(text_of(document).split()).lower())
+        for document, source, *sentences in DEFINED:
+            code, text = (" ".join(each.split()).lower() for each in (re.sub(r'"\s+"|\n\s*//[/<!]*', " ", text_of(source)), text_of(document)))
+            for sentence in sentences:
+                with self.subTest(document=document, sentence=sentence):
+                    self.assertEqual([words for words in re.findall("«(.*?)»", sentence.lower()) if words not in code], [])
+                    self.assertTrue(re.sub("[«»]", "", sentence).lower() in text)
 
     def test_the_ways_to_end_on_the_floor_have_their_names_in_files(self):
         names, texts = (re.findall('"(.*?)"', re.search(array + r" = \{(.*?)\}", text_of("sim/study/rest/rest_map.h"))[1])
