@@ -1,4 +1,5 @@
-// Looks for what makes a core's results depend on more than x, y, vx, vy and the arguments of a call.
+// Looks for what makes a core's results depend on more than x, y, vx, vy and the arguments of a call, and for
+// constants that its class does not have.
 #pragma once
 
 #include <cstddef>
@@ -106,5 +107,25 @@ class DefectSearch {
   }
   static std::string at(std::ptrdiff_t row) { return " from step " + std::to_string(row % kSteps + 1); }
 };
+
+/// LibraryCore::lacking.
+template <class Class>
+std::string lacking_constants() {
+  std::string names;
+  const auto add = [&names](bool has, const char* name) {
+    if (!has) names += (names.empty() ? "" : ", ") + std::string(name);
+  };
+  add(
+      requires { Class::GRAVITY + 0.0; }, "GRAVITY");
+  add(
+      requires { Class::RESTITUTION + 0.0; }, "RESTITUTION");
+  add(
+      requires { Class::AIR_DRAG + 0.0; }, "AIR_DRAG");
+  add(
+      requires { Class::GROUND_FRICTION + 0.0; }, "GROUND_FRICTION");
+  add(
+      requires { Class::REST_THRESHOLD + 0.0; }, "REST_THRESHOLD");
+  return names;
+}
 
 }  // namespace hyrax

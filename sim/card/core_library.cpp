@@ -38,25 +38,6 @@ class CountedCore : public physics {
   }
 };
 
-template <class Class>
-std::string lacking_constants() {
-  std::string names;
-  const auto add = [&names](bool has, const char* name) {
-    if (!has) names += (names.empty() ? "" : ", ") + std::string(name);
-  };
-  add(
-      requires { Class::GRAVITY + 0.0; }, "GRAVITY");
-  add(
-      requires { Class::RESTITUTION + 0.0; }, "RESTITUTION");
-  add(
-      requires { Class::AIR_DRAG + 0.0; }, "AIR_DRAG");
-  add(
-      requires { Class::GROUND_FRICTION + 0.0; }, "GROUND_FRICTION");
-  add(
-      requires { Class::REST_THRESHOLD + 0.0; }, "REST_THRESHOLD");
-  return names;
-}
-
 }  // namespace
 }  // namespace hyrax
 

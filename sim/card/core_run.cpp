@@ -144,15 +144,14 @@ RunChange compare_runs(const Scenario& scenario, CoreRun& base, CoreRun& candida
     Row to = candidate.rows[index];
     to.t_s = from.t_s;  // The scenario's, not the core's.
     distance.add(from, to);
-    if (!same_bits(from.dt_s, to.dt_s) || !same_bits(state_of(from), state_of(to)))
-      change.has_same_bits = false;
+    if (!same_bits(state_of(from), state_of(to))) change.has_same_bits = false;
   }
+  const bool has_other_length = base.final.step != candidate.final.step;
   if (base.is_cut || candidate.is_cut) {
-    const bool is_known = base.final.step == candidate.final.step && base.final.step == step_count(scenario);
+    const bool is_known = !has_other_length && base.final.step == step_count(scenario);
     if (is_known && base.hash != candidate.hash) change.has_same_bits = false;
     change.is_cut = !is_known || !change.has_same_bits;
   }
-  const bool has_other_length = base.rows.size() != candidate.rows.size();
   if (has_other_length) change.has_same_bits = false;
   if (!change.has_same_bits)
     change.difference = has_other_length ? DifferenceClass::shape : class_of(change.contacts, distance);

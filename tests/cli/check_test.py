@@ -194,7 +194,7 @@ class Unreferenced(CheckTest):
             self.write(f"golden/{name}", "")
         self.assertEqual(self.unreferenced(DISAGREED), ["golden/a/core/old"])
         self.write("scenarios/core/fourth.json", fling(name="fourth"))
-        says = "golden/core/fourth.h5: is where the accepted core is kept; `core` is a reserved name"
+        says = "golden/core/fourth.h5: is where the accepted core is kept; `core` is a reserved name at the top of scenarios: rename that folder"
         self.assertIn(says, self.check(BAD_INPUT)["results"][2]["error"])
         self.expect(BAD_INPUT, "bless", "scenarios/core", "--reason", "x", says=says)
         self.expect(BAD_INPUT, "run", "scenarios/core", says=says)

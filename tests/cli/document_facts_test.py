@@ -41,7 +41,6 @@ STATED = (
         (CARD, "A core is refused (exit {},", "bad_input"), ("sim/ensemble/README.md", "that are missing (exit {})", "golden_missing"),
         ("tests/README.md", "refused at start, exit code {} |", "not_strict_ieee"), (FORMAT, "may not hold (exit code {})", "disagreed"),
         (CORE, "at every start: exit code {}", "not_strict_ieee"), (DRIFT, "at fault: exit code {}", "program_fault"),
-        (STUDIES, "`--gate` | exit code {} if", "disagreed"),
         (HYRAX, "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
         (HYRAX, "{} done, {} the state hash differs, {} bad usage or input, {} a file or the screen cannot be used, {} arithmetic\n"
          "is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
@@ -67,8 +66,7 @@ STATED = (
         ("tools/files/scenario.schema.json", "exit {} where it does not hold", "disagreed"),
         ("tools/hyrax-sim/check.cpp", "unreferenced (exit code {})", "disagreed"),
         ("tools/hyrax-sim/check.cpp", "notices; exit code {} if there is one", "disagreed"),
-        (CARD, "The exit code is {} whatever", "agreed"), (CARD, "{}: `golden/core` is damaged; {}: bad usage", "disagreed, bad_input"),
-        (CARD, "{}: a file cannot be read; {}: there is no", "cannot_access, golden_missing"),
+        (CARD, "The exit code is {} whatever", "agreed"),
         (PAGE, "ends with exit code {}. After an edit", "cannot_access"), (PAGE, "end with exit code {}, and the page says", "program_fault"),
         ("tools/own_core/README.md", "ends with exit code {} for any other", "bad_input"),
         ("tools/own_core/README.md", "`check` ends with exit code {}, even", "bad_input"))),
@@ -135,6 +133,8 @@ STATED = (
     (STUDIES, "Times come in {} rounds", "sim/study/methods/cost.h", "repetitions"),
     (STUDIES, "the study plays {} flings like it", "sim/study/speed_error/speed_error.h", "kBandFlings"),
     (STUDIES, "in each of the {} flings, too", "sim/study/speed_error/speed_error.h", "kBandFlings"),
+    (STUDIES, "With more than {}\nscenarios", "sim/study/needs/needs_study.cpp", "kScenariosWithMethodsMax"),
+    (STUDIES, "`hyrax-study/{}`: one group per table, one dataset per column", "tools/store/table_file.h", '"hyrax-study/'),
     (STUDIES, "over {} random throws", "sim/study/paper/claim_probe.h", "kStarts"),
     (STUDIES, "throws of up to\n{} px/s, seed {};", "sim/study/paper/paper_claim.h", "fastest_px_per_s, seed"),
     (STUDIES, "px at {} Hz (without `--quick`)", "sim/study/speed_error/speed_error_study.cpp", "3840.0,"),
@@ -180,6 +180,14 @@ STATED = (
         ("fraction", "dt * (1 - fraction) .. dt * (1 + fraction)"), ("sigma_s", "Standard deviation, s"),
         ("probability", "Of a frame that takes twice the time"))),
     (FORMAT, "`state_hash` | {} hex digits", SCHEMA, ('"^[0-9a-f]{32}$", "maxLength":',)),
+    (SCHEMA, "within 0 .. window - sprite. Sides 0 .. {} px.", SCENARIO, "kWindowSideMax_px"),
+    (SCHEMA, '"Sides {} .. {} px. May be larger than the window', SCENARIO, "kSpriteSideMin_px, kSpriteSideMax_px"),
+    (SCHEMA, "dt = 1 / rate. Greater than 0, at most {}, and no frame longer than {} s.", SCENARIO, "kRateMax_hz, kFrameMax_s"),
+    (SCHEMA, "an array with the dt of each (a recorded trace). 0 .. {} s.", SCENARIO, "kFrameMax_s"),
+    (SCHEMA, "Plays ceil(duration / dt - {}) frames", "sim/scenario/frame_clock.cpp", "base_dt_s(scenario.clock) -"),
+    (SCHEMA, "frames, at most {}; dt is that of the clock without jitter", SCENARIO, "kStepsMax"),
+    (SCHEMA, "Since when the sprite stays within {} px, s", REST, "kStill_px"),
+    (SCHEMA, "{} hex digits, as `run` prints it", SCHEMA, ('"^[0-9a-f]{32}$", "maxLength":',)),
     (CARD, "with a sprite of {} px; vx {} .. {}, vy {} .. {} px/s", FLINGS, ("kSprite", "draw(2,", "draw(2, -2000.0,", "draw(3,", "draw(3, -2000.0,")),
     (CARD, "is played on for {} s before", "sim/card/core_run.h", "kPlayedOn_s"),
     (CARD, "`std::pow(AIR_DRAG, {} * dt)`", MODEL, "model_rate_hz"), (CARD, "settle at {} Hz", FLINGS, "kRate_hz"),
@@ -207,8 +215,8 @@ NO_SOURCE = {
     "sim/ensemble/README.md": "0 1 1 4 64 2 12.2 96",
     "sim/physics/README.md": "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6",
     "sim/reference/README.md": "1e-11 1 95 60 1e-11 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006",
-    "sim/study/README.md": ("95 22:209 1927 95 7:1 1979 3 95 1 60 60 60 15 0 60 4 60 95 0 0 0 3 75 8 960 60 100 1 100 50 240 24 "
-        "2 2.3 60 7 95 60 1e-9 2.3 2.4 0 2.4 6.1 2.3 0.999 0.999 2.4 0.999 4.1 0.2 60 12 4.1 0.25 60 3.2.2"),
+    "sim/study/README.md": ("95 22:209 1927 95 7:1 1979 3 95 1 60 60 15 0 60 4 60 95 0 0 0 3 75 8 960 60 100 1 100 50 240 24 "
+        "2 2.3 60 7 95 60 1e-9 2.3 2.4 0 2.4 6.1 2.3 0.999 0.999 2.4 0.999 4.1 0.2 60 12 4.1 3.2.2"),
     "tests/README.md": ("1e9 40 16 0.1.0 12 107 107 14 22 107 107 12 107 107 12 107 107 12 106 106 12 106 106 12 106 106 12 106 "
         "106 19 106 106 12 12 78 107 24.04 13 106 16.8 1 200 165 12 23 44 44 0 0 102 97 0 5 170 129 24 17 191 102 62 27 56 49 0 "
         "7 29 26 0 3 4 4 0 0 12 10 1 1 808 626 99 83 95 30 110 96 10 3 1 0.1.0 17 42,600"),
@@ -237,6 +245,34 @@ SAID_AGAIN = (
     (BENCHMARKS, "either ({}, at least {}); those of 100 s ({}) and of jitter seeds ({}) do", (SWEEPS, "sweep of 10 s at 60 Hz, keep final                          {} ("),
      (BENCHMARKS, "sweep of 10 s at 60 Hz, times faster than naive                      13.05    (12.69 .. 13.31)  at least {}"),
      (SWEEPS, "sweep of 100 s at 60 Hz, keep final                          {} ("), (SWEEPS, "keep final (naive: mt19937_64)       {} (")),
+)
+# Document, a source, and what the document says with words, in «», of that source, for readers of its code or files.
+DEFINED = (
+    (SCHEMA, HEADER, "played frame by frame. Origin top left, «+x right, +y down»; px, px/s, s."),
+    (SCHEMA, "tools/files/scenario_members.cpp", '"time": { "description": "[low, high], both inclusive«, or a number as upper bound»."'),
+    (STUDIES, "sim/study/methods/cost.h", "is *cheaper* only if «the 95 % interval of a / b, round by round, is below 1»;"),
+    (STUDIES, "sim/study/methods/cost.cpp", "all costs are `«not measured: clock unsteady»`."),
+    (STUDIES, "sim/study/speed_error/speed_error_tables.cpp", "± standard error | least squares of «log error against log dt»;",
+     "each work once a round and «in random order».", "For each, the study measures the «largest distance from the exact fling», and",
+     "and the «time per simulated second». Exact means", "(`set_up` in the files: «time of a run before its first frame»)",
+     "An energy error is the «largest difference of energy / largest kinetic energy of the exact fling»,"),
+    (STUDIES, "sim/study/needs/needs_study.cpp", "`path moves` is the «largest distance at equal times»,", "`end moves` is the «distance at the end».",
+     "`contacts moved` counts «contacts that moved, appeared or vanished»,", "shorter a step is without the part, where that is above its «95 % interval»"),
+    (STUDIES, "sim/study/hard_cases/hard_cases_study.cpp", "verdicts «held, finding (an expected failure), broken, or finding gone (it holds)»."),
+    (STUDIES, "sim/study/frame_rate/frame_rate_study.cpp", "The score is «100 (1 - mean spread / mean horizontal path)»:",
+     "Other contacts: «flings that meet a side wall or the top another number of times» than at 60 Hz."),
+    (CARD, "sim/card/card_result.cpp", "Each line gives base and candidate (`«before -> after»`)", "after 20 s: «shift in x», and distance.",
+     "| step | whether both cores do the «same operations on every path»,", "Claims that were «not measured with one of the cores» are listed apart"),
+    (CARD, "sim/card/card.cpp", "the long one left out, «made by the constants of the base»;",
+     "or the «scenarios played again by another process» after everything else was measured"),
+    (CARD, "sim/card/core_run.h", "A scenario whose sprite still moves «within the last second of its file» is played on"),
+    (CARD, "sim/card/card.h", "Everything but the speed «is the same on every machine».", "| consequence | «the largest consequence for a user, one sentence»:",
+     "largest minus smallest x where a fling lands on 18 displays of 24 to 1000 Hz. «Of the flings that settle on all with both cores»;",
+     "settles: over «each step that touched one, the row minus the exact flight of the paper's laws from the row before».",
+     "It is lift («height: back to the wall»), bounces (", "bounces («speed across the walls that were touched») and friction («speed along them»).",
+     "Energy and exact motion are «of the flings that stay finite with both cores» |", "recorded`: those that end «elsewhere: more than half a pixel away» |",
+     "| exact motion | «distance from the exact motion of the paper's laws, frames left out, after» 1 to",
+     "«pairs of samples, base and candidate one after the other in changing order», and the ratio, «candidate / base, of each pair» |"),
 )
 SCENARIOS = len([path for path in (SOURCE / "scenarios").rglob("*.json") if not path.name.endswith(".schema.json")])
 WORDS = "zero one two three four five six seven eight nine ten".split()
@@ -293,6 +329,9 @@ def computed():
         (STUDIES, "and {} steps later stuck at two units of the last place ({}\npx/s)", [round(len(speeds) - normal, -1), speeds[-1]]),
         (STUDIES, "more than {} %\n({}th minus {}th percentile)", [100 * unsteady, *(100 * part for part in parts)]),
         (STUDIES, "is also dropped at {}\ndisplay rates", [len(rates_hz)]),
+        *((STUDIES, words, [100 * part for part in decided(f"sim/study/{source}.cpp", name)]) for words, source, name in (
+            ("spread less in more than {} % of the flings, beyond", "frame_rate/frame_rate_study", "steadier_by_time[clock].low() >"),
+            ("if the interval of their share is above {} %", "paper/energy_claims", "kBetter"), ("window is below\n  {} %", "paper/use_claims", "kMost"))),
         (DRIFT, "per frame: {} px of height per second at {} Hz, whatever", [round((drag - kappa**2 * phi2) * gravity * dt), 60]),
         (STUDIES, "| median ({} .. {} %) | quantiles", [100 * float(band[2]), 100 * float(band[3])]),
         ("README.md", "Below {} Hz a sprite on the floor", rates[:1]),
@@ -480,6 +519,60 @@ class Facts(unittest.TestCase):
         self.assertEqual(list(zip(re.findall(r"\w+", names), units.split(", "), strict=True)), columns)
         csv = [f"{name}_{unit.replace('/', '_per_')}" for name, unit in columns]
         self.assertIn(f"`{','.join(['step', *csv, 'contact'])}`", text_of(FILES))
+
+    def test_what_is_defined_has_the_words_of_the_source(self):
+        for document, source, *sentences in DEFINED:
+            code, text = (" ".join(each.split()).lower() for each in (re.sub(r'"\s+"|\n\s*//[/<!]*', " ", text_of(source)), text_of(document)))
+            for sentence in sentences:
+                with self.subTest(document=document, sentence=sentence):
+                    self.assertEqual([words for words in re.findall("«(.*?)»", sentence.lower()) if words not in code], [])
+                    self.assertTrue(re.sub("[«»]", "", sentence).lower() in text)
+
+    def test_the_ways_to_end_on_the_floor_have_their_names_in_files(self):
+        names, texts = (re.findall('"(.*?)"', re.search(array + r" = \{(.*?)\}", text_of("sim/study/rest/rest_map.h"))[1])
+                        for array in ("kFinalStateNames", "kTexts"))
+        rows = re.findall(r"^\| .*px/s \| .*Hz \| (.*?) \| (`.*) \|$", text_of(STUDIES), re.MULTILINE)
+        self.assertEqual(len(rows), 4)
+        for ends, codes in rows:
+            self.assertEqual(codes, ", ".join(f"`{name}`" for name, text in zip(names, texts) if text in ends))
+
+    def test_what_is_said_of_bounces_is_what_is_printed(self):
+        rows = re.findall(r"^  (the paper's step|explicit Euler) +(\d+) +(\S+) \(.*?\) +(\S+) \(", text_of(STUDIES), re.MULTILINE)
+        after = {(method, int(rate)): (float(minute), float(ten)) for method, rate, minute, ten in rows}
+        self.assertTrue(all(part < 1 for (method, _), parts in after.items() for part in parts if method != "explicit Euler"))
+        self.assertTrue(all(part > 1 for (method, _), parts in after.items() for part in parts if method == "explicit Euler"))
+        self.assertIn("The paper's step loses energy in most throws, explicit Euler gains it.", text_of(STUDIES))
+        low, high = stated(STUDIES, "at {} Hz the\n  paper's step has more left after a minute than at {} Hz, and as much after ten")[::-1]
+        (low_minute, low_ten), (high_minute, high_ten) = after["the paper's step", low], after["the paper's step", high]
+        self.assertGreater(high_minute, 1.1 * low_minute)
+        self.assertAlmostEqual(high_ten, low_ten, delta=0.05)
+        off = re.findall(r"^ +(\d+)  \d+ \(\d+ \.\. \d+\) +(\d+) \(.* (\d+) \(\d+ \.\. \d+\) +\d+ of 121$", text_of(STUDIES), re.MULTILINE)
+        by_time = [int(row[2]) for row in off]
+        self.assertEqual(by_time, sorted(by_time, reverse=True))
+        self.assertIn("by time\nflings settle nearer to it the shorter the frames are", text_of(STUDIES))
+        self.assertRegex(text_of(STUDIES), r"\n  the paper's step +-\d\S+ ± [^`]*```\n\n[^`]*`order`[^`]*The paper's step\n  has a negative one")
+        self.assertEqual([float(min(off, key=lambda row: int(row[1]))[0])], stated(STUDIES, "by the paper's step they do so near {} Hz"))
+
+    def test_the_card_of_the_document_is_one_of_the_program(self):
+        text, source = text_of(CARD), re.sub(r'"\s+"', "", text_of("sim/card/core_defect.h"))
+        defects = re.findall(r'"([a-z, ]+): ((?:a fling|setPos)[^"]*)"', source)
+        self.assertEqual(len(defects), 5)
+        for reason, how in defects:
+            self.assertIn(f"\n| {reason} | {how}", text)
+        general = re.findall(r'\{"([\w-]+)", ".*true\}', text_of("sim/search/invariant.h"))
+        self.assertEqual(re.findall("`(.*?)`", re.search(r"Those of any core \((.*?)\)", text)[1]), general)
+        card = re.search(r"```text\n(.*?)```", text, re.DOTALL)[1]
+        lines = re.findall(r"^  ([a-z][a-z' ]*?)  ", card, re.MULTILINE)
+        self.assertEqual(re.findall(r"^\| ([a-z' ]+) \| ", text.partition("| line | measures |")[2], re.MULTILINE), lines)
+        of_program = re.search(r"what is measured: \d+: '(.*)'", text_of("tests/unit/sim/card/measured.txt"))[1]
+        self.assertEqual([*re.sub(r" '' x\d+", "", of_program).split("' '"), "consequence"], lines)
+        same, *classes = (int(each) for each in re.findall(r"\d+", re.search(rf"scenarios: (\d+) of {SCENARIOS} the same(.*)", card)[0].replace(f" of {SCENARIOS}", "")))
+        self.assertEqual(same + sum(classes), SCENARIOS)
+        self.assertIn(f"changed in {classes[-1]} of {SCENARIOS} scenarios: ", card)
+        self.assertIn(f" of {len(list((SOURCE / 'scenarios/recorded').glob('*.json')))} end elsewhere", card)
+        self.assertIn(f" of {int(stated(STUDIES, 'paper: {} claims measured')[0])} change, ", card)
+        before, after, flings = re.search(r"Hz: (\S+) \(.*?\) -> (\S+) \(.*?\) px, \d+ of (\d+) flings", card).groups()
+        self.assertIn(f"lands {after} px apart instead of {before} px (median of {flings}).", card)
 
     def test_errors_of_contacts_are_what_their_columns_are(self):
         columns = text_of("sim/reference/drift_columns.h")

@@ -26,9 +26,14 @@ class Errors(DriftTest):
         self.assertIsNone(run["worst"]["gsl_vs_closed_px"])
 
     def test_without_an_exact_fling_the_document_says_why(self):
-        run = self.drift_of(fling(window={"width_px": 40, "height_px": 40}))
+        run = self.drift_of(fling(window={"width_px": 40, "height_px": 40}), "-o", "drift.h5")
         self.assertIsNone(run["whole"])
         self.assertEqual(run["whole_why"], "the sprite is larger than its window in row 0")
+        with h5py.File(self.folder / "drift.h5") as file:
+            self.assertEqual((file["drift"].attrs["whole_why"], "whole" in file["drift"]), (run["whole_why"], False))
+        self.assertIsNone(self.drift_of(fling(), "-o", "drift.h5")["whole"]["contacts_differ_from"])
+        with h5py.File(self.folder / "drift.h5") as file:
+            self.assertEqual(list(file["drift/whole/contacts_differ_from"]), [-1])
 
     def test_a_long_rest_is_counted_without_being_played(self):
         steps = 60_000

@@ -33,6 +33,7 @@ class Folders(ProgramTest):
         self.link("../elsewhere/two.json", "scenarios/linked.json")
         self.write("scenarios/c.json/three.json", fling(name="three"))
         self.write("scenarios/two.schema.json", fling(name="two"))
+        self.write("scenarios/Makefile", "all:")
         self.write("scenarios/scenario.schema.json", self.expect(AGREED, "schema").out)
         self.link("nowhere", "scenarios/notes.txt")
         self.link("scenarios", "link")

@@ -87,7 +87,7 @@ class ReplayCheckCases:
         summary.rename(self.folder / "golden/third.txt")
         self.check(GOLDEN_MISSING, says="golden/third.txt exists, but golden/third.h5 is missing")
         self.write("alone.json", fling())
-        self.check(GOLDEN_MISSING, "alone.json", says="alone.json: missing: no golden file: no folder `scenarios` above it")
+        self.check(GOLDEN_MISSING, "alone.json", says="alone.json: missing: no golden file: no folder `scenarios` above it; --golden DIR names the folder to look in")
 
     def test_an_expected_state_hash_replaces_a_missing_golden_file(self):
         known = self.run_replay("scenarios/third.json").out.split()[0]

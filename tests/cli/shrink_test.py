@@ -92,16 +92,17 @@ class Refused(ProgramTest):
         self.write("fling.json", fling())
         self.before = self.state_of(".")
 
-    def refuse(self, *arguments, says, exit_code=BAD_INPUT):
+    def refuse(self, *arguments, says, exit_code=BAD_INPUT, **options):
         """Nothing is written."""
-        self.expect(exit_code, "shrink", *arguments, says=says)
+        self.expect(exit_code, "shrink", *arguments, says=says, **options)
         self.assertEqual(self.state_of("."), self.before)
 
     def test_options_and_commands_that_do_not_exist(self):
         self.refuse("fling.json", "--fails", "test {}", "--against", "x", "-o", "small.json", says="exactly one is needed")
         self.refuse("none.json", "--fails", "test {}", "-o", "small.json", says="none.json", exit_code=CANNOT_ACCESS)
         self.refuse("fling.json", "--fails", "test {}", "--time-limit", "0", "-o", "small.json", says="--time-limit")
-
+        says = ("/none/hyrax-sim-", ": cannot be created: No such file or directory")
+        self.refuse("fling.json", "--fails", "false {}", "-o", "small.json", says=says, exit_code=CANNOT_ACCESS, env={**os.environ, "TMPDIR": "/none"})
         for command in ("./no-such-command {}", "./fling.json {}"):
             self.refuse("fling.json", "--fails", command, "-o", "small.json", says=f"the shell cannot run `{command}`: ")
 

@@ -3,6 +3,7 @@
 
 import functools
 import json
+import re
 import sys
 import tempfile
 
@@ -49,6 +50,12 @@ class Paper(ProgramTest):
         for claim, number, off in (("2.2-terminal", 0.999 * 1200 / 60 / 0.001, 1e-6), ("2.2-stokes", 8, 1e-9),
                                    ("3.2.2-infinite-bounce", 0.999 * 1200 * 0.6 / 5, 0.01), ("5-energy-retention", 0.36, 1e-12)):
             self.assertAlmostEqual(measured()[claim]["number"], number, delta=off * max(1, number), msg=claim)
+
+    def test_the_file_in_the_document_has_verdicts_of_the_program(self):
+        shown = json.loads(re.search(r"```json\n(.*?)```", (SOURCE / "sim/study/README.md").read_text(encoding="utf-8"), re.DOTALL)[1])
+        expected = json.loads(EXPECTED.read_text(encoding="utf-8"))
+        self.assertEqual((shown.keys(), shown["format"]), (expected.keys(), expected["format"]))
+        self.assertLessEqual(shown["verdicts"].items(), expected["verdicts"].items())
 
     def test_another_verdict_breaks_the_gate_and_is_named(self):
         path = self.expected("2.3-energy", "holds")

@@ -33,7 +33,7 @@ class Needs(ProgramTest):
         self.assertEqual(self.verdicts(path, "--within", "0.001 px")["drag"], "needed")
 
     def test_a_scene_without_exact_solution_says_so(self):
-        self.assertIn("its window cannot hold its sprite", self.expect(
+        self.assertIn("No cheapest method: its window cannot hold its sprite, so that it has no exact solution.", self.expect(
             AGREED, "study", "needs", HARD / "sprite-larger-than-window.json", "--quick", "--no-figures").out)
 
 
@@ -71,7 +71,7 @@ class HardCases(ProgramTest):
         document = self.study(AGREED, HARD / "a-fling-a-minute.json", "--json").json
         names = [case["case"] for case in document["cases"]]
         self.assertEqual(names, ["a-fling-a-minute", "a-fling-a-minute/an-hour"])
-        self.study(BAD_INPUT, HARD / "ten-million-steps.json", says="no case is left with --quick")
+        self.study(BAD_INPUT, HARD / "ten-million-steps.json", says="hyrax-sim study hard-cases: no case is left with --quick; run it without")
 
 
 class Usage(ProgramTest):
@@ -86,8 +86,8 @@ class Usage(ProgramTest):
                 (BAD_INPUT, "speed-error: takes no --within", "speed-error", "--within", "1px"),
                 (BAD_INPUT, "large.json: cannot be studied for speed against error: its window cannot hold its sprite",
                  "speed-error", "large.json", "--quick"),
-                (BAD_INPUT, "must differ from the other problems' (found fling)", "speed-error", "fling.json", "--quick"),
-                (BAD_INPUT, "a scenario must be given", "needs"),
+                (BAD_INPUT, "fling.json: /name: must differ from the other problems' (found fling); give it another name", "speed-error", "fling.json", "--quick"),
+                (BAD_INPUT, "a scenario must be given; `hyrax-sim study needs scenarios` takes all", "needs"),
                 (BAD_INPUT, no_length + "'1 mm')", "needs", "fling.json", "--within", "1 mm"),
                 (BAD_INPUT, no_length, "needs", "fling.json", "--within=-1px"),
                 (BAD_INPUT, no_length, "needs", "fling.json", "--within", "nan"),

@@ -114,7 +114,7 @@ class Parts(FilesTest):
             file.attrs["rows_done"] = numpy.int64(7)
         os.rename(self.folder / second, self.folder / f"{second}.partial")
         self.sweep("sweep.json", "--part", "1/2", "-o", "out.h5", "--resume", exit_code=BAD_INPUT,
-                   says="is of another sweep, part or physics model")
+                   says="is of another sweep, part or physics model; `--force` starts over")
 
     def test_a_result_of_another_physics_model_is_computed_again(self):
         self.file("out.h5")
@@ -130,6 +130,11 @@ class Parts(FilesTest):
         members = [i for i in range(100) if eval(rule.replace("mod", "%").replace("=", "=="), {}, {"i": i, "N": 2, "I": 1})]  # pylint: disable=eval-used
         self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT,
                    says=f"{second}: inputs/start.vx_px_per_s: the input of member {members[4]} is not the sweep's")
+        for change, says in ((lambda file: file.move("members/x", "members/z"), "is damaged: a column is missing, or has another length"),
+                             (lambda file: file.attrs.update(part=2), "is no result file of a sweep")):
+            with h5py.File(self.folder / second, "a") as file:
+                change(file)
+            self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT, says=f"{second}: {says}")
         self.assertEqual(self.names(), [first, second, "sweep.json"])
 
     def test_a_merged_file_replaces_no_link_of_another_name(self):
@@ -330,13 +335,15 @@ class Interrupted(FilesTest):
 
     def test_a_part_with_fewer_than_no_rows_or_more_than_all_is_damaged(self):
         os.rename(self.folder / self.file("out.h5"), self.folder / "sweep.h5.partial")
-        for rows in (-1, 101):
+        for rows, column in ((-1, "x"), (101, "x"), (0, "z")):
             with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
                 file.attrs["rows_done"] = numpy.int64(rows)
+                file.move("members/x", f"members/{column}")
             self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="is damaged; `--force` starts over")
             self.assertEqual(self.names(), ["sweep.h5.partial", "sweep.json"])
         with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
             file.attrs["rows_done"] = numpy.int64(100)
+            file.move("members/z", "members/x")
         self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 0)
 
 

@@ -195,13 +195,6 @@ class Text(CompareTest):
 
         self.assertEqual(*([line for line in card.splitlines() if "ns a step" not in line] for card in (text, shown)))
 
-    @unittest.skipUnless(IS_ALL, "nightly")
-    def test_what_has_no_scenarios_is_not_measured(self):
-        self.library(["flings/first-fling"])
-        header = self.header("same", [])
-        text = self.compare(AGREED, header, "--scenarios", "library", "--flings", 1).out
-        self.assertEqual(text.count("not measured: no scenarios in a folder named"), 2)
-
 
 class Consequence(CompareTest):
     """The largest consequence for a user, in one sentence."""
@@ -215,11 +208,6 @@ class Consequence(CompareTest):
         card = self.card("lighter_in_a_small_window")
         self.assertEqual((card["scenarios"]["changed"], card["flings"]["classes"]["same_bits"]), ([], FLINGS))
         self.assertRegex(card["consequence"], r"[1-9]\d* of 500 random runs")
-
-    @unittest.skipUnless(IS_ALL, "nightly")
-    def test_a_sprite_that_vanishes_comes_first(self):
-        consequence = self.card("not_a_number")["consequence"]
-        self.assertTrue(consequence.startswith("The sprite vanishes in "), consequence)
 
     @unittest.skipUnless(IS_ALL, "nightly")
     def test_two_headers_may_define_the_same_function_differently(self):
@@ -308,9 +296,6 @@ class OtherInterface(CompareTest):
         card = self.card("other_step", [("AIR_DRAG = 0.999", "DRAG = 0.998"), ("AIR_DRAG", "DRAG"), *edits])
         self.assertEqual(card["lacking"], "the candidate has no GRAVITY, AIR_DRAG")
         self.assertGreater(card["hard_cases"]["random_runs_changed"]["count"], 100)
-        outcome = self.compare(AGREED, "same_step.h", "other_step.h", "--scenarios", "library", "--flings", FLINGS)
-        lacking = "not measured: the base has no GRAVITY, AIR_DRAG; the candidate has no GRAVITY\n"
-        self.assertIn(f"  invariants      {lacking}  paper's claims  {lacking}", outcome.out)
 
     def test_what_it_prints_and_its_macros_change_nothing(self):
         prints = [("#include <cmath>\n", "#include <cmath>\n#include <cstdio>\n#define State 1\n#define Bounds 2\n#  define core 3\n"

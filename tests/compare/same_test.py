@@ -88,6 +88,10 @@ class SameTest(ProgramTest):
         self.assertEqual(card["recordings"], {"recordings": 2, "moved": []})
         self.assertEqual(card["consequence"], "None: every row has the same bits.")
         self.assertGreater(card["cost"]["step_ns"]["after"]["median"], 0.0)
+        said, of_band, of_share = re.search(r"with all digits: (.*?)\. A band is `\{(.*?)\}`, a share\s`\{(.*?)\}`",
+                                            " ".join((SOURCE / "sim/card/README.md").read_text(encoding="utf-8").split())).groups()
+        self.assertEqual(re.findall(r"`(\w+)`", re.sub(r"\(.*?\)", "", said)), list(card)[list(card).index("step"):])
+        self.assertEqual([of_band, of_share], [", ".join(each) for each in (card["cost"]["ratio"], hard["random_runs_changed"])])
 
     def test_an_accepted_core_that_is_damaged_or_missing_is_named(self):
         self.assertEqual(self.compare("--golden", "golden"),

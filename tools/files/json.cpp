@@ -78,9 +78,8 @@ Decimal decimal_of(std::string_view text) {
   if (exponent.starts_with('+')) exponent.remove_prefix(1);
   std::int64_t tens = 0;
   const auto read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), tens);
-  if (read.ec == std::errc::result_out_of_range)
-    tens = exponent.starts_with('-') ? std::numeric_limits<std::int64_t>::min()
-                                     : std::numeric_limits<std::int64_t>::max();
+  // One that is too large is that of a zero: any other number is beyond binary64.
+  if (read.ec == std::errc::result_out_of_range) tens = std::numeric_limits<std::int64_t>::min();
   return {text.substr(0, end), std::min(text.find_first_not_of("-0123456789"), end), tens};
 }
 

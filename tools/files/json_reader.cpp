@@ -13,15 +13,12 @@
 namespace hyrax {
 namespace {
 
+// REQUIRES: a rule with a low limit.
 std::string sentence_of(const NumberRule& rule) {
-  const bool has_low = std::isfinite(rule.low);
-  const bool has_high = std::isfinite(rule.high);
-  if (has_low && rule.excludes_low)
-    return "must be greater than " + to_text(rule.low) +
-           (has_high ? " and at most " + to_text(rule.high) : "");
-  if (has_low && has_high) return "must be " + to_text(rule.low) + " .. " + to_text(rule.high);
-  if (has_low) return "must be at least " + to_text(rule.low);
-  return "must be a number";
+  const std::string low = to_text(rule.low), high = to_text(rule.high);
+  if (!std::isfinite(rule.high)) return "must be at least " + low;
+  return rule.excludes_low ? "must be greater than " + low + " and at most " + high
+                           : "must be " + low + " .. " + high;
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ std::string name_from(std::string_view stem) {
   std::string name;
   for (const char c : stem.substr(0, static_cast<std::size_t>(kNameLengthMax)))
     name += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
-  return name.empty() ? "sweep" : name;
+  return name;
 }
 
 // The base without `expect`; sets its path.

@@ -78,7 +78,7 @@ Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_p
 
 // The cheapest point of a scenario's methods, or of the paper's step; nullptr if there is none.
 const WorkPoint* cheapest_of(const ScenarioNeeds& needs, bool of_paper = false) {
-  if (!needs.methods || needs.methods->cheapest.empty()) return nullptr;
+  if (!needs.methods) return nullptr;
   const CheapestBelow& answer = needs.methods->cheapest.front();
   const PointIndex& point = of_paper ? answer.paper_point : answer.point;
   return point ? &needs.methods->points[*point] : nullptr;
@@ -195,8 +195,7 @@ Table printed_parts(const ScenarioNeeds& needs) {
 }
 
 std::string cheapest_text(const ScenarioNeeds& needs, double within_px) {
-  if (!needs.methods)
-    return needs.why_no_methods.empty() ? "" : "\nNo cheapest method: " + needs.why_no_methods + ".";
+  if (!needs.methods) return "\nNo cheapest method: " + needs.why_no_methods + ".";
   const WorkPoint* const best = cheapest_of(needs);
   const WorkPoint* const paper = cheapest_of(needs, true);
   const std::string head = fmt::format("\nCheapest within {:g} px of the exact motion: ", within_px);
@@ -232,14 +231,12 @@ void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, c
     verdict.text.push_back(fmt::format("  and {} more, in the files", needs.parts.size() - kPartsPrintedMax));
   verdict.text.push_back(fmt::format(
       "{}{}\n"
-      "With all {} parts that are not needed left out at once, the path moves {}, {} {:g} px.{}",
+      "With all {} parts that are not needed left out at once, the path moves {}, within {:g} px.{}",
       request.core_step
           ? fmt::format("It takes {} of the step.\n", paths_text(needs.paths_taken, *request.core_step))
           : "",
       step_text(needs, request.machine), unneeded_count(needs),
-      length_text(needs.without_all_unneeded.path_px),
-      needs.without_all_unneeded.path_px <= within_px ? "within" : "more than", within_px,
-      cheapest_text(needs, within_px)));
+      length_text(needs.without_all_unneeded.path_px), within_px, cheapest_text(needs, within_px)));
 }
 
 std::vector<ScenarioNeeds> study_all(const StudyRequest& request, const NeedsOptions& options) {

@@ -47,7 +47,12 @@ TEST(Consequence, OfFewRunsNamesTheWorst) {
   Card card{.flings = 100, .scenarios = 3};
   card.random.classes.same_bits = 100;
   EXPECT_EQ(consequence_of(card), "None: every row has the same bits.");
+  card.random.classes.same_bits = 99;
+  EXPECT_TRUE(card.has_other_bits());
+  EXPECT_EQ(consequence_of(card), "None that can be seen: only speeds differ.");
+  card.random.classes.same_bits = 100;
   card.library.changed = {far_away(0.0)};
+  EXPECT_TRUE(card.has_other_bits());
   EXPECT_EQ(consequence_of(card), "None that can be seen: only speeds differ.");
   card.library.changed = {far_away(0.25)};
   EXPECT_EQ(consequence_of(card), "None that can be seen: no sprite is more than 0.25 px from where it was.");
@@ -63,9 +68,19 @@ TEST(Consequence, OfFewRunsNamesTheWorst) {
 TEST(Consequence, CountsHardCasesAndRandomRuns) {
   Card card{.flings = 100, .scenarios = 3};
   card.random.classes.same_bits = 100;
-  card.claims.other_numbers = 1;
+  for (const ClaimLine& claims :
+       {ClaimLine{.changed = {{}}, .not_measured = {}}, ClaimLine{.changed = {}, .not_measured = {"a"}},
+        ClaimLine{.changed = {}, .not_measured = {}, .other_numbers = 1}}) {
+    card.claims = claims;
+    EXPECT_EQ(consequence_of(card),
+              "None in scenarios, flings, hard cases and random runs; claims of the paper change.");
+  }
+  EXPECT_FALSE(card.has_other_bits());
+  EXPECT_TRUE(Card{.hard_cases = {.other_cases = 1}}.has_other_bits());
+  card.hard_cases = {.cases = 144, .other_random_runs = {172, 500}};
+  EXPECT_TRUE(card.has_other_bits());
   EXPECT_EQ(consequence_of(card),
-            "None in scenarios, flings, hard cases and random runs; claims of the paper change.");
+            "None in scenarios and flings; 0 of 144 hard cases and 172 of 500 random runs differ.");
   card.hard_cases = {.cases = 144, .other_cases = 2, .other_random_runs = {172, 500}};
   EXPECT_EQ(consequence_of(card),
             "None in scenarios and flings; 2 of 144 hard cases and 172 of 500 random runs differ.");

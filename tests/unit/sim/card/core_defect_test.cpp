@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/physics/physics.h"
+
 namespace hyrax {
 namespace {
 
@@ -79,6 +81,16 @@ struct HasRoom : Ball {
 template <class Core>
 std::string defect_of() {
   return DefectSearch<Core>().search();
+}
+
+struct HasTwoConstants : Ball {
+  static constexpr double AIR_DRAG = 0.5, REST_THRESHOLD = 1.0;
+};
+
+TEST(LackingConstants, AreThoseThatAClassDoesNotName) {
+  EXPECT_EQ(lacking_constants<Ball>(), "GRAVITY, RESTITUTION, AIR_DRAG, GROUND_FRICTION, REST_THRESHOLD");
+  EXPECT_EQ(lacking_constants<HasTwoConstants>(), "GRAVITY, RESTITUTION, GROUND_FRICTION");
+  EXPECT_EQ(lacking_constants<physics>(), "");
 }
 
 TEST(CoreDefect, IsNoneWhereFourNumbersAreTheState) { EXPECT_EQ(defect_of<Ball>(), ""); }

@@ -66,6 +66,21 @@ TEST(CompareRuns, FindsADifferenceBeforeAndPastTheLastRowKept) {
     const RunChange change = changed_to(run_with_friction(0.7, scenario));
     EXPECT_FALSE(change.has_same_bits) << is_cut;
     EXPECT_EQ(change.is_cut, is_cut);
+    if (!is_cut) continue;
+    const RunChange ended = changed_to(run_with_friction(1e300, scenario));
+    EXPECT_TRUE(ended.became_non_finite);
+    EXPECT_EQ(ended.difference, DifferenceClass::shape) << "though all rows that were kept are the same";
+  }
+}
+
+TEST(CompareRuns, FindsNoStateThatBecameNonFiniteWhereThatOfTheBaseDidToo) {
+  Constants unbounded = kPaper;
+  unbounded.air_drag = 1e200;
+  const Scenario scenario = fling_at(60.0, 5);
+  const CoreRun run = play_by(listing_core(unbounded), scenario);
+  for (CoreRun base : {run, run_with_friction(0.8, scenario)}) {
+    CoreRun candidate = run;
+    EXPECT_EQ(compare_runs(scenario, base, candidate).became_non_finite, base.is_finite);
   }
 }
 

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "sim/card/card.h"
+#include "sim/core/core_of.h"
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
+#include "sim/physics/physics.h"
+#include "sim/trajectory/physics_model.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
 
@@ -27,11 +30,15 @@ ComparedCore candidate_with(void (*change)(Constants&)) {
                        play_watch);
 }
 
+Constants& bouncy(Constants& constants) {
+  constants.restitution = 0.9;
+  return constants;
+}
+
 TEST(MeasuredCard, IsTheOneApproved) {
   const ComparedCore base = base_core();
   const ComparedCore candidate = candidate_with([](Constants& constants) {  // Bounces higher, slides farther.
-    constants.restitution = 0.9;
-    constants.ground_friction = 0.95;
+    bouncy(constants).ground_friction = 0.95;
   });
   Scenario high = fling_at(60.0, 60);  // Bounces for half a minute by the candidate.
   high.window.height_px = 5000;
@@ -43,6 +50,7 @@ TEST(MeasuredCard, IsTheOneApproved) {
                       .seed = 3,
                       .flings = 6,
                       .now_ns = [&] { return now_ns += 100'000 + 400 * (++calls % 7); }};
+  request.proof = {.is_complete = true, .is_equal = false, .why = "they differ"};
   request.recordings = {request.library[1]};
   request.hard = {request.library[2]};
   request.rows_hash = {rows_hash(base, request), rows_hash(candidate, request)};
@@ -54,9 +62,80 @@ TEST(MeasuredCard, IsTheOneApproved) {
   text += "a drop moves " + described(rest.moved_px.before) + "; springy " + described(rest.moved_px.after) +
           "\n";
   text += described(result.verdict);
-  for (const Table& table : result.summary) text += described(table);
+  for (const Table& table : result.tables) text += described(table);
   for (const Figure& figure : result.figures) text += described(figure);
   expect_approved("tests/unit/sim/card/measured.txt", text);
+}
+
+// The core that is refused, and why.
+std::string refused(const auto& work) {
+  try {
+    work();
+  } catch (const CoreRefused& refusal) {
+    return std::to_string(refusal.core) + ": " + refusal.what();
+  }
+  return "";
+}
+
+TEST(MeasuredCard, LeavesOutWhatIsNotMeasuredOrNoChange) {
+  ComparedCore base = base_core();
+  ComparedCore candidate =
+      candidate_with([](Constants& constants) { bouncy(constants).ground_friction = 0.95; });
+  Scenario frozen = fling_at(60.0, 50);  // In frames of no time it settles with neither core, nor moves in x.
+  frozen.clock.base = FixedStep{0.0};
+  frozen.start.y_px = 957.0;
+  std::int64_t now_ns = 0;
+  CardRequest request{.library = {{"recorded/frozen.json", frozen}},
+                      .hard = {{"hard/long.json", fling_at(60.0, 2'000'000)}},
+                      .flings = 1,
+                      .now_ns = [&] { return now_ns += 100'000; },
+                      .proof = {.is_equal = true}};
+  request.recordings = request.library;
+  base.lacking = "GRAVITY";
+  candidate.lacking = "AIR_DRAG";
+  request.rows_hash = {rows_hash(base, request), rows_hash(candidate, request)};
+  const Card other = measure_card(base, candidate, request);
+  EXPECT_EQ(other.step.status, StepStatus::not_proved);
+  EXPECT_EQ(other.step.why, "the traced steps are equal, but the compiled cores give other bits");
+  EXPECT_EQ(other.lacking, "the base has no GRAVITY; the candidate has no AIR_DRAG");
+  EXPECT_EQ(other.claims.claims, 0);
+  EXPECT_EQ(other.hard_cases.cases, 0) << "a long one";
+  EXPECT_GT(other.hard_cases.other_random_runs.count, 0);
+  EXPECT_EQ(other.hard_cases.listing.random_runs.after.count, 0);
+  ASSERT_EQ(other.library.changed.size(), 1u);
+  EXPECT_FALSE(other.library.changed[0].change.no_longer_settles);
+  EXPECT_EQ(other.recordings.value().recordings, 1);
+  EXPECT_TRUE(other.recordings->moved.empty());
+  request.rows_hash.after = request.rows_hash.before;
+  EXPECT_EQ(refused([&] { static_cast<void>(measure_card(base, candidate, request)); }),
+            "1: does not repeat: scenarios played again by another process differ");
+  candidate.lacking.clear();
+  request.rows_hash.before = request.rows_hash.after = rows_hash(candidate, request);
+  const Card same = measure_card(candidate, candidate, request);
+  EXPECT_EQ(same.step.status, StepStatus::proved_equal);
+  EXPECT_GT(same.hard_cases.general.random_runs.before.count, 0);
+  EXPECT_EQ(same.hard_cases.general.random_runs.after.count,
+            same.hard_cases.general.random_runs.before.count);
+  EXPECT_TRUE(same.hard_cases.general.newly_broken.empty());
+}
+
+// Plays the beginning of a second run otherwise.
+struct Worn : physics {
+  using physics::physics;
+  void update(double dt_s, int width_px, int height_px, int sprite_width_px, int sprite_height_px) {
+    static int calls = 0;
+    physics::update(++calls > 100 ? 0.5 * dt_s : dt_s, width_px, height_px, sprite_width_px,
+                    sprite_height_px);
+  }
+};
+
+TEST(MeasuredFlings, AreRefusedOfACoreThatDoesNotRepeatThem) {
+  const Core worn = core_of<Worn>(kPhysicsModel, {});
+  const ComparedCore candidate = compared_core(1, {.counted = worn, .timed = worn, .lacking = {}},
+                                               {.why_incomplete = "not traced"}, play_watch);
+  Card card{.seed = 5, .flings = 2};
+  EXPECT_EQ(refused([&] { measure_flings(base_core(), candidate, card); }),
+            "1: does not repeat: random fling 0 of seed 5 played twice differs");
 }
 
 TEST(MeasuredFlings, ThatDoNotStayFiniteAreLeftOutOfBothCores) {

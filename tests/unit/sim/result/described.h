@@ -169,10 +169,19 @@ inline std::string described(const std::vector<Plot>& plots) {
 inline std::string described(const Grid& grid) {
   std::string text = "  rows " + described(grid.rows) + "\n";
   for (const auto& [name, tone] : grid.columns) text += "  column '" + name + "' " + described(tone) + "\n";
-  for (const Cell& cell : grid.cells)
-    text += "  cell " + std::to_string(cell.row) + ", " + std::to_string(cell.column) + " " +
-            described(cell.tone) + " '" + cell.text + "' " + six_digits(cell.left) + " .. " +
-            six_digits(cell.right) + "\n";
+  const auto look_of = [](const Cell& cell) {
+    return " " + described(cell.tone) + " '" + cell.text + "' " + six_digits(cell.left) + " .. " +
+           six_digits(cell.right) + "\n";
+  };
+  for (std::size_t at = 0, end = 0; at < grid.cells.size(); at = end) {  // Equal neighbours in one line.
+    const Cell& cell = grid.cells[at];
+    for (end = at + 1; end < grid.cells.size() && grid.cells[end].row == cell.row &&
+                       grid.cells[end].column == cell.column + (end - at) &&
+                       look_of(grid.cells[end]) == look_of(cell);)
+      ++end;
+    text += "  cell " + std::to_string(cell.row) + ", " + std::to_string(cell.column) +
+            (end - at > 1 ? " .. " + std::to_string(cell.column + (end - at) - 1) : "") + look_of(cell);
+  }
   return text;
 }
 

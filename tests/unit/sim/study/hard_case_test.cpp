@@ -107,6 +107,22 @@ TEST(HardCase, ExpectedFailuresAreThoseOfWhatAScenarioDoes) {
   }
 }
 
+TEST(HardCase, ThatDoesMoreOrLessThanAFamilyIsOneCase) {
+  std::vector<Scenario> others(6, fling_at(60.0, 10'000, {{std::int64_t{10}, Stop{}}}));
+  others[0].clock.jitter = Jitter{Jitter::Kind::uniform, 0.1, 1};
+  others[1].clock.jitter = others[2].clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.1, 1};
+  others[2].events.clear();
+  others[3].start_velocity = {};
+  others[3].start.y_px = 952.0;
+  others[4].events = {{std::int64_t{10}, Hitch{0.1}}};  // It does not land.
+  others[4].window.height_px = 1'000'000;
+  others[5].events.clear();  // Into the right wall, far from a corner.
+  others[5].start.x_px = 1782.0;
+  others[5].start_velocity = {900.0, 900.0};
+  for (std::size_t each = 0; each < others.size(); ++each)
+    EXPECT_EQ(hard_cases_of(shipped_core(), others[each]).size(), 1u) << each;
+}
+
 // Names are the user's own.
 TEST(HardCase, AFlingOfAFamilysNameIsOneCase) {
   for (const char* const name : {"grazing", "any-jitter", "a-fling-a-minute", "trace-of-extremes", "rest",

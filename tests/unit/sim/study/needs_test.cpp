@@ -180,13 +180,26 @@ TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
   }
 }
 
+TEST(NeedsCoverage, SaysThatNoPartIsWithoutAScenario) {
+  ScenarioNeeds needs;
+  for (const std::string& part : coverage_columns())
+    needs.parts.push_back({.part = part, .model_part = {}, .need = Need::needed_jointly});
+  const Verdict verdict = coverage_verdict({needs}, 1.0);
+  EXPECT_EQ(std::get<std::string>(verdict.text[2]), "Every part is exercised by some scenario.");
+  EXPECT_EQ(std::get<std::vector<std::int64_t>>(std::get<Table>(verdict.text[1]).columns[2].values),
+            std::vector<std::int64_t>(needs.parts.size(), 1))
+      << "needed by";
+}
+
 TEST(NeedsFigure, HasABarWithoutBoundAsLongAsTheLongestAndNoMarkOfToleranceZero) {
   ScenarioNeeds needs;
   needs.parts = {{"gravity", Part::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed},
-                 {"ground", Part::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed}};
+                 {"ground", Part::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed},
+                 {"drag", Part::drag, {false, 2.0, 1.0, 1, 1}, Need::needed_jointly}};
   const Plot plot = std::get<std::vector<Plot>>(needs_figure(needs, 0.0).body).front();
-  EXPECT_EQ(plot.series[0].x, (std::vector<double>{941.0, 941.0}));
+  EXPECT_EQ(plot.series[0].x, (std::vector<double>{941.0, 941.0, 2.0}));
   EXPECT_EQ(plot.texts[1].text, "without bound");
+  EXPECT_EQ(plot.texts[2].text, "2 px, 1 contact moved, needed with others left out");
   EXPECT_TRUE(plot.marks.empty());
 }
 

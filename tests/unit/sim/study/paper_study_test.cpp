@@ -180,6 +180,15 @@ TEST(Paper, OnlyAnotherOrMissingVerdictIsBrokenAndColoured) {
   EXPECT_EQ(drag[2].fill, Tone::good);
   EXPECT_EQ(drag[3].text, "does not hold");
   EXPECT_EQ(drag[3].fill, Tone::bad);
+  EXPECT_EQ(
+      result.figures.front().subtitle,
+      "Each sentence against the core: 26 hold, 6 hold on a condition, 9 do not hold; an expected verdict "
+      "that differs is coloured");
+  std::vector<Claim> unmeasured = claims();
+  unmeasured[row_of("2.3-energy")].verdict = ClaimVerdict::not_measured;
+  EXPECT_EQ(
+      std::get<std::string>(paper_result(unmeasured, {}).verdict.text.front()),
+      "paper: 41 claims measured: 26 hold, 6 hold on a condition, 8 do not hold, 1 could not be measured");
   const ListField same = shown_claim(result, "2.2-stokes")[3];
   EXPECT_EQ(same.text, "holds when");
   EXPECT_EQ(same.fill, Tone::none);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "sim/study/methods/problem.h"
 #include "tests/unit/sim/replay/some_flings.h"
 
@@ -71,16 +73,37 @@ TEST(ProblemOfScenario, IsCutOnlyAboveItsLimits) {
 }
 
 TEST(ProblemOfScenario, WithoutTimeOrRoomIsRefused) {
-  Scenario scenario = fling();
-  scenario.length = std::int64_t{0};
-  EXPECT_FALSE(problem_of(scenario).problem);
-  scenario = fling();
-  scenario.sprite = {4000, 128};
-  EXPECT_FALSE(problem_of(scenario).problem);
-  EXPECT_NE(problem_of(scenario).why_not, "");
-  scenario = fling();
-  scenario.clock.base = FixedStep{1e6};
-  EXPECT_FALSE(problem_of(scenario).problem);
+  Scenario none = fling(), narrow = fling(), slow = fling();
+  none.length = std::int64_t{0};
+  narrow.sprite = {4000, 128};
+  slow.clock.base = FixedStep{1e6};
+  for (const auto& [scenario, why] :
+       {std::pair(none, "no time passes in it"),
+        {narrow, "its window cannot hold its sprite, so that it has no exact solution"},
+        {slow, "a frame of it lasts longer than a study may"}}) {
+    EXPECT_FALSE(problem_of(scenario).problem);
+    EXPECT_EQ(problem_of(scenario).why_not, why);
+  }
+}
+
+TEST(StudyProblems, AreTheseMotions) {
+  std::string text;
+  for (const Problem& problem : study_problems()) {
+    const State& start = problem.start;
+    text += fmt::format("{}: {}, {:g} {:g} {:g} {:.0f} {:g} s{}{}\n", problem.name, problem.label, start.x_px,
+                        start.y_px, start.vx_px_per_s, start.vy_px_per_s, problem.duration_s(),
+                        problem.is_free_flight ? " free" : "", problem.jitter ? " jittered" : "");
+  }
+  EXPECT_EQ(
+      text,
+      "long-arc: one second in the air, 200 400 900 -900 1 s free\n"
+      "short-arc: a fifth of a second in the air, 200 400 900 -900 0.2 s free\n"
+      "fast-arc: one second at 10,000 px/s, 200 6000 8000 -6000 1 s free\n"
+      "terminal-speed: one second at terminal speed, 200 200 0 19990 1 s free\n"
+      "fling: a fling that bounces until it settles, 60 900 1000 -1350 8 s\n"
+      "corner-fling: a fast fling into a corner, 300 500 2400 -700 8 s\n"
+      "jittered-fling: the fling on a clock that jitters by half a frame, 60 900 1000 -1350 8 s jittered\n"
+      "hitched-arc: the second in the air, a quarter of it one frame, 200 400 900 -900 1 s\n");
 }
 
 }  // namespace

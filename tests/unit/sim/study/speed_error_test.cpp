@@ -88,27 +88,30 @@ TEST(SpeedErrorRules, FindWhatBreaksThem) {
     void (*make)(SpeedError&);
   };
   const Fault faults[] = {
-      {"order is the analytic one",
+      {"the fitted order is the analytic one (euler, long-arc): ",
        [](SpeedError& study) { study.methods[kEuler].accuracy = Convergent{2}; }},
-      {"three rates or more",
+      {"an order is fitted over three rates or more (euler, long-arc): must be 3 .. inf (found 2)",
        [](SpeedError& study) {
          for (OrderFit& fit : study.orders)
            if (fit.problem == 0 && fit.method == kEuler) fit.points = 2;
        }},
-      {"within rounding",
+      {"the error of an exact method is within rounding, px (exact-flight, long-arc, 15 Hz): must be 0 .. ",
        [](SpeedError& study) {
          for (WorkPoint& point : study.points)
            if (point.method == kExactFlight) point.errors.position_px += 1e-8;
        }},
       {"within rounding, px (exact-flight, fling",
        [](SpeedError& study) { study.methods[kExactFlight].accuracy = Exact{.meets_walls_exactly = true}; }},
-      {"leaves the fixed laws", [](SpeedError& study) { study.paper.back().model_px = 0.1; }},
-      {"closed form", [](SpeedError& study) { study.paper[2].truncation_px_per_s *= 1.001; }},
-      {"first order",
+      {"the paper's step leaves the fixed laws as its frames become shorter, px (at the highest rate): ",
+       [](SpeedError& study) { study.paper.back().model_px = 0.1; }},
+      {"the truncation of velocity is its closed form, as a ratio (paper, long-arc): must be 0.999999 .. ",
+       [](SpeedError& study) { study.paper[2].truncation_px_per_s *= 1.001; }},
+      {"the truncation against the matched ODE is of first order (paper, long-arc): ",
        [](SpeedError& study) {
          for (PaperErrors& paper : study.paper) paper.truncation_px *= paper.rate_hz;
        }},
-      {"as far from the fixed ODE", [](SpeedError& study) { study.points[0].errors.position_px *= 1.001; }},
+      {"the paper's step is as far from the fixed ODE as the reference finds, as a ratio (paper, long-arc, ",
+       [](SpeedError& study) { study.points[0].errors.position_px *= 1.001; }},
       {"flings in which the error of an exact method is more than rounding",
        [](SpeedError& study) {
          study.bands.back().method = kExactImpacts;
@@ -147,7 +150,9 @@ TEST(SpeedErrorRules, AllowAnAdaptiveMethodToGiveUpAndNotToMissItsTolerance) {
   study.points.back().errors = {};
   EXPECT_EQ(broken_rules(study), std::vector<std::string>{});
   study.points.back().errors.position_px = 1e-3;
-  EXPECT_TRUE(is_broken(study, "as accurate as its tolerance asks"));
+  EXPECT_TRUE(is_broken(study,
+                        "rk8pd is as accurate as its tolerance asks, px (gsl-rk8pd-1e-12, long-arc, 60 Hz): "
+                        "must be 0 .. 1e-06 (found 0.001)"));
 }
 
 // The order of a method that is accurate to rounding at all rates but two cannot be fitted.
@@ -177,7 +182,7 @@ TEST(SpeedErrorRules, FindAnErrorThatIsNoNumber) {
     for (const double value : {std::nan(""), HUGE_VAL}) {
       SpeedError study = some_study();
       study.points[1].errors.*error = value;
-      EXPECT_TRUE(is_broken(study, "finite error"));
+      EXPECT_TRUE(is_broken(study, "the method has a finite error (paper, long-arc, 30 Hz): "));
     }
 }
 

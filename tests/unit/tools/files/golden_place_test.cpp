@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/tools/store/temp_folder.h"
+#include "tools/files/check_status.h"
 
 namespace hyrax {
 namespace {
@@ -47,6 +48,14 @@ TEST(GoldenPlace, ReservesTheFolderCoreAtTheTopOfScenarios) {
   for (const char* const scenario :
        {"scenarios/core.json", "scenarios/a/core/x.json", "core/scenarios/x.json"})
     EXPECT_FALSE(golden_place(scenario, "")->is_reserved) << scenario;
+}
+
+TEST(CountsSentence, HasWhatIsNotCheckedBehindIt) {
+  using enum CheckStatus;
+  EXPECT_EQ(counts_sentence({agreed, disagreed, disagreed, missing, failed, unreferenced}, 0),
+            "5 checked: 1 agreed, 2 disagreed, 1 without golden file, 1 failed; 1 unreferenced");
+  EXPECT_EQ(counts_sentence({}, 2),
+            "0 checked: 0 agreed, 0 disagreed, 0 without golden file, 0 failed; 2 folders failed");
 }
 
 TEST(GoldenPlace, FollowsALinkBeforeDots) {

@@ -182,6 +182,10 @@ TEST(JsonRefusal, IsForNestingWithoutEnd) {
   EXPECT_EQ(refusal(std::string(101, '[') + std::string(101, ']')),
             "f.json: line 1, column 101: nested more than 100 levels");
   EXPECT_EQ(refusal(std::string(10'000'000, '[')), "f.json: line 1, column 101: nested more than 100 levels");
+  const std::string before = R"({"a]": "[\"{\\", "b": [1, {}], "c": )";  // Brackets that are closed, or text.
+  EXPECT_EQ(
+      refusal(before + std::string(100, '[')),
+      "f.json: line 1, column " + std::to_string(before.size() + 100) + ": nested more than 100 levels");
 }
 
 std::string set(const std::string& document, const std::string& pointer, const Json& value) {

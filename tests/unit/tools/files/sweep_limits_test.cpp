@@ -91,7 +91,7 @@ TEST(SweepNames, AreCutToWhatAScenarioMayHave) {
   const SweepFile file = parse_sweep(text, "folder/" + stem + ".json");
   EXPECT_EQ(member_scenario(file.sweep, 7).name, std::string(64 - 9, 'a') + "-member-7");
   EXPECT_EQ(member_scenario(file.sweep, 999'999).name, std::string(64 - 14, 'a') + "-member-999999");
-  EXPECT_EQ(member_scenario(parse_sweep(text, "Two B.json").sweep, 7).name, "-wo---member-7");
+  EXPECT_EQ(member_scenario(parse_sweep(text, "Two{B.json").sweep, 7).name, "-wo---member-7");
 }
 
 // Its last member alone is beyond the limit of a position.

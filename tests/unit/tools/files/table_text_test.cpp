@@ -54,6 +54,8 @@ TEST(TableText, OfTablesIsTheOneApproved) {
         two_rates(JsonShape::one), column_of(errors, 9), column_of(errors, 10), column_of(rounded),
         column_of(of_all_sizes), column_of({"no_rows", "Hz", "", std::vector<double>{}}),
         column_of({"large", "1", "", std::vector<std::int64_t>{-7, 1'000'000'000'000}}),
+        Table{.columns = {{"huge", "px", "", std::vector{1e9}, 4, false, "one/x"},
+                          {"tiny", "px", "", std::vector{5e-7}, 4, false, "two/x"}}},
         column_of({"text", "", "", std::vector<std::string>{"a, b", "the \"step\"", "two\nlines"}}),
         Table{.columns = columns_of(kColumns, throws)}})
     text += aligned_text(table) + csv_text(table) + to_text(json_of(table)) + "\n\n";

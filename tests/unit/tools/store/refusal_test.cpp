@@ -102,6 +102,18 @@ TEST_F(Refusal, OfAnAttributeThatIsMissingOrHasAnotherValue) {
        std::int64_t{331});
 }
 
+TEST_F(Refusal, OfNoRowsAndOfContactsWithoutTotal) {
+  ASSERT_GE(H5Adelete_by_name(open(), "/contacts", "total", H5P_DEFAULT), 0);
+  expect_refused("/contacts: attribute total: is missing or not an integer");
+  std::vector<std::pair<std::string, hid_t>> datasets = {{"step", H5T_STD_I64LE}, {"contact", H5T_STD_U8LE}};
+  for (const RowColumn& column : kRowColumns) datasets.emplace_back(column.name, H5T_IEEE_F64LE);
+  for (const auto& [name, type] : datasets) {
+    remove(("/trajectory/" + name).c_str());
+    static_cast<void>(h5::create_dataset(open(), ("/trajectory/" + name).c_str(), type, {0}));
+  }
+  expect_refused("/trajectory: has no rows");
+}
+
 TEST_F(Refusal, OfAMissingDatasetOrGroup) {
   std::vector<std::string> names = {"/trajectory",      "/contacts",           "/events",
                                     "/trajectory/step", "/trajectory/contact", "/events/frame",
@@ -143,6 +155,9 @@ TEST_F(Refusal, OfAWrongTypeOrLength) {
   }
   replace("/trajectory/x", H5T_IEEE_F64LE, {331, 1});
   expect_refused("/trajectory/x: must have one axis");
+  remove("/trajectory/x");
+  static_cast<void>(h5::create_dataset(open(), "/trajectory/x", H5T_IEEE_F64LE, {331}));  // Without values.
+  expect_refused("/trajectory/x: is incomplete");
 }
 
 TEST_F(Refusal, OfAWallOrAnInputThatIsNone) {

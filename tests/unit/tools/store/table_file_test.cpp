@@ -112,6 +112,12 @@ TEST_F(StudyTables, WithAColumnWhoseValuesCannotBeReadAreRefused) {
     replace_column(std::string("first/") + name, type, {2}, elsewhere);
     EXPECT_EQ(refusal(), path_ + ": first/" + name + ": is damaged: cannot be read");
   }
+  const h5::Handle of_any_width = text_type(H5T_VARIABLE);
+  for (const hid_t type : {H5T_STD_B8LE, hid_t{of_any_width}}) {
+    write_study_file(path_, kHead, some_tables());
+    replace_column("first/rows", type, {2});
+    EXPECT_EQ(refusal(), path_ + ": first/rows: is damaged: cannot be read");
+  }
 }
 
 TEST_F(StudyTables, WithTextOfMoreThan64MiBInAColumnAreRefused) {
