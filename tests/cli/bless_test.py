@@ -72,7 +72,10 @@ class Bless(ProgramTest):
     def test_on_a_full_disk_it_says_how_many_were_written(self):
         self.write("scenarios/c/long.json", fling(name="long", steps=1990))
         self.write("scenarios/c/short.json", fling(name="short", steps=5))
-        command = (PROGRAM, "bless", "scenarios/c", "--reason", "x")
+        (self.folder / "golden/c").mkdir()
+        for suffix in ("h5", "txt"):
+            shutil.copy(self.folder / f"golden/fling.{suffix}", self.folder / f"golden/c/old.{suffix}")
+        command = (PROGRAM, "bless", "scenarios/c", "--reason", "x", "--prune")
         (self.folder / "scenarios/new.json").unlink()
         shutil.rmtree(self.folder / "golden/core")
         outcome = run("sh", "-c", 'ulimit -f 180; exec "$@"', "sh", *command, cwd=self.folder)
@@ -80,7 +83,8 @@ class Bless(ProgramTest):
         self.assertIn("golden/c/long.h5: cannot be written: File too large\nhyrax-sim bless: 1 of 2 scenarios blessed, "
                       "1 could not be written; the same command completes it\n", outcome.err)
         self.assertIn("\ncore: not accepted in golden/core: not every golden file could be written\n", outcome.out)
-        self.assertEqual(self.names("golden/c"), ["short.h5", "short.txt"])
+        self.assertNotIn("removed", outcome.out)
+        self.assertEqual(self.names("golden/c"), ["old.h5", "old.txt", "short.h5", "short.txt"])
         self.assertFalse((self.folder / "golden/core").exists())
         self.expect(AGREED, *command[1:])
         self.expect(AGREED, "check", "scenarios/c")

@@ -11,6 +11,7 @@ import shutil
 
 import h5py
 import numpy
+import xxhash
 
 from check_program import CheckTest
 from process import run
@@ -111,6 +112,28 @@ class Causes(CauseTest):
                                exit_code=AGREED)
         self.assertIn("core: accepted in golden/core\n", outcome.out)
         self.altered("gravity_stronger", exit_code=AGREED)
+
+    def test_the_golden_files_of_an_earlier_core_that_agreed_are_those_of_the_accepted_one(self):
+        shutil.rmtree(self.folder / "golden")
+        self.altered("ceiling_stops", "scenarios", "--reason", "x", command=("bless",), exit_code=AGREED)
+        self.expect(AGREED, "bless", "--core", "--reason", "x")
+        self.assertIn("3 of 3 scenarios differ: GRAVITY 1200 -> 1250; the accepted core gives all 3 golden files.",
+                      self.altered("gravity_stronger").out)
+
+    def test_an_accepted_core_of_another_class_is_replaced_by_accept_shape_only(self):
+        accepted = self.folder / "golden/core/accepted.txt"
+        text = accepted.read_text().partition("checksum: ")[0].replace("class: hyrax-physics/1", "class: box/1")
+        accepted.write_text(f"{text}checksum: {xxhash.xxh3_128_hexdigest(text.encode())}\n")
+        why = "the accepted core is of another class (found box/1); "
+        core, = self.expect(BAD_INPUT, "check", "--core", "--json").json["cores"]
+        self.assertEqual((core["status"], core["why"]), ("not_proved", f"{why}this program's is hyrax-physics/1"))
+        bless = ("bless", "--core", "--reason", "x", "--json", "--accept")
+        document = self.expect(DISAGREED, *bless, "contacts", says=f"nothing written: golden/core: {why}--accept shape replaces it\n").json
+        self.assertEqual((document["written"], document["cores"]),
+                         (False, [{"golden": "golden", "accepted": False, "why_not": f"{why}--accept shape replaces it"}]))
+        document = self.expect(AGREED, *bless, "shape").json
+        self.assertEqual((document["written"], document["cores"]), (True, [{"golden": "golden", "accepted": True, "why_not": None}]))
+        self.expect(AGREED, "check", "--core")
 
     def test_rows_that_the_changed_core_still_gives_are_compared(self):
         """Beyond the block with the ceiling the golden file's rows are played again, from its keyframes."""

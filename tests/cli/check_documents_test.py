@@ -47,7 +47,7 @@ class Suggested(CheckTest):
         self.expect(AGREED, *check)
 
     def test_for_a_missing_golden_file(self):
-        for name in ("it's $HOME `x` \"y\" * !! é", "-dash", "\x1b[31m\nred\x7f\u009b1m\udc9b\udcff"):
+        for name in ("it's $HOME `x` \"y\" * !! é", "-dash", "\x1b[31m\nr'e\\d\x7f\u009b1m\udc9b\udcff"):
             path = f"my folder/scenarios/{name}.json"
             self.write(path, fling(name="fling"))
             self.assert_mended(GOLDEN_MISSING, "check", path)

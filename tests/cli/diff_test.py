@@ -135,6 +135,8 @@ class Diff(ProgramTest):
         for part in ("golden/a.h5", f"{self.folder.name}/a.h5", "the same place at every time"):
             self.assertIn(part, svg)
         self.assertNotIn(str(self.folder), svg)
+        self.expect(AGREED, "diff", "golden/a.h5", "a.h5", "--figure", "diff.svg")
+        self.assertIn('data-series="golden/a.h5"', (self.folder / "diff.svg").read_text())
 
     def test_another_length_or_scenario_is_of_class_shape_even_with_equal_rows(self):
         for changes in ({"steps": 299}, {"window": {"width_px": 1919, "height_px": 1080}}, {"record": {"every": 2}}):

@@ -129,7 +129,7 @@ class New(ProgramTest):
                 ("MsBetweenPresents\n", "line 1: no frame after the header"),
                 ("a,MsBetweenPresents\n1,2\n1,NA\n", "line 3, column 2 (MsBetweenPresents): must be a number 0 .. 1000000000000 (found NA)"),
                 ("MsBetweenPresents\n-1\n", "line 2, column 1 (MsBetweenPresents): must be a number 0 .. 1000000000000 (found -1)"),
-                ("MsBetweenPresents\n1e13\n", "(found 1e13)"), ("MsBetweenPresents\nnan\n", "(found nan)"),
+                ("MsBetweenPresents\n1e13\n", "(found 1e13)"), ("MsBetweenPresents\n7ms\n", "(found 7ms)"), ("MsBetweenPresents\nnan\n", "(found nan)"),
                 ("MsBetweenPresents\n1,5\n", "line 2: must have 1 fields, as the header (found 2)"),
                 ("a,MsBetweenPresents\n1,2\n\n1,2\n", "line 3: must have 2 fields, as the header (found 1)"),
                 ('a,MsBetweenPresents\n"x\ny",2\n"z",?\n', "line 4, column 2 (MsBetweenPresents)"),

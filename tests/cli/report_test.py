@@ -55,6 +55,9 @@ class ReportTest(ProgramTest):
         self.expect(AGREED, "sweep", "sweep.json")
         for name in ("rest.h5", "sweep.h5"):
             self.expect(CANNOT_ACCESS, "report", name, "-o", "a.html", says="HYRAX_PAGE")
+            self.expect(BAD_INPUT, "report", name, "--against", "fling.h5", "-o", "a.html",
+                        says=f"hyrax-sim report: --against: allowed for trajectories only (found {name})\n")
+            self.expect(BAD_INPUT, "report", name, "fling.h5", "-o", "a.html", says=f"fling.h5: is not a file of a study or a sweep, as {name} is; ")
             whole = (self.folder / name).read_bytes()
             (self.folder / name).write_bytes(whole[:len(whole) // 2])
             self.expect(BAD_INPUT, "report", name, "-o", "a.html", says=name)
