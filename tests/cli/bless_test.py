@@ -136,6 +136,16 @@ class Bless(ProgramTest):
             self.assertEqual(file.attrs["name"], "renamed")
         self.assertIn("scenario: renamed\n", (self.folder / "golden/fling.txt").read_text())
 
+    def test_rows_that_agree_are_written_again_where_what_describes_them_is_another(self):
+        rows = self.folder / "golden/fling.h5"
+        for name, value in (("name", "other"), ("physics", "hyrax-physics/2"), ("constants", None)):
+            with h5py.File(rows, "r+") as file:
+                del file.attrs[name]
+                if value:
+                    file.attrs[name] = value
+            self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", name)
+            self.assertEqual(rows.read_bytes(), self.before[str(rows)][0], name)
+
     def test_only_the_summary_of_a_run_that_agrees_is_written(self):
         digest = self.folder / "golden/fling.txt"
         digest.write_text(digest.read_text().replace("steps: 300", "steps: 301"))

@@ -205,6 +205,17 @@ class Documents(CauseTest):
         self.assertTrue((self.folder / "green.md").read_text().startswith("## hyrax-sim check: agreed\n\n3 checked: 3 agreed"))
         self.assertEqual([name for name in self.names() if name.startswith("green")], ["green.md"])
 
+    def test_three_causes_have_a_picture_and_a_fourth_has_none(self):
+        self.write("scenarios/fourth.json", fling())
+        self.bless("scenarios")
+        for number, name in enumerate(("a/first", "a/second", "fourth", "third")):
+            self.write(f"scenarios/{name}.json", fling(start={"x_px": number, "y_px": 0}))
+        self.expect(DISAGREED, "check", "--summary", "check.md")
+        text = (self.folder / "check.md").read_text()
+        self.assertEqual(re.findall("^###|^!.*", text, re.MULTILINE),
+                         [each for number in (1, 2, 3) for each in ("###", f"![both paths of the worst scenario, and their distance](<check-{number}.svg>)")] + ["###"])
+        self.assertFalse((self.folder / "check-4.svg").exists())
+
     def test_a_picture_has_the_paths_of_diffs_picture(self):
         self.altered("gravity_stronger", "--summary", "check.md")
         name = re.search(r"<title>scenarios/(.*)\.json</title>", (self.folder / "check-1.svg").read_text())[1]

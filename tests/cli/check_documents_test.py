@@ -94,7 +94,9 @@ class Suggested(CheckTest):
     def test_for_a_run_of_blocks(self):
         self.write("scenarios/long.json", fling(name="long", steps=9000))
         self.bless("scenarios/long.json")
-        self.write("scenarios/long.json", fling(name="long", steps=9001))
+        self.write("scenarios/long.json", fling(name="long", steps=9001, start=ANOTHER_START))
+        self.expect(DISAGREED, "check", "--summary", "check.md")
+        self.assertIn("\n`no picture: long runs keep no rows`\n", (self.folder / "check.md").read_text())
         self.assert_mended(DISAGREED, "check", "scenarios/long.json")
 
 

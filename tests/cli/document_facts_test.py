@@ -117,6 +117,9 @@ STATED = (
     (DRIFT, "an impact also {} of the way", "sim/reference/drift.h", "kSolversApart_rel"),
     (DRIFT, "up to {} frames of equal dt", "sim/reference/arc_solution.h", "kFramesMax"),
     ("tools/app/drift/drift_run.cpp", "tolerance of GSL (default: {})", "sim/reference/gsl_flight.h", "tolerance"),
+    ("tools/hyrax-sim/run.cpp", "of more than {}, a line each", "tools/hyrax-sim/run.cpp", "kPrintedInFullMax"),
+    ("tools/hyrax-sim/check.cpp", "scenario of each of the first {} ", "tools/app/check/check_report.h", "kPicturesMax"),
+    ("tools/hyrax-sim/fuzz.cpp", "5m or 2h (default: {}s)", "tools/app/search/broken_rule.h", "time_s"),
     ("tools/hyrax-sim/fuzz.cpp", "are drawn (default: {})", "tools/hyrax-sim/fuzz.cpp", "seed.value_or"),
     ("tools/hyrax-sim/shrink.cpp", "(default: {}, of PROGRAM {})", "tools/hyrax-sim/shrink.cpp", "kLimit_s, kProgramLimit_s"),
     *(("tools/hyrax-compare/main.cpp", words, "tools/hyrax-compare/main.cpp", name + ".value_or") for words, name in (

@@ -83,6 +83,20 @@ class Files(DriftTest):
         self.expect(BAD_INPUT, "drift", "fling.h5", says="/trajectory/step: must be 40 (found 7)")
         self.expect(BAD_INPUT, "drift", "fling.h5", "-o", "x.h5", says="fling.h5: is a trajectory; -o needs a scenario")
 
+    def test_a_file_is_measured_by_its_own_constants_and_not_without(self):
+        self.expect(AGREED, "run", self.write("fling.json", fling()))
+        with h5py.File(self.folder / "fling.h5", "r+") as file:
+            file.attrs["physics"] = "box/1"
+            file.attrs["constants"] = [1250, *file.attrs["constants"][1:]]
+        first = self.drift("fling.h5", "--reference", "closed")[0]["arcs"][0]
+        fallen_px = sum(50 / 60 ** 2 * 0.999 ** (1 + frame) * (35 - frame) for frame in range(35))
+        self.assertEqual(first["last_step"], 35)
+        self.assertAlmostEqual(first["implementation_px"], fallen_px, delta=1e-9)
+        with h5py.File(self.folder / "fling.h5", "r+") as file:
+            del file.attrs["constants"]
+        self.expect(BAD_INPUT, "drift", "fling.h5",
+                    says="fling.h5: needs the paper's step, with any constants (found the core box/1, whose step is another)\n")
+
     def test_a_failure_does_not_end_the_other_runs(self):
         self.write("good.json", fling())
         outcome = self.expect(CANNOT_ACCESS, "drift", "none.json", "good.json", "none.h5", "--json",

@@ -76,7 +76,8 @@ class New(ProgramTest):
         for header in ("msBetweenPresents", "MsBetweenPresents", "FrameTime", "frametime", " Frame Time "):
             self.assertEqual(self.new(f"n,{header}\n1,16\n"), [0.016])
         self.assertEqual(self.new("n,FrameTime\n1,16\n", "--column", "N", "--unit", "s"), [1])
-        self.assertEqual(self.new("FrameTime\n16\n", "--column", "frametime"), [0.016])
+        for column in ("FrameTime", "MsBetweenPresents"):
+            self.assertEqual(self.new(f"{column}\n16\n", "--column", column.lower()), [0.016])
 
     def test_one_of_several_sources_has_to_be_picked(self):
         for text in (SEVERAL.replace("0xC,0,4", "0xC,0,NA"), SEVERAL):
