@@ -42,9 +42,6 @@ STATED = (
         ("tests/README.md", "refused at start, exit code {} |", "not_strict_ieee"), (FORMAT, "may not hold (exit code {})", "disagreed"),
         (CORE, "at every start: exit code {}", "not_strict_ieee"), (DRIFT, "at fault: exit code {}", "program_fault"),
         (STUDIES, "`--gate` | exit code {} if", "disagreed"),
-        (HYRAX, "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
-        (HYRAX, "{} done, {} the state hash differs, {} bad usage or input, {} a file or the screen cannot be used, {} arithmetic\n"
-         "is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
         ("CHANGELOG.md", "the other way round, is missing ({}); an unreferenced golden file is {};", "golden_missing, disagreed"),
         ("CHANGELOG.md", "in a golden folder is refused ({}); an unwritable stdout is {}.", "bad_input, cannot_access"),
         ("tools/hyrax/help.txt", "exit code {} if its state hash agrees, {} if it differs", "agreed, disagreed"),
