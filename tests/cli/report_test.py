@@ -18,6 +18,7 @@ import h5py
 import program
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest
+from sweep_members import base
 from sweep_program import document
 
 program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
@@ -113,9 +114,13 @@ class Numbers(ProgramTest):
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
 
     def test_members_of_a_part_are_those_of_the_sweep(self):
-        self.write("sweep.json", document(members=5, vary={"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}))
+        self.write("sweep.json", document(members=5, vary={"/start/vx_px_per_s": {"uniform": [900, 1100]}}, base=base(steps=600)))
         self.expect(AGREED, "sweep", "sweep.json", "--part", "1/2", "-o", "sweep.h5")
-        sweep = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["results"][0]["sweep"]
+        page, = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["results"]
+        sweep = page["sweep"]
+        self.assertEqual(page["verdict"]["text"], [
+            "Part 1 of 2 of the sweep: 2 members.", "2 of 2 members have settled by the end.",
+            "The same in all members: y 952 px, vx 0 px/s (rounding), vy -7.49531 px/s, contacts.left 0, contacts.right 1, contacts.top 0, contacts.ground 8."])
         with h5py.File(self.folder / "sweep.part-1-of-2.h5") as file:
             wanted = file["inputs/start.vx_px_per_s"][:].astype("<f8").tobytes()
         self.assertEqual(base64.b64decode(sweep["members"]), struct.pack("<2d", 1, 3))
