@@ -48,9 +48,12 @@ class Causes(CauseTest):
         shutil.rmtree(self.folder / "golden/core")
         document = self.altered("gravity_stronger", "--json").json
         group, = document["groups"]
-        self.assertEqual(group["operation"], "unknown")
-        self.assertIn("no accepted core in golden/core; to accept this program's: ", group["detail"])
-        self.assertEqual(document["cores"][0]["status"], "none")
+        why = "no accepted core in golden/core; to accept this program's: hyrax-sim bless --core --reason TEXT"
+        self.assertEqual((group["operation"], group["detail"], document["cores"][0]["status"]), ("unknown", why, "none"))
+        out = self.altered("gravity_stronger", "--annotate", "github").out
+        self.assertRegex(out, rf"\Acore: {why}\n3 of 3 scenarios differ; cause unknown: {why}\.\n  Contacts differ .*\n"
+                              r"  first   step 1, field y of scenarios/\S+\n  worst   ")
+        self.assertEqual(out.count(f"title=hyrax-sim check%3A disagreed::cause unknown: {why}: "), 3)
         alone = self.write("third.json", fling(name="third", steps=10))
         out = self.expect(DISAGREED, "check", alone, "--golden", "golden").out
         self.assertIn("no accepted core in golden/core", out)

@@ -107,7 +107,7 @@ class Files(DriftTest):
 
 
 class Table(DriftTest):
-    """The text for a terminal, and options that make no sense."""
+    """The text for a terminal."""
 
     def test_it_fits_a_terminal(self):
         for line in self.expect(AGREED, "drift", *(SOURCE / f"scenarios/{folder}" for folder in ("flings", "hard"))).out.splitlines():
@@ -117,17 +117,6 @@ class Table(DriftTest):
         for rate_hz, assert_ in ((240, self.assertIn), (20, self.assertNotIn)):
             path = self.write("scenario.json", flight(rate_hz))
             assert_("does not converge", self.expect(AGREED, "drift", path).out)
-
-    def test_options_that_make_no_sense(self):
-        self.write("fling.json", fling())
-        self.write("other.json", fling(name="other"))
-        for arguments, message in (
-                (("--tolerance", 1), "--tolerance: must be at most 0.1 (found 1)"),
-                (("--reference", "closed", "--stepper", "rk4"), "need --reference gsl"),
-                (("--rows",), "--rows: needs -o FILE.h5"),
-                (("other.json", "-o", "x.h5"), "-o: allowed for one scenario only (found 2)")):
-            self.expect(BAD_INPUT, "drift", "fling.json", *arguments, says=message)
-        self.assertEqual(self.names(), ["fling.json", "other.json"])
 
 
 if __name__ == "__main__":

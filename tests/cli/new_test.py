@@ -144,11 +144,6 @@ class New(ProgramTest):
             (self.folder / "frames.csv").write_bytes("\ufeffMsBetweenPresents\n5\n".encode(encoding))
             self.expect(BAD_INPUT, "new", "my-fling", "--clock-from", "frames.csv", says="frames.csv: is UTF-16; save it as UTF-8")
 
-    def test_options_that_need_one_another(self):
-        self.write("frames.csv", "dt\n1\n")
-        self.expect(BAD_INPUT, "new", "a", "--clock-from", "frames.csv", "--column", "dt", says="--unit: is missing")
-        self.expect(BAD_INPUT, "new", "a", "--unit", "s", says="need --clock-from")
-
 
 if __name__ == "__main__":
     main()
