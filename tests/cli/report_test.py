@@ -100,6 +100,8 @@ class Numbers(ProgramTest):
                 for name, text in page["runs"][0]["rows"].items():
                     wanted = file[f"trajectory/{name}"][:].astype("<f8").tobytes()
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
+        outcome = run(os.environ["HYRAX_SIM"], "report", "fling.h5", "-o", "page.html", "--json", cwd=self.folder)
+        self.assertEqual(outcome.out, '{ "output": "page.html" }\n')
 
     def test_of_a_sweep_of_billions_a_sample_is_read(self):
         self.write("sweep.json", document(members=3, keep=["final"], vary={"/start/vx_px_per_s": {"choice": [0]}}))
