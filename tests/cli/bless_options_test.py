@@ -192,6 +192,9 @@ class UpdateExpect(Update):
         out = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-expect").out
         self.assertIn("scenarios/fling.json: new expect.state_hash; expect contacts/right: wanted 5, measured 1\n", out)
         self.assertIn("scenarios/fling.json: expect updated\n", out)
+        self.path.write_text(self.path.read_text().replace('"right": 1', '"right": 5'))  # The hash stays right.
+        out = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-expect", "--dry-run").out
+        self.assertIn("\nscenarios/fling.json: new expect contacts/right: wanted 5, measured 1\n", out)
 
 
 class Prune(ProgramTest):

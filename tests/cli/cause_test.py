@@ -164,6 +164,12 @@ class Text(CauseTest):
         with h5py.File(self.folder / "golden/a/first.h5", "r+") as file:
             file["trajectory/x"][100] += 0.5
         self.assertNotIn(says, self.altered("none", command=bless).out)
+        for path in self.folder.glob("golden/**/*.h5"):  # Its number is a new one already.
+            with h5py.File(path, "r+") as file:
+                file.attrs["physics"] = "hyrax-physics/2"
+        out = self.altered("gravity_stronger", "--accept", "shape", command=bless, exit_code=AGREED).out
+        self.assertIn("1 of 3 scenarios differs: GRAVITY 1200 -> 1250; ", out)
+        self.assertNotIn(says, out)
 
     def expecting(self, expect):
         """Gives the third scenario these expectations."""
@@ -213,11 +219,10 @@ class Documents(CauseTest):
         self.bless("scenarios")
         for number, name in enumerate(("a/first", "a/second", "fourth", "third")):
             self.write(f"scenarios/{name}.json", fling(start={"x_px": number, "y_px": 0}))
-        self.expect(DISAGREED, "check", "--summary", "check.md")
-        text = (self.folder / "check.md").read_text()
-        self.assertEqual(re.findall("^###|^!.*", text, re.MULTILINE),
-                         [each for number in (1, 2, 3) for each in ("###", f"![both paths of the worst scenario, and their distance](<check-{number}.svg>)")] + ["###"])
-        self.assertFalse((self.folder / "check-4.svg").exists())
+        self.expect(DISAGREED, "check", "--summary", "a <b>\\.md")
+        self.assertEqual(re.findall("^###|^!.*", (self.folder / "a <b>\\.md").read_text(), re.MULTILINE), [
+            *(each for number in (1, 2, 3) for each in ("###", rf"![both paths of the worst scenario, and their distance](<a \<b\>\\-{number}.svg>)")), "###"])
+        self.assertFalse((self.folder / "a <b>\\-4.svg").exists())
 
     def test_a_picture_has_the_paths_of_diffs_picture(self):
         self.altered("gravity_stronger", "--summary", "check.md")
