@@ -100,6 +100,11 @@ class Causes(CauseTest):
         self.assertEqual(self.expect(AGREED, "check", "scenarios/a", "--core").out, "core: the accepted one\n")
         self.assertEqual(self.expect(AGREED, "check", "--core").out, "core: the accepted one\n")
 
+    def test_a_run_that_becomes_non_finite_does_not_agree_with_its_own_hash(self):
+        run_of_it, = self.altered("bounce_explodes", self.write("x.json", fling()), "--json", command=("run",)).json["runs"]
+        self.write("x.json", fling(expect={"state_hash": run_of_it["state_hash"]}))
+        self.assertIn("x.json: disagreed: vx is infinite from step ", self.altered("bounce_explodes", "x.json").out)
+
     def test_a_core_is_accepted_with_a_library_that_agrees_only(self):
         before = self.state_of("golden/core")
         outcome = self.altered("gravity_stronger", command=("bless", "--core", "--reason", "x"))
