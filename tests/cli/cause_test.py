@@ -139,9 +139,12 @@ class Causes(CauseTest):
     def test_another_setter_that_no_scenario_calls_is_not_proved(self):
         path = self.folder / "golden/core/step.txt"
         kept = path.read_text()
-        for setter, exit_code, says in (("new_vy new_vx", AGREED, "core: not proved equal to the accepted one: the constructor or a setter is another one, and no scenario shows it\n"),
-                                        ("new_vx vy", DISAGREED, "core: golden/core/step.txt: is not the canonical text of a step; take the folder")):
-            before, text, checksum = path.read_text(), kept.rpartition("checksum: ")[0].replace("= x y new_vx new_vy", f"= x y {setter}"), 0xcbf29ce484222325
+        for setter, exit_code, says in (
+                ("new_vy new_vx", AGREED,
+                 "core: not proved equal to the accepted one: the constructor or a setter is another one, and no scenario shows it\n"),
+                ("new_vx vy", DISAGREED, "core: golden/core/step.txt: is not the canonical text of a step; take the folder")):
+            before, checksum = path.read_text(), 0xcbf29ce484222325
+            text = kept.rpartition("checksum: ")[0].replace("= x y new_vx new_vy", f"= x y {setter}")
             for byte in text.encode():
                 checksum = ((checksum ^ byte) * 0x100000001b3) % 2 ** 64
             path.write_text(f"{text}checksum: {checksum:016x}\n")
