@@ -29,7 +29,8 @@ class New(ProgramTest):
     def test_it_is_a_valid_scenario(self):
         outcome = self.expect(AGREED, "new", "my-fling")
         self.assertTrue(outcome.out.startswith("written: my-fling.json (600 steps)"), outcome)
-        self.assertEqual(self.scenario()["name"], "my-fling")
+        self.assertEqual([self.scenario()[key] for key in ("name", "clock", "steps", "events", "expect")], [
+            "my-fling", {"rate_hz": 60}, 600, [{"step": 120, "fling": {"vx_px_per_s": -1500, "vy_px_per_s": -900}}], {"in_bounds": True, "finite": True}])
         self.assert_good()
 
     def test_an_existing_file_is_kept_without_force(self):
