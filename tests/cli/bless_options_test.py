@@ -160,14 +160,14 @@ class UpdateExpect(Update):
         return self.path.read_text()
 
     def test_ranges_keep_their_width_and_nothing_else_changes(self):
-        before = self.scenario('{"final_x_px":[ 0,\n 7 ], "final_y_px": [951.5, 1e3], "at_rest_since_s": [0, 0.5],\n'
+        before = self.scenario('{"final_x_px":[ 0,\n 7 ], "final_y_px": [ 0, 10], "at_rest_since_s": [0, 0.5],\n'
                                '"contacts":{"left" : 0, "right": 5 ,"ground":[1, 3], "top": [2,5]}, "finite": true}')
         run, = self.expect(AGREED, "run", "scenarios/fling.json", "--set", "/expect={}", "--json", "-o", "x.h5").json["runs"]
-        x_px, since_s, ground = run["final"]["x_px"], run["at_rest_since_s"], run["contacts"]["ground"]
+        x_px, y_px, since_s, ground = run["final"]["x_px"], run["final"]["y_px"], run["at_rest_since_s"], run["contacts"]["ground"]
         self.assertEqual((run["contacts"]["right"], run["contacts"]["top"]), (1, 0))
         self.assertEqual(self.update(AGREED, "--dry-run"), before)
         after = self.update()
-        self.assertEqual(after, before.replace("[ 0,\n 7 ]", f"[ {x_px - 3.5},\n {x_px + 3.5} ]")
+        self.assertEqual(after, before.replace("[ 0,\n 7 ]", f"[ {x_px - 3.5},\n {x_px + 3.5} ]").replace("[ 0, 10]", f"[ {y_px - 5}, {y_px + 5}]")
                          .replace("[0, 0.5]", f"[{since_s - 0.25}, {since_s + 0.25}]").replace('"right": 5', '"right": 1')
                          .replace("[1, 3]", f"[{ground - 1}, {ground + 1}]").replace("[2,5]", "[0,3]")
                          .replace("true}", f'true,"state_hash": "{run["state_hash"]}"}}'))
@@ -192,6 +192,9 @@ class UpdateExpect(Update):
         out = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-expect").out
         self.assertIn("scenarios/fling.json: new expect.state_hash; expect contacts/right: wanted 5, measured 1\n", out)
         self.assertIn("scenarios/fling.json: expect updated\n", out)
+        self.path.write_text(self.path.read_text().replace('"right": 1', '"right": 5'))  # The hash stays right.
+        out = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-expect", "--dry-run").out
+        self.assertIn("\nscenarios/fling.json: new expect contacts/right: wanted 5, measured 1\n", out)
 
 
 class Prune(ProgramTest):

@@ -72,7 +72,10 @@ class Bless(ProgramTest):
     def test_on_a_full_disk_it_says_how_many_were_written(self):
         self.write("scenarios/c/long.json", fling(name="long", steps=1990))
         self.write("scenarios/c/short.json", fling(name="short", steps=5))
-        command = (PROGRAM, "bless", "scenarios/c", "--reason", "x")
+        (self.folder / "golden/c").mkdir()
+        for suffix in ("h5", "txt"):
+            shutil.copy(self.folder / f"golden/fling.{suffix}", self.folder / f"golden/c/old.{suffix}")
+        command = (PROGRAM, "bless", "scenarios/c", "--reason", "x", "--prune")
         (self.folder / "scenarios/new.json").unlink()
         shutil.rmtree(self.folder / "golden/core")
         outcome = run("sh", "-c", 'ulimit -f 180; exec "$@"', "sh", *command, cwd=self.folder)
@@ -80,7 +83,8 @@ class Bless(ProgramTest):
         self.assertIn("golden/c/long.h5: cannot be written: File too large\nhyrax-sim bless: 1 of 2 scenarios blessed, "
                       "1 could not be written; the same command completes it\n", outcome.err)
         self.assertIn("\ncore: not accepted in golden/core: not every golden file could be written\n", outcome.out)
-        self.assertEqual(self.names("golden/c"), ["short.h5", "short.txt"])
+        self.assertNotIn("removed", outcome.out)
+        self.assertEqual(self.names("golden/c"), ["old.h5", "old.txt", "short.h5", "short.txt"])
         self.assertFalse((self.folder / "golden/core").exists())
         self.expect(AGREED, *command[1:])
         self.expect(AGREED, "check", "scenarios/c")
@@ -131,6 +135,16 @@ class Bless(ProgramTest):
         with h5py.File(self.folder / "golden/fling.h5") as file:
             self.assertEqual(file.attrs["name"], "renamed")
         self.assertIn("scenario: renamed\n", (self.folder / "golden/fling.txt").read_text())
+
+    def test_rows_that_agree_are_written_again_where_what_describes_them_is_another(self):
+        rows = self.folder / "golden/fling.h5"
+        for name, value in (("name", "other"), ("physics", "hyrax-physics/2"), ("constants", None)):
+            with h5py.File(rows, "r+") as file:
+                del file.attrs[name]
+                if value:
+                    file.attrs[name] = value
+            self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", name)
+            self.assertEqual(rows.read_bytes(), self.before[str(rows)][0], name)
 
     def test_only_the_summary_of_a_run_that_agrees_is_written(self):
         digest = self.folder / "golden/fling.txt"

@@ -11,6 +11,7 @@ import shutil
 
 import h5py
 import numpy
+import xxhash
 
 from check_program import CheckTest
 from process import run
@@ -47,9 +48,12 @@ class Causes(CauseTest):
         shutil.rmtree(self.folder / "golden/core")
         document = self.altered("gravity_stronger", "--json").json
         group, = document["groups"]
-        self.assertEqual(group["operation"], "unknown")
-        self.assertIn("no accepted core in golden/core; to accept this program's: ", group["detail"])
-        self.assertEqual(document["cores"][0]["status"], "none")
+        why = "no accepted core in golden/core; to accept this program's: hyrax-sim bless --core --reason TEXT"
+        self.assertEqual((group["operation"], group["detail"], document["cores"][0]["status"]), ("unknown", why, "none"))
+        out = self.altered("gravity_stronger", "--annotate", "github").out
+        self.assertRegex(out, rf"\Acore: {why}\n3 of 3 scenarios differ; cause unknown: {why}\.\n  Contacts differ .*\n"
+                              r"  first   step 1, field y of scenarios/\S+\n  worst   ")
+        self.assertEqual(out.count(f"title=hyrax-sim check%3A disagreed::cause unknown: {why}: "), 3)
         alone = self.write("third.json", fling(name="third", steps=10))
         out = self.expect(DISAGREED, "check", alone, "--golden", "golden").out
         self.assertIn("no accepted core in golden/core", out)
@@ -96,6 +100,11 @@ class Causes(CauseTest):
         self.assertEqual(self.expect(AGREED, "check", "scenarios/a", "--core").out, "core: the accepted one\n")
         self.assertEqual(self.expect(AGREED, "check", "--core").out, "core: the accepted one\n")
 
+    def test_a_run_that_becomes_non_finite_does_not_agree_with_its_own_hash(self):
+        run_of_it, = self.altered("bounce_explodes", self.write("x.json", fling()), "--json", command=("run",)).json["runs"]
+        self.write("x.json", fling(expect={"state_hash": run_of_it["state_hash"]}))
+        self.assertIn("x.json: disagreed: vx is infinite from step ", self.altered("bounce_explodes", "x.json").out)
+
     def test_a_core_is_accepted_with_a_library_that_agrees_only(self):
         before = self.state_of("golden/core")
         outcome = self.altered("gravity_stronger", command=("bless", "--core", "--reason", "x"))
@@ -112,6 +121,50 @@ class Causes(CauseTest):
         self.assertIn("core: accepted in golden/core\n", outcome.out)
         self.altered("gravity_stronger", exit_code=AGREED)
 
+    def test_the_golden_files_of_an_earlier_core_that_agreed_are_those_of_the_accepted_one(self):
+        shutil.rmtree(self.folder / "golden")
+        self.altered("ceiling_stops", "scenarios", "--reason", "x", command=("bless",), exit_code=AGREED)
+        self.assertIn("3 of 3 scenarios differ; cause unknown: the accepted core cannot be played: altered for a test.\n",
+                      self.altered("gravity_stronger").out)
+        self.expect(AGREED, "bless", "--core", "--reason", "x")
+        self.assertIn("3 of 3 scenarios differ: GRAVITY 1200 -> 1250; the accepted core gives all 3 golden files.",
+                      self.altered("gravity_stronger").out)
+
+    def accept(self, old, new):
+        """Another core's accepted.txt, with its checksum."""
+        accepted = self.folder / "golden/core/accepted.txt"
+        text = accepted.read_text().partition("checksum: ")[0].replace(old, new)
+        accepted.write_text(f"{text}checksum: {xxhash.xxh3_128_hexdigest(text.encode())}\n")
+
+    def test_another_setter_that_no_scenario_calls_is_not_proved(self):
+        path = self.folder / "golden/core/step.txt"
+        kept = path.read_text()
+        for setter, exit_code, says in (
+                ("new_vy new_vx", AGREED,
+                 "core: not proved equal to the accepted one: the constructor or a setter is another one, and no scenario shows it\n"),
+                ("new_vx vy", DISAGREED, "core: golden/core/step.txt: is not the canonical text of a step; take the folder")):
+            before, checksum = path.read_text(), 0xcbf29ce484222325
+            text = kept.rpartition("checksum: ")[0].replace("= x y new_vx new_vy", f"= x y {setter}")
+            for byte in text.encode():
+                checksum = ((checksum ^ byte) * 0x100000001b3) % 2 ** 64
+            path.write_text(f"{text}checksum: {checksum:016x}\n")
+            self.accept(*(f"step: {xxhash.xxh3_128_hexdigest(each.encode())}" for each in (before, path.read_text())))
+            for arguments in ((), ("--core",)):
+                self.assertTrue(self.expect(exit_code, "check", *arguments).out.startswith(says), says)
+
+    def test_an_accepted_core_of_another_class_is_replaced_by_accept_shape_only(self):
+        self.accept("class: hyrax-physics/1", "class: box/1")
+        why = "the accepted core is of another class (found box/1); "
+        core, = self.expect(BAD_INPUT, "check", "--core", "--json").json["cores"]
+        self.assertEqual((core["status"], core["why"]), ("not_proved", f"{why}this program's is hyrax-physics/1"))
+        bless = ("bless", "--core", "--reason", "x", "--json", "--accept")
+        document = self.expect(DISAGREED, *bless, "contacts", says=f"nothing written: golden/core: {why}--accept shape replaces it\n").json
+        self.assertEqual((document["written"], document["cores"]),
+                         (False, [{"golden": "golden", "accepted": False, "why_not": f"{why}--accept shape replaces it"}]))
+        document = self.expect(AGREED, *bless, "shape").json
+        self.assertEqual((document["written"], document["cores"]), (True, [{"golden": "golden", "accepted": True, "why_not": None}]))
+        self.expect(AGREED, "check", "--core")
+
     def test_rows_that_the_changed_core_still_gives_are_compared(self):
         """Beyond the block with the ceiling the golden file's rows are played again, from its keyframes."""
         document = fling(name="third", window={"width_px": 1600, "height_px": 900}, duration_s=None, steps=6000,
@@ -126,6 +179,11 @@ class Causes(CauseTest):
         self.assertGreater(apart_px[4097:].max(), apart_px[4096] + 1, "no distance is larger than a keyframe's")
         entry, = self.altered("ceiling_stops", "--json", "scenarios/third.json").json["results"]
         self.assertGreaterEqual(entry["max_px"], apart_px[4096:].max())
+        with h5py.File(self.folder / "golden/third.h5", "r+") as file:
+            digests = file["blocks/digest"]
+            digests[16:32] = 0  # No core gives the rows of the second block any more.
+        self.assertIn("\n  first      step 4096, field state\n  the hash of the block of 4,096 rows from this step differs\n",
+                      self.expect(DISAGREED, "check", "scenarios/third.json", "-v").out)
 
 
 class Text(CauseTest):
@@ -138,6 +196,12 @@ class Text(CauseTest):
         with h5py.File(self.folder / "golden/a/first.h5", "r+") as file:
             file["trajectory/x"][100] += 0.5
         self.assertNotIn(says, self.altered("none", command=bless).out)
+        for path in self.folder.glob("golden/**/*.h5"):  # Its number is a new one already.
+            with h5py.File(path, "r+") as file:
+                file.attrs["physics"] = "hyrax-physics/2"
+        out = self.altered("gravity_stronger", "--accept", "shape", command=bless, exit_code=AGREED).out
+        self.assertIn("1 of 3 scenarios differs: GRAVITY 1200 -> 1250; ", out)
+        self.assertNotIn(says, out)
 
     def expecting(self, expect):
         """Gives the third scenario these expectations."""
@@ -190,6 +254,16 @@ class Documents(CauseTest):
         self.expect(AGREED, "check", "--summary", "green.md")
         self.assertTrue((self.folder / "green.md").read_text().startswith("## hyrax-sim check: agreed\n\n3 checked: 3 agreed"))
         self.assertEqual([name for name in self.names() if name.startswith("green")], ["green.md"])
+
+    def test_three_causes_have_a_picture_and_a_fourth_has_none(self):
+        self.write("scenarios/fourth.json", fling())
+        self.bless("scenarios")
+        for number, name in enumerate(("a/first", "a/second", "fourth", "third")):
+            self.write(f"scenarios/{name}.json", fling(start={"x_px": number, "y_px": 0}))
+        self.expect(DISAGREED, "check", "--summary", "a <b>\\.md")
+        self.assertEqual(re.findall("^###|^!.*", (self.folder / "a <b>\\.md").read_text(), re.MULTILINE), [
+            *(each for number in (1, 2, 3) for each in ("###", rf"![both paths of the worst scenario, and their distance](<a \<b\>\\-{number}.svg>)")), "###"])
+        self.assertFalse((self.folder / "a <b>\\-4.svg").exists())
 
     def test_a_picture_has_the_paths_of_diffs_picture(self):
         self.altered("gravity_stronger", "--summary", "check.md")

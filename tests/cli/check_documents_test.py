@@ -51,7 +51,7 @@ class Suggested(CheckTest):
         self.expect(AGREED, *check)
 
     def test_for_a_missing_golden_file(self):
-        for name in ("it's $HOME `x` \"y\" * !! é", "-dash", "\x1b[31m\nred\x7f\u009b1m\udc9b\udcff"):
+        for name in ("it's $HOME `x` \"y\" * !! é", "-dash", "\x1b[31m\nr'e\\d\x7f\u009b1m\udc9b\udcff"):
             path = f"my folder/scenarios/{name}.json"
             self.write(path, fling(name="fling"))
             self.assert_mended(GOLDEN_MISSING, "check", path)
@@ -98,7 +98,9 @@ class Suggested(CheckTest):
     def test_for_a_run_of_blocks(self):
         self.write("scenarios/long.json", fling(name="long", steps=9000))
         self.bless("scenarios/long.json")
-        self.write("scenarios/long.json", fling(name="long", steps=9001))
+        self.write("scenarios/long.json", fling(name="long", steps=9001, start=ANOTHER_START))
+        self.expect(DISAGREED, "check", "--summary", "check.md")
+        self.assertIn("\n`no picture: long runs keep no rows`\n", (self.folder / "check.md").read_text())
         self.assert_mended(DISAGREED, "check", "scenarios/long.json")
 
 

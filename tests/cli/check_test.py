@@ -14,9 +14,9 @@ from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING,
 
 class Verdict(CheckTest):
     def test_the_default_is_scenarios_and_golden_of_this_folder(self):
-        outcome = self.expect(AGREED, "check")
+        outcome = self.expect(AGREED, "check", "--annotate", "github")
         self.assertEqual(outcome.out, "3 checked: 3 agreed, 0 disagreed, 0 without golden file, 0 failed\n")
-        self.assertEqual(outcome.err, "")
+        self.assertEqual(outcome.err + self.expect(AGREED, "check", "--json", "--annotate", "github").err, "")
 
     def test_it_takes_files_and_folders_each_scenario_once(self):
         twice = ("scenarios/third.json", "./scenarios/third.json", "scenarios")
@@ -120,6 +120,10 @@ class Verdict(CheckTest):
         self.check(AGREED, "--golden", str(self.folder / "elsewhere"), "scenarios/a")
         self.assertTrue(self.expect(GOLDEN_MISSING, "check", "scenarios", "--golden", "nowhere").out.startswith(
             "3 scenarios: missing: no folder nowhere: scenarios/a/first.json, "))
+        (self.folder / "nowhere").mkdir()
+        self.assertIn("missing: no golden file: scenarios/a/first.json, scenarios/a/second.json, scenarios/third.json\n  to create them  "
+                      "hyrax-sim bless scenarios --golden nowhere --reason TEXT\n",
+                      self.expect(GOLDEN_MISSING, "check", "scenarios", "--golden", "nowhere").out)
 
 
 class Unreferenced(CheckTest):
@@ -134,12 +138,16 @@ class Unreferenced(CheckTest):
 
     def test_a_renamed_scenario_leaves_one_and_misses_one(self):
         os.replace(self.folder / "scenarios/a/first.json", self.folder / "scenarios/a/new.json")
+        shutil.copy(self.folder / "scenarios/a/new.json", self.folder / "scenarios/twin.json")
         self.assertEqual(self.unreferenced(GOLDEN_MISSING), ["golden/a/first"])
         command = "mv golden/a/first.h5 golden/a/new.h5 && mv golden/a/first.txt golden/a/new.txt"
         out = self.expect(GOLDEN_MISSING, "check").out
         self.assertEqual(out, "scenarios/a/new.json: missing: renamed: golden/a/first has the same run; to rename that: "
-                              f"{command}\n3 checked: 2 agreed, 0 disagreed, 1 without golden file, 0 failed; 1 unreferenced\n")
+                              f"{command}\nscenarios/twin.json: missing: no golden file at golden/twin.h5; to create it: "
+                              "hyrax-sim bless scenarios/twin.json --reason TEXT\n"
+                              "4 checked: 2 agreed, 0 disagreed, 2 without golden file, 0 failed; 1 unreferenced\n")
         succeed("sh", "-c", command, cwd=self.folder)
+        (self.folder / "scenarios/twin.json").unlink()
         self.check(AGREED)
 
     def test_that_of_a_deleted_scenario_is_a_disagreement_and_that_of_a_link_to_nowhere_is_not_reported(self):

@@ -68,13 +68,13 @@ class Diff(ProgramTest):
         self.assertEqual((document["worst"]["vy"]["abs"], document["worst"]["x"]["abs"]), ("Infinity", "NaN"))
 
     def test_contacts_have_names(self):
-        self.change("trajectory/contact", 100, 1 + 8 + 16)
+        self.change("trajectory/contact", 100, 1 + 8 + 16 + 32)
         text = self.text()
-        self.assertIn("field contact\n  expected   none\n  actual     left+ground+rest\n", text)
-        self.assertIn("\n  worst contact none and left+ground+rest at step 100\n", text)
+        self.assertIn("field contact\n  expected   none\n  actual     left+ground+rest+0x20\n", text)
+        self.assertIn("\n  worst contact none and left+ground+rest+0x20 at step 100\n", text)
         self.assertNotRegex(text, "ulp|distance")
         first = self.diff(DISAGREED)["first_divergence"]
-        self.assertEqual((first["actual"], first["ulps"]), (25, None))
+        self.assertEqual((first["actual"], first["ulps"]), (57, None))
 
     def test_other_inputs_are_of_class_shape(self):
         self.write("fling.json", fling(events=[{"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -800}}]))
@@ -135,6 +135,8 @@ class Diff(ProgramTest):
         for part in ("golden/a.h5", f"{self.folder.name}/a.h5", "the same place at every time"):
             self.assertIn(part, svg)
         self.assertNotIn(str(self.folder), svg)
+        self.expect(AGREED, "diff", "golden/a.h5", "a.h5", "--figure", "diff.svg")
+        self.assertIn('data-series="golden/a.h5"', (self.folder / "diff.svg").read_text())
 
     def test_another_length_or_scenario_is_of_class_shape_even_with_equal_rows(self):
         for changes in ({"steps": 299}, {"window": {"width_px": 1919, "height_px": 1080}}, {"record": {"every": 2}}):
@@ -162,6 +164,10 @@ class Diff(ProgramTest):
         with self.copied() as file:
             del file.attrs["constants"]
         self.diff(AGREED)
+        with h5py.File(self.folder / "b.h5", "r+") as file:
+            file.attrs["physics"] = "box/1"  # Whose constants are not known.
+            file["trajectory/x"][300] += 1e-9
+        self.assertIn("\n  rest       1e-9 px apart: x 345.341, y 952 px; settled since 4 s\n  contacts   no contact moved\n  class ", self.text())
 
     def test_another_name_or_program_is_no_difference(self):
         self.write("other.json", fling(name="other", description="another text"))

@@ -41,9 +41,6 @@ STATED = (
         (CARD, "A core is refused (exit {},", "bad_input"), ("sim/ensemble/README.md", "that are missing (exit {})", "golden_missing"),
         ("tests/README.md", "refused at start, exit code {} |", "not_strict_ieee"), (FORMAT, "may not hold (exit code {})", "disagreed"),
         (CORE, "at every start: exit code {}", "not_strict_ieee"), (DRIFT, "at fault: exit code {}", "program_fault"),
-        (HYRAX, "exit code {} if its state hash agrees, {} if not", "agreed, disagreed"),
-        (HYRAX, "{} done, {} the state hash differs, {} bad usage or input, {} a file or the screen cannot be used, {} arithmetic\n"
-         "is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
         ("CHANGELOG.md", "the other way round, is missing ({}); an unreferenced golden file is {};", "golden_missing, disagreed"),
         ("CHANGELOG.md", "in a golden folder is refused ({}); an unwritable stdout is {}.", "bad_input, cannot_access"),
         ("tools/hyrax/help.txt", "exit code {} if its state hash agrees, {} if it differs", "agreed, disagreed"),
@@ -111,6 +108,9 @@ STATED = (
     (DRIFT, "an impact also {} of the way", "sim/reference/drift.h", "kSolversApart_rel"),
     (DRIFT, "up to {} frames of equal dt", "sim/reference/arc_solution.h", "kFramesMax"),
     ("tools/app/drift/drift_run.cpp", "tolerance of GSL (default: {})", "sim/reference/gsl_flight.h", "tolerance"),
+    ("tools/hyrax-sim/run.cpp", "of more than {}, a line each", "tools/hyrax-sim/run.cpp", "kPrintedInFullMax"),
+    ("tools/hyrax-sim/check.cpp", "scenario of each of the first {} ", "tools/app/check/check_report.h", "kPicturesMax"),
+    ("tools/hyrax-sim/fuzz.cpp", "5m or 2h (default: {}s)", "tools/app/search/broken_rule.h", "time_s"),
     ("tools/hyrax-sim/fuzz.cpp", "are drawn (default: {})", "tools/hyrax-sim/fuzz.cpp", "seed.value_or"),
     ("tools/hyrax-sim/shrink.cpp", "(default: {}, of PROGRAM {})", "tools/hyrax-sim/shrink.cpp", "kLimit_s, kProgramLimit_s"),
     *(("tools/hyrax-compare/main.cpp", words, "tools/hyrax-compare/main.cpp", name + ".value_or") for words, name in (

@@ -3,6 +3,7 @@
 
 import pathlib
 import re
+import shutil
 import tempfile
 import unittest
 
@@ -47,6 +48,17 @@ class Goldens(unittest.TestCase):
             for step, speed in list(zip(contacts["step"], speeds, strict=True))[:20]:
                 self.assertRegex(text, rf"\n  {step}( .. \d+)? \w+ at {decimal(speed)} px/s\n", golden)
         self.assertGreater(compared, 80)
+
+    def test_each_summary_is_what_bless_writes(self):
+        """But for its reason, and the checksum of a file that names the program."""
+        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
+            shutil.copytree(SOURCE / "scenarios", f"{folder}/scenarios")
+            succeed(PROGRAM, "bless", "scenarios", "--reason", "again", cwd=folder)
+            for scenario in (SOURCE / "scenarios").rglob("*.json"):
+                path = pathlib.Path("golden", scenario.relative_to(SOURCE / "scenarios")).with_suffix(".txt")
+                again, kept = (re.sub(r"^(reason: .*|(checksums: \w+) \w+)$", r"\2", (root / path).read_text(encoding="utf-8"), flags=re.MULTILINE)
+                               for root in (pathlib.Path(folder), SOURCE))
+                self.assertEqual(again, kept, path)
 
     def test_only_a_disagreement_is_bad_for_git_bisect(self):
         """Each command of the README with a tools/check that ends so; a commit that cannot be judged is skipped."""

@@ -32,7 +32,7 @@ class HyraxReplay(ProgramTest):
         other = "0" * 32
         found = self.replay(DISAGREED, self.write("fling.json", fling(expect={"state_hash": other}))).out.split()[0]
         self.replay(DISAGREED, "fling.json", says=f"fling.json: /expect/state_hash: differs from the run (found {other}); the run has {found}\n")
-        self.replay(AGREED, self.write("fling.json", fling(expect={"state_hash": found})))
+        self.assertEqual(self.replay(AGREED, self.write("fling.json", fling(expect={"state_hash": found}))).out, f"{found}  fling.json\n")
 
     def test_help_and_version(self):
         self.assertEqual(self.replay(AGREED, "fling.json", "--help").out, (SOURCE / "tools/hyrax-replay/help.txt").read_text())
@@ -41,13 +41,14 @@ class HyraxReplay(ProgramTest):
                          [line.split(maxsplit=1) for line in info[:5]])
 
     def test_bad_usage_is_reported(self):
-        self.replay(BAD_INPUT, says="SCENARIO is missing")
+        self.replay(BAD_INPUT, says="hyrax-replay: SCENARIO is missing; for example `hyrax-replay scenarios/flings/first-fling.json`\n")
         self.replay(BAD_INPUT, "--fast", says="unknown option (found --fast); allowed: --help, --version")
         self.replay(BAD_INPUT, "", says="hyrax-replay: SCENARIO: must not be empty")
         self.replay(BAD_INPUT, "check", "", says="hyrax-replay check: SCENARIO or DIR: must not be empty; see `hyrax-replay --help`")
         self.replay(BAD_INPUT, "check", "--golden", "", says="hyrax-replay check: --golden: must not be empty; see")
         self.replay(BAD_INPUT, "--", says="SCENARIO is missing")
-        self.replay(CANNOT_ACCESS, "--", "--help", says="--help: cannot be read")
+        for path in ("--help", "--"):
+            self.replay(CANNOT_ACCESS, "--", path, says=f"{path}: cannot be read")
         self.replay(CANNOT_ACCESS, "none.json", says="none.json: cannot be read")
         self.replay(BAD_INPUT, ".", says=".: no scenario found")
 

@@ -3,8 +3,9 @@
 
 import json
 import os
+import resource
 
-from program import AGREED, BAD_INPUT, DISAGREED, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, ProgramTest, fling, main
 
 GREEN, RED = "\x1b[32m", "\x1b[31m"
 
@@ -118,9 +119,15 @@ class Progress(ProgramTest):
             clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}})
 
     def test_fuzz_shows_how_far_it_is(self):
-        outcome, shown = self.on_terminal("stderr", "fuzz", "--time", "1s", "--json")
+        outcome, shown = self.on_terminal("stderr", "fuzz", "--time", "0.7s", "--json")
         self.assertEqual(outcome.exit_code, AGREED, outcome)
-        self.assertRegex(shown, r"\d+ runs, [\d.e+]+ per second, [01] s left")
+        self.assertRegex(shown, r"\d+ runs, [\d.e+]+ per second, 0 s left")
+        self.write("slow", f'#!/bin/sh\necho >> calls\n[ $(wc -l < calls) = 3 ] && sleep 0.6\nexec {PROGRAM} "$@"\n')
+        (self.folder / "slow").chmod(0o755)
+        outcome, shown = self.on_terminal("stderr", "fuzz", "--runs", "1", "--against", "./slow", "--json",  # By one thread.
+                                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (10**8, 10**8)))
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+        self.assertRegex(shown, r"\A\r\x1b\[K1 of 1 runs, [\d.]+ per second, 0 s left\r\x1b\[K\Z")
 
 
 class StandardInput(ProgramTest):

@@ -102,8 +102,9 @@ class ReplayCheckCases:
         self.check(DISAGREED, says="scenarios/third.json: disagreed: expect truncation_px_max: wanted at most 1e-09, measured ")
 
     def test_a_golden_file_without_scenario_is_unreferenced(self):
-        (self.folder / "scenarios/a/second.json").unlink()
-        self.check(DISAGREED, says="golden/a/second: unreferenced: no scenario for this golden file: ")
+        for name, exit_code in (("second", DISAGREED), ("first", BAD_INPUT)):
+            (self.folder / f"scenarios/a/{name}.json").unlink()
+            self.check(exit_code, "scenarios/a", says=f"golden/a/{name}: unreferenced: no scenario for this golden file: ")
 
     def test_a_bad_scenario_does_not_keep_the_others_from_being_checked(self):
         self.write("scenarios/a/bad.json", fling(steps=-1))

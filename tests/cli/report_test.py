@@ -18,6 +18,7 @@ import h5py
 import program
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest
+from sweep_members import base
 from sweep_program import document
 
 program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
@@ -55,21 +56,12 @@ class ReportTest(ProgramTest):
         self.expect(AGREED, "sweep", "sweep.json")
         for name in ("rest.h5", "sweep.h5"):
             self.expect(CANNOT_ACCESS, "report", name, "-o", "a.html", says="HYRAX_PAGE")
+            self.expect(BAD_INPUT, "report", name, "--against", "fling.h5", "-o", "a.html",
+                        says=f"hyrax-sim report: --against: allowed for trajectories only (found {name})\n")
+            self.expect(BAD_INPUT, "report", name, "fling.h5", "-o", "a.html", says=f"fling.h5: is not a file of a study or a sweep, as {name} is; ")
             whole = (self.folder / name).read_bytes()
             (self.folder / name).write_bytes(whole[:len(whole) // 2])
             self.expect(BAD_INPUT, "report", name, "-o", "a.html", says=name)
-
-    def test_of_a_sweep_of_billions_a_sample_is_read(self):
-        self.write("sweep.json", document(members=3, keep=["final"], vary={"/start/vx_px_per_s": {"choice": [0]}}))
-        self.expect(AGREED, "sweep", "sweep.json")
-        with h5py.File(self.folder / "sweep.h5", "a") as file:
-            members = 3_000_000_000
-            file.attrs["members"] = members
-            file.attrs["sweep"] = file.attrs["sweep"].replace('"members": 3', f'"members": {members}')
-            for name in [f"members/{each}" for each in file["members"]] + ["inputs/start.vx_px_per_s"]:
-                del file[name]
-                file.create_dataset(name, (members,), "<f8")
-        self.expect(CANNOT_ACCESS, "report", "sweep.h5", "-o", "a.html", says="HYRAX_PAGE")
 
     def test_replaces_neither_input_nor_golden_file_nor_scenario(self):
         shutil.copy(self.folder / "fling.h5", self.folder / "page.html")
@@ -108,11 +100,30 @@ class Numbers(ProgramTest):
                 for name, text in page["runs"][0]["rows"].items():
                     wanted = file[f"trajectory/{name}"][:].astype("<f8").tobytes()
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
+        outcome = run(os.environ["HYRAX_SIM"], "report", "fling.h5", "-o", "page.html", "--json", cwd=self.folder)
+        self.assertEqual(outcome.out, '{ "output": "page.html" }\n')
+
+    def test_of_a_sweep_of_billions_a_sample_is_read(self):
+        self.write("sweep.json", document(members=3, keep=["final"], vary={"/start/vx_px_per_s": {"choice": [0]}}))
+        self.expect(AGREED, "sweep", "sweep.json")
+        with h5py.File(self.folder / "sweep.h5", "a") as file:
+            members = 3_000_000_000
+            file.attrs["members"] = members
+            file.attrs["sweep"] = file.attrs["sweep"].replace('"members": 3', f'"members": {members}')
+            for name in [f"members/{each}" for each in file["members"]] + ["inputs/start.vx_px_per_s"]:
+                del file[name]
+                file.create_dataset(name, (members,), "<f8")
+        page, = self.page_by("report", "sweep.h5", "-o", "page.html")["results"]
+        self.assertRegex(page["verdict"]["text"][0], r"\AAll numbers are those of a sample: 1 of every [\d,]+ of 3,000,000,000 members\.\Z")
 
     def test_members_of_a_part_are_those_of_the_sweep(self):
-        self.write("sweep.json", document(members=5, vary={"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}))
+        self.write("sweep.json", document(members=5, vary={"/start/vx_px_per_s": {"uniform": [900, 1100]}}, base=base(steps=600)))
         self.expect(AGREED, "sweep", "sweep.json", "--part", "1/2", "-o", "sweep.h5")
-        sweep = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["results"][0]["sweep"]
+        page, = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["results"]
+        sweep = page["sweep"]
+        self.assertEqual(page["verdict"]["text"], [
+            "Part 1 of 2 of the sweep: 2 members.", "2 of 2 members have settled by the end.",
+            "The same in all members: y 952 px, vx 0 px/s (rounding), vy -7.49531 px/s, contacts.left 0, contacts.right 1, contacts.top 0, contacts.ground 8."])
         with h5py.File(self.folder / "sweep.part-1-of-2.h5") as file:
             wanted = file["inputs/start.vx_px_per_s"][:].astype("<f8").tobytes()
         self.assertEqual(base64.b64decode(sweep["members"]), struct.pack("<2d", 1, 3))
@@ -127,6 +138,7 @@ class Numbers(ProgramTest):
             self.assertEqual(called, "hyrax-sim")
             self.assertEqual(self.page_by(*arguments), page)
         self.assertTrue(page["runs"][0]["golden"]["agrees"])
+        self.assertIn("\n<p>Agrees with the golden file, bit for bit.</p>\n", (self.folder / "page.html").read_text())
 
     def test_check_plays_the_worst_scenario(self):
         path, = self.project("fling")

@@ -65,6 +65,15 @@ class UnwritableOutput(ProgramTest):
                      "endless.csv: cannot be written: its rows need "):
             self.assertIn(f"disk/{says}", done.err)
 
+    def test_a_picture_that_cannot_be_written_is_a_failure_of_its_run(self):
+        for command, option in (("run", "--figure"), ("drift", "--figures")):
+            (self.folder / f"{command}.svg").mkdir()
+            self.write(f"{command}.svg/file", "in the way")
+            path = f"{command}.svg{'/file' if command == 'drift' else ''}"
+            entry, = self.expect(CANNOT_ACCESS, command, self.scenario, option, path, "--json", says=f"{path}: cannot be ").json["runs"]
+            self.assertEqual([(key, value) for key, value in entry.items() if key == "status"], [("status", "failed")])
+            self.assertTrue(entry["error"].startswith(f"{path}: cannot be "), entry["error"])
+
     def test_a_missing_folder_is_exit_3(self):
         for option, path in (("-o", "no/such/run.h5"), ("--figure", "no/such/run.svg"), ("--report", "no/such/run.html")):
             outcome = self.expect(CANNOT_ACCESS, "run", self.scenario, option, path,

@@ -93,6 +93,8 @@ class Output(ProgramTest):
         self.assertEqual([run["scenario"] for run in runs],
                          ["all/a.json", "all/b/10.json", "all/b/2.json", "all/c/d/e.json"])
         self.assertEqual(self.names("out"), ["a.h5", "b-10.h5", "b-2.h5", "c-d-e.h5"])
+        for arguments, is_full in ((("all",), False), (("all", "-v"), True), (("all/a.json", "all/b"), True)):
+            self.assertEqual("  end  " in self.expect(AGREED, "run", *arguments, "-o", "out/").out, is_full, arguments)
 
     def test_equal_names_are_an_error_and_nothing_is_written(self):
         self.write("in/again.json", fling())

@@ -69,14 +69,6 @@ class Shrink(ProgramTest):
         self.write("still.json", fling(name="still", steps=0))
         self.expect_below(40e6, AGREED, "shrink", "still.json", "--fails", "yes {}", "--time-limit", "0.1", "-o", "small.json")
 
-    def test_the_copy_has_the_golden_file_of_the_original(self):
-        self.write("scenarios/deep/one.json", fling(name="one", steps=0))
-        self.bless("scenarios")
-        self.write("scenarios/deep/one.json", fling(name="one", steps=1))
-        document = self.expect(AGREED, "shrink", "scenarios/deep/one.json", "--fails",
-                               f"{shlex.quote(str(PROGRAM))} run {{}} -o run.h5", "-o", "small.json", "--json").json
-        self.assertEqual(document["kept"], "the command's exit code 1")
-
     def test_a_program_in_the_role_of_another(self):
         """A wrapper that plays at twice the gravity of time: hashes differ from the first frame."""
         (self.folder / "other").write_text(

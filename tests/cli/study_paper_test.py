@@ -59,7 +59,8 @@ class Paper(ProgramTest):
 
     def test_another_verdict_breaks_the_gate_and_is_named(self):
         path = self.expected("2.3-energy", "holds")
-        self.study(AGREED, "--expect", path)
+        self.assertRegex(self.study(AGREED, "--expect", path, "-q").out,
+                         r"\Adoes not hold: 2\.3-energy: does not hold, but expected\.json expects: holds \(.*\)\n\Z")
         self.study(DISAGREED, "--expect", path, "--gate", says="2.3-energy: does not hold, but expected.json expects: holds")
 
     def test_all_faults_of_a_file_and_options_without_use_are_reported(self):

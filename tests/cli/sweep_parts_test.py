@@ -197,7 +197,8 @@ class Parts(FilesTest):
         for part in ("1", "2/2", "-1/2", "0/0", "a/b", "/", "1/", "/2", "0/2/3"):
             self.sweep("sweep.json", "--part", part, exit_code=BAD_INPUT, says=("--part", part))
         self.sweep("sweep.json", "--parts", "2", exit_code=BAD_INPUT, says="JOB_COMPLETION_INDEX")
-        for variables in ({"OMPI_COMM_WORLD_RANK": "3", "OMPI_COMM_WORLD_SIZE": "3"},
+        for variables in ({"OMPI_COMM_WORLD_RANK": "3", "OMPI_COMM_WORLD_SIZE": "3"}, {"OMPI_COMM_WORLD_RANK": "0", "OMPI_COMM_WORLD_SIZE": "0"},
+                          {"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_MIN": "2"},
                           {"SLURM_ARRAY_TASK_ID": "4", "SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_STEP": "3"},
                           {"SLURM_ARRAY_TASK_ID": "x", "SLURM_ARRAY_TASK_COUNT": "3"}):
             self.sweep("sweep.json", exit_code=BAD_INPUT, says=next(iter(variables)), env={**NO_CLUSTER, **variables})

@@ -104,6 +104,10 @@ class SameTest(ProgramTest):
                          (DISAGREED, "", "golden/core/physics.h: does not have the checksum in accepted.txt; take the folder from "
                                          "version control\n"))
 
+    def test_help_is_approved(self):
+        approved = re.search("```text hyrax-compare --help\n(.*?)```", (SOURCE / "tests/cli/outputs.md").read_text(encoding="utf-8"), re.DOTALL)[1]
+        self.assertEqual(self.compare("a.h", "--help"), (AGREED, approved, ""))
+
     def test_bad_usage_and_missing_files(self):
         for arguments, exit_code, says in (
                 (["a.h", "b.h", "c.h"], BAD_INPUT, "hyrax-compare: CANDIDATE.h [BASE.h]: at most 2 allowed (found 3)"),

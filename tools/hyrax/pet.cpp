@@ -70,7 +70,6 @@ void Pet::reset(std::int64_t ticks) {
 }
 
 void Pet::resume(std::int64_t ticks) {
-  if (!is_paused_) return;
   is_paused_ = false;
   last_ticks_ = ticks;
 }

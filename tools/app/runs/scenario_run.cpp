@@ -85,7 +85,6 @@ WrittenRun write_csv(const Core& core, const std::string& output, const Scenario
 }
 
 constexpr std::int64_t kRowsDrawnFirst = 50'000;
-constexpr std::size_t kContactsDrawnMax = 100;
 
 }  // namespace
 
@@ -166,12 +165,7 @@ void RunPicture::rows(const Columns& batch) {
 }
 
 void RunPicture::contact_began(const Contact& contact) {
-  if (contacts_.size() < kContactsDrawnMax) contacts_.push_back(contact);
-}
-
-void RunPicture::contact_ended(std::int64_t index, std::int64_t last_step) {
-  if (static_cast<std::size_t>(index) < contacts_.size())
-    contacts_[static_cast<std::size_t>(index)].last_step = last_step;
+  if (contacts_.size() < kBouncesShownMax) contacts_.push_back(contact);
 }
 
 void RunPicture::draw(const std::string& path, const ScenarioRun& run) const {

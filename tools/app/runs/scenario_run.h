@@ -88,7 +88,6 @@ class RunPicture final : public RowSink {
   [[nodiscard]] Wants wants() const override;
   void rows(const Columns& batch) override;
   void contact_began(const Contact& contact) override;
-  void contact_ended(std::int64_t index, std::int64_t last_step) override;
 
   /// ERRORS: those of write_text_file.
   void draw(const std::string& path, const ScenarioRun& run) const;

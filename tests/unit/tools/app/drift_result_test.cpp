@@ -60,7 +60,7 @@ TEST(DriftResult, OfRunsAreThoseApproved) {
   report.half_dt.why_not = "a reason";
   const std::string shortened = text_of(report, false);
   EXPECT_NE(shortened.find("  ... 20 more; --verbose lists them\n"), std::string::npos) << shortened;
-  text += text_of(report, true);
+  text += described(drift_result(report, true).verdict);
 
   text += "\nNo flight\n";
   report = {.run = measure_drift(shipped_core(), fling_at(60.0, 1))};

@@ -33,7 +33,7 @@ std::vector<double> doubles_of(const std::string& base64) {
 
 // Doubles described, long numbers cut, and without what a build or a folder decides.
 std::string shown(const Json& json, const TempFolder& folder) {
-  std::string rest = to_text(json, 4), text;
+  std::string rest = to_text(json, 3), text;
   const std::regex doubles("\"([A-Za-z0-9+/]{36,}=*)\"");
   for (std::smatch found; std::regex_search(rest, found, doubles); rest = found.suffix())
     text += found.prefix().str() + described(doubles_of(found[1]));

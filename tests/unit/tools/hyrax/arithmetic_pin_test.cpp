@@ -25,6 +25,11 @@ TEST_F(ForeignModes, ArePutRight) {
     pin_arithmetic();
     EXPECT_FALSE(arithmetic_fault().has_value()) << mode;
   }
+  for (const unsigned traps : {0x0u, 0x1F00u, 0x0F80u}) {
+    _mm_setcsr(traps);
+    pin_arithmetic();
+    EXPECT_EQ(_mm_getcsr(), kUsual);
+  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
+#include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
@@ -123,8 +124,15 @@ TEST_F(ChosenFromMenu, RecordingsAreNewFilesThatReplay) {
 
 TEST_F(ChosenFromMenu, ARecordingIsSavedWhenItIsDueAndBeforeTheSleep) {
   recorder.save_if_due(ticks);
+  recorder.finish();
+  EXPECT_TRUE(refusal_of([&] { recorder.start(path("no/fling.json"), ticks); }, ExitCode::cannot_access)
+                  .starts_with(path("no/fling.json") + ": cannot be written"));
   recorder.start(path("fling.json"), ticks);
-  frames(30);
+  frames(29);
+  recorder.save_if_due(ticks);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_FALSE(is_there(path("fling.json")));
+  frames(1);
   recorder.save_if_due(ticks);
   wait_until([&] { return is_there(path("fling.json")); });
   EXPECT_EQ(good_frames(path("fling.json")), 30);
@@ -136,6 +144,22 @@ TEST_F(ChosenFromMenu, ARecordingIsSavedWhenItIsDueAndBeforeTheSleep) {
            hex(pet.session().just_happened().state_hash());
   });
   EXPECT_TRUE(notes.empty());
+}
+
+TEST_F(ChosenFromMenu, ARecordingOfFiveHoursContinuesInANewFile) {
+  recorder.start(path("fling.json"), ticks);
+  for (std::int64_t frame = 1; frame < Recording::kFramesMax; ++frame) pet.session().advance(0.25);
+  recorder.save_if_due(ticks);
+  EXPECT_TRUE(notes.empty());
+  pet.session().advance(0.25);
+  recorder.save_if_due(ticks);
+  EXPECT_EQ(notes, std::vector<std::string>{"The recording continues in " + path("fling-2.json")});
+  choose(Choice::throw_it);
+  frames(5);
+  recorder.save();
+  EXPECT_EQ(notes.back(), "Saved as " + path("fling-2.json"));
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"fling-2.json", "fling.json"}));
+  EXPECT_EQ(good_frames(path("fling-2.json")), 5);
 }
 
 TEST_F(ChosenFromMenu, AFailureToSaveIsReportedOnce) {

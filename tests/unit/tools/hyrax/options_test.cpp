@@ -22,6 +22,13 @@ TEST(PetOptions, MayBeLeftOutAndAcceptTheirValueAfterASpaceOrAnEqualsSign) {
   const PetOptions of_replay = parse_options({"--exit", "--replay", "x.json"});
   EXPECT_EQ(of_replay.replay_path, "x.json");
   EXPECT_TRUE(of_replay.only_exits);
+  for (const std::string option : {"--help", "-h", "--version"}) {
+    const PetOptions asked = parse_options({option});
+    EXPECT_EQ(asked.wants_version, option == "--version");
+    EXPECT_EQ(asked.wants_help, option != "--version") << option;
+  }
+  EXPECT_EQ(parse_options({"--seconds=0"}).seconds, 0.0);
+  EXPECT_EQ(parse_options({"--seconds", "1e9"}).seconds, 1e9);
 }
 
 TEST(PetOptions, ThatAreNoneAreRefused) {
@@ -33,11 +40,12 @@ TEST(PetOptions, ThatAreNoneAreRefused) {
 
 TEST(PetOptions, OfOtherValuesAndTogetherWithOthersAreRefused) {
   using Arguments = std::vector<std::string>;
-  for (const auto& [arguments, says] : {std::pair{Arguments{"--record"}, "--record needs a value"},
-                                        {Arguments{"--log="}, "--log needs a value"},
-                                        {Arguments{"--exit=yes"}, "--exit takes no value (found yes)"},
-                                        {Arguments{"--exit"}, "--exit needs --replay FILE"},
-                                        {Arguments{"--record", "a", "--replay", "b"}, "is not allowed with"}})
+  for (const auto& [arguments, says] :
+       {std::pair{Arguments{"--record"}, "--record needs a value"},
+        {Arguments{"--seconds="}, "--seconds needs a value"},
+        {Arguments{"--exit=yes"}, "--exit takes no value (found yes)"},
+        {Arguments{"--exit"}, "--exit needs --replay FILE"},
+        {Arguments{"--record", "a", "--replay", "b"}, "--record is not allowed with --replay:"}})
     EXPECT_NE(refusal(arguments).find(says), std::string::npos) << says;
   for (const std::string text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
     EXPECT_NE(refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9 (found " + text),

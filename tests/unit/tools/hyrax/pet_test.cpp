@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
@@ -92,9 +94,10 @@ TEST_F(PetOnADesk, FollowsTheHandAndFliesAsFastAsItWhenItIsLetGo) {
   drag_away(10);
   EXPECT_EQ(pet.place(), (ScreenPoint{before.x_px + 120, before.y_px - 90}));
   EXPECT_EQ(pet.pose(), Pose::held);
-  drag_away(20);
-  pet.let_go(hand, ticks, kDesk);
+  drag_away(19);  // The last of it no frame has shown, and no message the way to where it is let go.
+  pet.let_go({hand.x_px + 12, hand.y_px - 9}, ticks += 10 * kMs, kDesk);
   EXPECT_EQ(velocity(), (Velocity{1200.0, -900.0}));
+  EXPECT_EQ(pet.place(), (ScreenPoint{before.x_px + 360, before.y_px - 270}));
   EXPECT_FALSE(pet.is_held());
 }
 
@@ -126,23 +129,43 @@ TEST_F(PetOnADesk, DropsWhenTheHandIsTakenAway) {
   EXPECT_GT(row().vy_px_per_s, 0.0);
 }
 
-TEST_F(PetOnADesk, SleepsAndWakesToAFrameThatDoesNotHoldTheNight) {
-  sleep();
-  EXPECT_EQ(pet.pose(), Pose::sleep);
-  const std::int64_t step = row().step;
-  frames(100);
-  EXPECT_EQ(row().step, step);
-  ticks += 3600 * kTicksPerS;
-  pet.fling({500.0, -500.0}, ticks);
-  frames(1);
-  EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS));
+TEST_F(PetOnADesk, SleepsOrIsPausedAndWakesToAFrameThatDoesNotHoldTheNight) {
+  Desk other = kDesk;
+  other.origin.x_px += 10;
+  const std::vector<std::function<void()>> inputs = {[&] {
+                                                       pet.fling({500.0, -500.0}, ticks);
+                                                     },
+                                                     [&] { pet.reset(ticks); },
+                                                     [&] { grab(); },
+                                                     [&] {
+                                                       pet.drag({hand.x_px + 1, hand.y_px}, ticks);
+                                                     },
+                                                     [&] { pet.drop(ticks); },
+                                                     [&] { pet.move_to(other, ticks); }};
+  for (std::size_t input = 0; input < inputs.size(); ++input) {
+    sleep();
+    EXPECT_EQ(pet.pose(), pet.is_held() ? Pose::held : Pose::sleep);
+    if (!pet.is_held() && input % 2 == 1) pet.pause();
+    const std::int64_t step = row().step;
+    frames(100);
+    EXPECT_EQ(row().step, step);
+    ticks += 3600 * kTicksPerS;
+    inputs[input]();
+    EXPECT_FALSE(pet.is_paused());
+    frames(1);
+    EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS)) << input;
+  }
 }
 
 TEST_F(PetOnADesk, SleepsInAHandThatDoesNotMove) {
   frames(10);
   grab();
   drag_away(10);
-  sleep();
+  frames(Session::kStillFrames - 2);  // The last frame of the drag counts: it moved before it.
+  EXPECT_FALSE(pet.is_asleep());
+  frames(1);
+  pet.drag(hand, ticks);
+  EXPECT_TRUE(pet.is_asleep());
   drag_away(2);
   EXPECT_FALSE(pet.is_asleep());
   pet.let_go(hand, ticks, kDesk);
@@ -163,11 +186,15 @@ TEST_F(PetOnADesk, DoesNotMoveWhilePausedUntilItIsGrabbed) {
 }
 
 TEST_F(PetOnADesk, IsResetToItsFirstPosition) {
+  Desk wider = kDesk;
+  wider.work_area.width_px += 1;
+  pet.move_to(wider, ticks);
   frames(100);
   grab();
   pet.reset(ticks);
   EXPECT_FALSE(pet.is_held());
-  EXPECT_EQ(pet.place(), (ScreenPoint{100 + 448, 50}));
+  EXPECT_TRUE(same_bits(row().x_px, 448.5) && same_bits(row().y_px, 0.0));
+  EXPECT_EQ(velocity(), Velocity{});
   frames(10);
 }
 

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
 #include <new>
+#include <utility>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
@@ -88,6 +90,15 @@ TEST_F(RecordedSession, ContinuesInPartsBesideOtherFilesAndEndsAsOneFile) {
   EXPECT_EQ(read_text_file(path("long-4.json")), "mine, too");
 }
 
+TEST_F(RecordedSession, OfExactlyOnePartLeavesTheFileWithTheNameOfASecond) {
+  write_text_file(path("long-2.json"), "mine");
+  session.start_recording(path("long.json"), saver);
+  play(Recording::kPartFrames);
+  session.finish_recording();
+  EXPECT_EQ(good_frames(path("long.json")), Recording::kPartFrames);
+  EXPECT_EQ(read_text_file(path("long-2.json")), "mine");
+}
+
 TEST_F(RecordedSession, RefusesANameThatExists) {
   write_text_file(path("fling.json"), "mine");
   EXPECT_EQ(refusal_of([&] { session.start_recording(path("fling.json"), saver); }),
@@ -153,6 +164,21 @@ TEST_F(RecordedSession, SurvivesEveryExceptionOfASave) {
   EXPECT_EQ(names(), std::vector<std::string>{"short.json"});
 }
 
+TEST_F(RecordedSession, IsWrittenAsItIsLatestWhileADiskIsSlow) {
+  std::promise<void> disk;
+  std::vector<std::int64_t> written;
+  ScenarioSaver slow([&, ready = disk.get_future().share()](const Scenario& scenario) {
+    ready.wait();
+    written.push_back(step_count(scenario));
+    return scenario_file_text(scenario);
+  });
+  for (const auto& [name, steps] : {std::pair{"a.json", 1}, {"b.json", 2}, {"c.json", 3}, {"c.json", 4}})
+    slow.save(path(name), fling_at(60.0, steps));
+  disk.set_value();
+  slow.wait();
+  EXPECT_EQ(written, (std::vector<std::int64_t>{1, 2, 4}));
+}
+
 TEST_F(RecordedSession, WithoutAFrameIsNoFile) {
   session.start_recording(path("empty.json"), saver);
   save();
@@ -161,7 +187,7 @@ TEST_F(RecordedSession, WithoutAFrameIsNoFile) {
 }
 
 TEST_F(RecordedSession, IsNamedByItsFile) {
-  EXPECT_EQ(scenario_name_of("a/My fling_2.json"), "my-fling-2");
+  EXPECT_EQ(scenario_name_of("a/@AZ[ `az{_09:.json"), "-az---az--09-");
   EXPECT_EQ(scenario_name_of("a/"), "recording");
   EXPECT_EQ(scenario_name_of(std::string(99, 'x') + ".json").size(), 64u);
 }

@@ -88,28 +88,30 @@ TEST(Tape, WithAnotherStateThanTheModelsDoesNotReplay) {
 }
 
 TEST(Tape, ThatBeginsInAHoldBeginsWithAGrab) {
-  Session session(shipped_core(), start());
-  session.apply(Grab{});
-  play(session, 3);
-  session.apply(Fling{{5.0, -0.0}});  // While it is held: the speed stays, and nothing moves.
-  play(session, 1);
-  Tape tape(session.now());
-  const auto keep = [&](const Action& action) {
-    session.apply(action);
-    tape.add_input(action);
-  };
-  const auto keep_frames = [&](int frames) {
-    for (int frame = 0; frame < frames; ++frame) {
-      play(session, 1);
-      tape.add_frame(session.now().row);
-    }
-  };
-  keep_frames(5);
-  keep(Place{{10.0, 20.0}});
-  keep_frames(2);
-  keep(Release{{100.0, -100.0}});
-  keep_frames(50);
-  expect_replays(tape, session.now());
+  for (const Velocity velocity : {Velocity{5.0, 0.0}, {0.0, -0.0}}) {
+    Session session(shipped_core(), start());
+    session.apply(Grab{});
+    play(session, 3);
+    session.apply(Fling{velocity});  // While it is held: the speed stays, and nothing moves.
+    play(session, 1);
+    Tape tape(session.now());
+    const auto keep = [&](const Action& action) {
+      session.apply(action);
+      tape.add_input(action);
+    };
+    const auto keep_frames = [&](int frames) {
+      for (int frame = 0; frame < frames; ++frame) {
+        play(session, 1);
+        tape.add_frame(session.now().row);
+      }
+    };
+    keep_frames(5);
+    keep(Place{{10.0, 20.0}});
+    keep_frames(2);
+    keep(Release{{100.0, -100.0}});
+    keep_frames(50);
+    expect_replays(tape, session.now());
+  }
 }
 
 TEST(Tape, LeavesOutInputsOfAFrameToCome) {
