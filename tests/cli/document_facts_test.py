@@ -5,6 +5,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
 import types
@@ -171,6 +172,8 @@ STATED = (
     *((document, words, "tools/test", "\n      mutants") for document, words in (
         ("tools/test", "change {} places of the sources"), ("tests/README.md", "and tries {} mutants\nof the harness"),
         ("tests/README.md", "`tools/test --nightly`\ndraws {}, with"))),
+    (SCHEMA, "no frame longer than {} s", SCENARIO, "kFrameMax_s"), (SCHEMA, "ceil(duration / dt - {})", "sim/scenario/frame_clock.cpp", "base_dt_s(scenario.clock) -"),
+    (SCHEMA, "stays within {} px, s", REST, "kStill_px"),
     ("README.md", "CMake {} and", "CMakeLists.txt", "cmake_minimum_required(VERSION"),
     ("README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
     ("tools/own_core/README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
@@ -244,6 +247,48 @@ SAID_AGAIN = (
     (BENCHMARKS, "either ({}, at least {}); those of 100 s ({}) and of jitter seeds ({}) do", (SWEEPS, "sweep of 10 s at 60 Hz, keep final                          {} ("),
      (BENCHMARKS, "sweep of 10 s at 60 Hz, times faster than naive                      13.05    (12.69 .. 13.31)  at least {}"),
      (SWEEPS, "sweep of 100 s at 60 Hz, keep final                          {} ("), (SWEEPS, "keep final (naive: mt19937_64)       {} (")),
+)
+# Document and its words; source, and its words: what the groups have is the same in both, in any order.
+APPLY, COMPARISON, CMAKE, WALLS = "sim/scenario/apply.h", "sim/compare/comparison.h", "tools/own_core/hyrax_add_scenarios.cmake", "sim/core/contact_kernel.h"
+RUNS, FLING, MEMBERS, OWN = "tools/report/page/runs.js", "tools/report/page/fling.js", "tools/report/page/members.js", "tools/own_core/README.md"
+WORDED = (
+    ("README.md", r"origin is (top left), y points (down)\.", HEADER, r"Origin (top left), \+x right, \+y (down);"),
+    ("README.md", r"tools/run # replays (\S+);", "tools/run", r"tools/run replay (\S+);"),
+    ("README.md", r"tools/test # builds and runs all (\w+) tests", "tools/test", r"tools/test build in release mode, run the (\w+) tests"),
+    (FORMAT, r"origin is the (top left) corner of the window, x points (right), y points (down)\. `x, y` is the (top left) corner of the sprite; it is kept within `(0 \.\.) window - sprite`", HEADER,
+     r"Origin (top left), \+x (right), \+y (down);.*The (top left) corner is kept within (0 \.\.) screen - obj"),
+    (FORMAT, r"`fling` \| sets the velocity: [^|]*\(`(\w+)`\) \| \| `place` \| sets the position: [^|]*\(`(\w+)`\) \| \| `stop` \| sets the velocity to 0 \(`(\w+)`\)", APPLY,
+     r"const Fling& [^}]*?on\.(\w+)\(.*const Place& [^}]*?on\.(\w+)\(.*const Stop&[^}]*?on\.(\w+)\("),
+    (FORMAT, r"`release` \| sets the velocity and lets go, (before) the step of this frame", APPLY, r"Applies an action (before) the frame it falls on"),
+    (FORMAT, r"`hitch` \| gives (this frame another dt):", SCHEMA, r"Give (this frame another dt), s"),
+    (FORMAT, r"apply the events of this frame in (file order); \(3\) unless the sprite is held, call", "tests/oracle/replay.py", r"due in this frame, in (file order);"),
+    (FORMAT, r"`in_bounds` \| boolean \| (every row) is (inside the bounds of its frame) \(or, with `false`, one is not\)", SCHEMA, r"Whether (every row) lies (inside the bounds of its frame)"),
+    (FORMAT, r"`finite` \| boolean \| the (state stays finite)", SCHEMA, r"Whether the (state stays finite)"),
+    (FORMAT, r"`steps` (may be left out); if given, it must equal the (length)", SCHEMA, r"With an array of dt: its (length), and (may be left out)"),
+    (FILES, r"`rounding` \| every row has (the same contact byte); (positions)", "sim/compare/run_distance.h", r"within rounding: (the same contact byte), (positions)"),
+    (FILES, r"`values` \| (the same walls at the same steps, first and last, but more than)", COMPARISON, r"(the same walls at the same steps, first and last, but more than)"),
+    (FILES, r"`contacts` \| (a contact moved, appeared or vanished) \|", COMPARISON, r"contacts, (a contact moved, appeared or vanished)\."),
+    (FILES, r"`shape` \| another (length), another (scenario), or (missing data)", COMPARISON, r"shape, Other (length), (missing data), another (scenario)\."),
+    (FILES, r"allows \(default: `(\w+)`\); (new scenarios) and scenarios (whose own text changed) need no", "tools/hyrax-sim/bless.cpp",
+     r"default: (\w+)\); (new scenarios) and those (whose own text changed) need none"),
+    (FILES, r"for these folders \(default: `(\w+)`\); needs no reason", "tools/hyrax-sim/bless.cpp", r"of the folders given \(default: (\w+)\)"),
+    (FILES, r": a (range keeps its width), with the new value in its middle\. A (boolean), an (error bound) or a (one-sided limit) that does not hold is never changed", "tools/hyrax-sim/bless.cpp",
+     r"a (range keeps its width)\. (Boolean)s, (error bound)s and (one-sided limit)s never change"),
+    (OWN, r"letters, digits, `(.)`, `(.)`, `(.)`\)", CMAKE, r"must be of letters, digits, (.), (.) and (.) \(found"),
+    (OWN, r"have the label `CORE`, which is `(\w+)` for the shipped core", CMAKE, r"set\(prefix (\w+)\).*LABELS \${prefix}"),
+    (OWN, r"compiled with `(\S+)`, like the shipped core", "tools/cmake/room.cmake", r"(-ffp-contract=\w+)"),
+    (OWN, r"only `study (\w+)` is about the shipped constants", "sim/study/paper/paper_study.cpp", r"\.name = \"(paper)\",.*is_of_paper = true"),
+    (OWN, r"(on or past the wall's bound, or if its velocity turn)s from (towards the wall to away from it within reach: the bound is no farther from the position before the step than the faster of both velocities goes in dt)\.",
+     WALLS, r"(on or past the wall's bound, or if its velocity turn)ed from (towards the wall to away from it within reach: the bound is no farther from the position before the step than the faster of both velocities goes in dt)\."),
+    (OWN, r"in a contact with the (ground) with (vy) = 0\.", WALLS, r"set where the (ground) was met and (vy) is 0\."),
+    (OWN, r"and `bless` replaces it with `(--accept \w+)` only\.", "tools/app/bless/core_acceptance.cpp", r"(--accept \w+) replaces it"),
+    (PAGE, r"`data-replay` \(`(running)`, then `(agrees)`, `(differs)` or `(none)`\)", RUNS, r"worst = \{ (agrees): 0, (none): 1, (differs): 2 \}.*replay = '(running)'"),
+    (PAGE, r"opens on the (first) that differs", "tests/unit/tools/report/runs_test.mjs", r"it opens the (first) of the worst"),
+    (PAGE, r"energy drift by cause \(in (px of height), summed up over the run\)", "tools/report/page/core.js", r"Energy so far by cause, (px of height),"),
+    (PAGE, r"fall on a pixel, (the smallest and the largest value are drawn)\.", RUNS, r"(the smallest and the largest value are drawn)\."),
+    (PAGE, r"`S` shows a bounce a (tenth) as fast", FLING, r"bounce after the throw, a (tenth) as fast,"),
+    (PAGE, r"\((cells) where both are grids, (points elsewhere)\)", MEMBERS, r": (cells) that tile where both are grids, (points elsewhere)\."),
+    (PAGE, r"writes, with its state (hash) as `(expect)`\.", MEMBERS, r"(expect): \{ state_(hash):"),
 )
 SCENARIOS = len([path for path in (SOURCE / "scenarios").rglob("*.json") if not path.name.endswith(".schema.json")])
 WORDS = "zero one two three four five six seven eight nine ten".split()
@@ -339,6 +384,14 @@ class Facts(unittest.TestCase):
         for document, words, numbers in rows:
             with self.subTest(document=document, words=words):
                 self.assertEqual(stated(document, words), numbers)
+
+    def test_what_is_said_in_words_is_what_the_source_says(self):
+        for document, said, source, its in WORDED:
+            with self.subTest(document=document, said=said):
+                pairs = [re.search(pattern, " ".join(re.sub(r'"\s*\n\s*"|^\s*///?|///<|\*\*', "", text_of(path), flags=re.MULTILINE).split()), re.IGNORECASE)
+                         for path, pattern in ((document, said), (source, its))]
+                self.assertTrue(all(pairs), pairs)
+                self.assertEqual(*(sorted(map(str.lower, found.groups())) for found in pairs))
 
     def test_every_number_has_a_source_or_is_in_the_list(self):
         rows = [row[:2] for row in (*STATED, *SAID_AGAIN, *computed())]
@@ -499,18 +552,38 @@ class Facts(unittest.TestCase):
         self.assertEqual(stated(FORMAT, "real displays from {} x {} to {} x {} px at {} to {} Hz"),
                          [*min(sizes), *max(sizes), min(rates), max(rates)])
 
-    def test_what_another_frame_rate_keeps(self):
-        same_time, same_frames, remedy, also = re.search(
-            r"frame rate\. With `(\w+)` it covers the same time; with\s`(\w+)` it plays the same number.*?write `(\w+)`, or set `/(\w+)`",
-            text_of(FORMAT)).groups()
+    def test_what_runs_and_differences_do_by_the_documents(self):
+        """Words of the documents choose what is given to the program, or what must come of it."""
+        def words(document, pattern):
+            return re.search(pattern, " ".join(text_of(document).split())).groups()
+        same_time, same_frames, remedy, also = words(
+            FORMAT, r"frame rate\. With `(\w+)` it covers the same time; with `(\w+)` it plays the same number.*?write `(\w+)`, or set `/(\w+)`")
+        first, second, last, bounds, limit = words(FORMAT, r"Rows (\d), K, (\d)K, \.\.\. and the (last|first) one are stored\..*All bounds are (in|ex)clusive\..* at the number at the (latest|earliest), or")
+        zeros, count, contacts = words(FILES, r"\+0 and -0 (differ|agree), and.* a value agrees if (any|all) of them .{2,3} met\. Contacts must (always|never) agree\.")
         self.assertEqual([remedy, also], [same_time, same_frames])
         start = {key: each for key, each in json.loads(text_of("scenarios/flings/first-fling.json")).items() if key in ("format", "window", "sprite", "start")}
+        expect = {"contacts": {"ground": [8, 8], "left": [0, 1]}, "at_rest_since_s": 9}
         with tempfile.TemporaryDirectory(prefix="hyrax-") as folder:
-            paths = [pathlib.Path(folder, f"{name}.json") for name in ("time", "frames")]
-            for path, key in zip(paths, (same_time, same_frames)):
-                path.write_text(json.dumps({**start, "clock": {"rate_hz": 60}, key: 2}), encoding="utf-8")
-            kept = run(PROGRAM, "run", *paths, "--set", "/clock/rate_hz=144", "--json", cwd=folder)
-        self.assertEqual([each["steps"] for each in kept.json["runs"]], [288, 2])
+            def write(name, **more):
+                path = pathlib.Path(folder, f"{name}.json")
+                path.write_text(json.dumps({**start, "clock": {"rate_hz": 60}, **more}), encoding="utf-8")
+                return path
+
+            def agrees(dataset, row, value, *tolerances):
+                shutil.copy(f"{folder}/held.h5", f"{folder}/altered.h5")
+                with h5py.File(f"{folder}/altered.h5", "r+") as file:
+                    file[dataset][row] = value
+                return run(PROGRAM, "diff", "held.h5", "altered.h5", "-q", *tolerances, cwd=folder).exit_code == 0
+            paths = [write(name, **{key: 2}) for name, key in (("time", same_time), ("frames", same_frames))]
+            kept = run(PROGRAM, "run", *paths, "--set", "/clock/rate_hz=144", "--set", "/record/every=7", "--json", cwd=folder)
+            self.assertEqual([each["steps"] for each in kept.json["runs"]], [288, 2])
+            with h5py.File(f"{folder}/time.h5") as file:
+                steps = [int(first), *range(7, 289, 7 * (int(second) - 1))]
+                self.assertEqual(list(file["trajectory/step"]), steps + [288] * (last == "last"))
+            held, = run(PROGRAM, "run", write("held", steps=600, start={**start["start"], "vx_px_per_s": 0}, expect=expect), "--json", cwd=folder).json["runs"]
+            self.assertEqual([each["holds"] for each in held["expect"]], [limit == "latest", bounds == "in", bounds == "in"])
+            self.assertEqual([agrees("trajectory/vx", 5, -0.0), agrees("trajectory/x", 5, 60.001, "--abs", "0.1", "--ulps", "1"), agrees("contacts/step", 0, 9, "--abs", "1e9")],
+                             [zeros == "agree", count == "any", contacts == "never"])
 
 
 if __name__ == "__main__":
