@@ -250,11 +250,12 @@ SAID_AGAIN = (
 )
 # Document and its words; source, and its words: what the groups have is the same in both, in any order.
 APPLY, COMPARISON, CMAKE, WALLS = "sim/scenario/apply.h", "sim/compare/comparison.h", "tools/own_core/hyrax_add_scenarios.cmake", "sim/core/contact_kernel.h"
-RUNS, FLING, MEMBERS, OWN = "tools/report/page/runs.js", "tools/report/page/fling.js", "tools/report/page/members.js", "tools/own_core/README.md"
+RUNS, MEMBERS, OWN = "tools/report/page/runs.js", "tools/report/page/members.js", "tools/own_core/README.md"
 WORDED = (
     ("README.md", r"origin is (top left), y points (down)\.", HEADER, r"Origin (top left), \+x right, \+y (down);"),
     ("README.md", r"tools/run # replays (\S+);", "tools/run", r"tools/run replay (\S+);"),
     ("README.md", r"tools/test # builds and runs all (\w+) tests", "tools/test", r"tools/test build in release mode, run the (\w+) tests"),
+    ("README.md", r"cmake --build build # builds (\S+) and the tests", "tools/setup.sh", r"builds (\S+); ctest"),
     (FORMAT, r"origin is the (top left) corner of the window, x points (right), y points (down)\. `x, y` is the (top left) corner of the sprite; it is kept within `(0 \.\.) window - sprite`", HEADER,
      r"Origin (top left), \+x (right), \+y (down);.*The (top left) corner is kept within (0 \.\.) screen - obj"),
     (FORMAT, r"`fling` \| sets the velocity: [^|]*\(`(\w+)`\) \| \| `place` \| sets the position: [^|]*\(`(\w+)`\) \| \| `stop` \| sets the velocity to 0 \(`(\w+)`\)", APPLY,
@@ -265,6 +266,17 @@ WORDED = (
     (FORMAT, r"`in_bounds` \| boolean \| (every row) is (inside the bounds of its frame) \(or, with `false`, one is not\)", SCHEMA, r"Whether (every row) lies (inside the bounds of its frame)"),
     (FORMAT, r"`finite` \| boolean \| the (state stays finite)", SCHEMA, r"Whether the (state stays finite)"),
     (FORMAT, r"`steps` (may be left out); if given, it must equal the (length)", SCHEMA, r"With an array of dt: its (length), and (may be left out)"),
+    (FORMAT, r"`name` \| no \|[^|]*If left out, the (file) name without `\.json`", SCHEMA, r"The (file)'s stem if left out"),
+    (FORMAT, r"`sprite` \|[^|]*\|[^|]*; (may be larger than the window) \|", SCHEMA, r"(May be larger than the window): a hard case"),
+    (FORMAT, r"; needs dt > 0; not with an array of dt \|", SCHEMA, r'"then": \{ "properties": \{ "duration_s": false \} \}'),
+    (FORMAT, r"(Contacts) are stored for every (K) \|", SCHEMA, r"(Contacts) are recorded whatever (K) is"),
+    (FORMAT, r"the last row is within; a single number is refused \|", SCHEMA, r'"final_x_px": \{ "\$ref": "#/\$defs/interval",'),
+    (SCHEMA, r"a number as upper bound\.", FORMAT, r"settled, at the number at the latest"), (SCHEMA, r"Only while held\.", FORMAT, r"`release` while not held are errors"),
+    (SCHEMA, r"missed_frames: now and then dt is doubled", FORMAT, r"`missed_frames` \| `probability`, 0 \.\. 1 \| `dt \* 2\.0`"),
+    (SCHEMA, r'"implementation_px_max": [^}]* distance from the (discrete closed form), px.*"truncation_px_max": [^}]* from the (matched ODE), px', "sim/reference/drift.h",
+     r"double implementation_px = 0\.0; Against the (discrete closed form): .*double truncation_px = 0\.0; Against the (matched ODE)\."),
+    (FILES, r"`run` compares as well, unless `--(set)` was given", "tools/app/runs/scenario_run.cpp", r'"values were (set)"'),
+    (FILES, r"Where the (clocks differ), distance and energy are compared at the (same time), all else at the same step", "tools/app/diff/trajectory_diff.h", r"rows of the (same time): the (clocks differ)"),
     (FILES, r"`rounding` \| every row has (the same contact byte); (positions)", "sim/compare/run_distance.h", r"within rounding: (the same contact byte), (positions)"),
     (FILES, r"`values` \| (the same walls at the same steps, first and last, but more than)", COMPARISON, r"(the same walls at the same steps, first and last, but more than)"),
     (FILES, r"`contacts` \| (a contact moved, appeared or vanished) \|", COMPARISON, r"contacts, (a contact moved, appeared or vanished)\."),
@@ -280,13 +292,17 @@ WORDED = (
     (OWN, r"only `study (\w+)` is about the shipped constants", "sim/study/paper/paper_study.cpp", r"\.name = \"(paper)\",.*is_of_paper = true"),
     (OWN, r"(on or past the wall's bound, or if its velocity turn)s from (towards the wall to away from it within reach: the bound is no farther from the position before the step than the faster of both velocities goes in dt)\.",
      WALLS, r"(on or past the wall's bound, or if its velocity turn)ed from (towards the wall to away from it within reach: the bound is no farther from the position before the step than the faster of both velocities goes in dt)\."),
+    (OWN, r"`before` is the (velocity before the step), `overshoot` is (NaN)\.", WALLS, r"`before` is the (velocity before the step), `overshoot` (NaN)\."),
+    (OWN, r"`constants` is there for a core of the same shape only", "sim/trajectory/stored_run.h", r"constants; Of the core that played it; nothing where it is not the paper's model"),
+    (OWN, r"`fuzz` for finite, inside, repeatable, in pieces; `sweep` (step by step) \|", "sim/ensemble/ensemble.h", r"Plays one scenario by the replay, (step by step)"),
+    (OWN, r"`study`, `sweep` \(by the fast (kernels)\), `fuzz`", "tests/cli/own_shapes_test.py", r"The (kernels) leave steps at rest out"),
     (OWN, r"in a contact with the (ground) with (vy) = 0\.", WALLS, r"set where the (ground) was met and (vy) is 0\."),
     (OWN, r"and `bless` replaces it with `(--accept \w+)` only\.", "tools/app/bless/core_acceptance.cpp", r"(--accept \w+) replaces it"),
     (PAGE, r"`data-replay` \(`(running)`, then `(agrees)`, `(differs)` or `(none)`\)", RUNS, r"worst = \{ (agrees): 0, (none): 1, (differs): 2 \}.*replay = '(running)'"),
+    (PAGE, r"the (golden) run is translucent and dashed", RUNS, r"label: '(golden)', name: 'golden file'"),
     (PAGE, r"opens on the (first) that differs", "tests/unit/tools/report/runs_test.mjs", r"it opens the (first) of the worst"),
     (PAGE, r"energy drift by cause \(in (px of height), summed up over the run\)", "tools/report/page/core.js", r"Energy so far by cause, (px of height),"),
     (PAGE, r"fall on a pixel, (the smallest and the largest value are drawn)\.", RUNS, r"(the smallest and the largest value are drawn)\."),
-    (PAGE, r"`S` shows a bounce a (tenth) as fast", FLING, r"bounce after the throw, a (tenth) as fast,"),
     (PAGE, r"\((cells) where both are grids, (points elsewhere)\)", MEMBERS, r": (cells) that tile where both are grids, (points elsewhere)\."),
     (PAGE, r"writes, with its state (hash) as `(expect)`\.", MEMBERS, r"(expect): \{ state_(hash):"),
 )
@@ -504,8 +520,13 @@ class Facts(unittest.TestCase):
         with h5py.File(SOURCE / "golden/flings/corner-fling.h5") as file:
             codes = {name: int(code) for name, code in re.findall(r"([a-z-]+) (\d)", inputs)}
             self.assertEqual(codes, h5py.check_enum_dtype(file["events/kind"].dtype))
+            scale_name = "/trajectory/" + re.search(r"`(\w+)` is the dimension scale of the others", text_of(FILES))[1]
+            self.assertIn("| `/events/frame` | int64 [E] | the frame of each input |", text_of(FILES))
+            self.assertEqual([event["step"] for event in json.loads(file.attrs["scenario"])["events"][:6]], list(file["events/frame"][:6]))
             lengths = {"trajectory": "N", "contacts": "M", "events": "E"}
             for group, length in lengths.items():
+                for dataset in file[group].values() if group == "trajectory" else ():
+                    self.assertEqual([scale.name for scale in dataset.dims[0].values()], [] if dataset.name == scale_name else [scale_name])
                 found.update({dataset.name: (dataset.dtype.name, length) for dataset in file[group].values()})
                 self.assertEqual({dataset.shape for dataset in file[group].values()}, {(len(next(iter(file[group].values()))),)})
             self.assertEqual(set(re.findall(r"`(\w+)`", re.search(r"\| `/`, attributes \|.*?\n", text_of(FILES))[0])) -
@@ -559,7 +580,7 @@ class Facts(unittest.TestCase):
         same_time, same_frames, remedy, also = words(
             FORMAT, r"frame rate\. With `(\w+)` it covers the same time; with `(\w+)` it plays the same number.*?write `(\w+)`, or set `/(\w+)`")
         first, second, last, bounds, limit = words(FORMAT, r"Rows (\d), K, (\d)K, \.\.\. and the (last|first) one are stored\..*All bounds are (in|ex)clusive\..* at the number at the (latest|earliest), or")
-        zeros, count, contacts = words(FILES, r"\+0 and -0 (differ|agree), and.* a value agrees if (any|all) of them .{2,3} met\. Contacts must (always|never) agree\.")
+        zeros, nan, count, contacts = words(FILES, r"\+0 and -0 (differ|agree), and NaN (always|never) fails\..* a value agrees if (any|all) of them .{2,3} met\. Contacts must (always|never) agree\.")
         self.assertEqual([remedy, also], [same_time, same_frames])
         start = {key: each for key, each in json.loads(text_of("scenarios/flings/first-fling.json")).items() if key in ("format", "window", "sprite", "start")}
         expect = {"contacts": {"ground": [8, 8], "left": [0, 1]}, "at_rest_since_s": 9}
@@ -569,11 +590,12 @@ class Facts(unittest.TestCase):
                 path.write_text(json.dumps({**start, "clock": {"rate_hz": 60}, **more}), encoding="utf-8")
                 return path
 
-            def agrees(dataset, row, value, *tolerances):
+            def agrees(dataset, row, altered, *tolerances):
                 shutil.copy(f"{folder}/held.h5", f"{folder}/altered.h5")
                 with h5py.File(f"{folder}/altered.h5", "r+") as file:
-                    file[dataset][row] = value
-                return run(PROGRAM, "diff", "held.h5", "altered.h5", "-q", *tolerances, cwd=folder).exit_code == 0
+                    file[dataset][row] = altered
+                shutil.copy(f"{folder}/altered.h5", f"{folder}/same.h5")
+                return run(PROGRAM, "diff", f"{'same' if math.isnan(altered) else 'held'}.h5", "altered.h5", "-q", *tolerances, cwd=folder).exit_code == 0
             paths = [write(name, **{key: 2}) for name, key in (("time", same_time), ("frames", same_frames))]
             kept = run(PROGRAM, "run", *paths, "--set", "/clock/rate_hz=144", "--set", "/record/every=7", "--json", cwd=folder)
             self.assertEqual([each["steps"] for each in kept.json["runs"]], [288, 2])
@@ -582,8 +604,8 @@ class Facts(unittest.TestCase):
                 self.assertEqual(list(file["trajectory/step"]), steps + [288] * (last == "last"))
             held, = run(PROGRAM, "run", write("held", steps=600, start={**start["start"], "vx_px_per_s": 0}, expect=expect), "--json", cwd=folder).json["runs"]
             self.assertEqual([each["holds"] for each in held["expect"]], [limit == "latest", bounds == "in", bounds == "in"])
-            self.assertEqual([agrees("trajectory/vx", 5, -0.0), agrees("trajectory/x", 5, 60.001, "--abs", "0.1", "--ulps", "1"), agrees("contacts/step", 0, 9, "--abs", "1e9")],
-                             [zeros == "agree", count == "any", contacts == "never"])
+            self.assertEqual([agrees("trajectory/vx", 5, -0.0), agrees("trajectory/x", 5, 60.001, "--abs", "0.1", "--ulps", "1"), agrees("contacts/step", 0, 9, "--abs", "1e9"),
+                              agrees("trajectory/vx", 5, math.nan)], [zeros == "agree", count == "any", contacts == "never", nan == "never"])
 
 
 if __name__ == "__main__":

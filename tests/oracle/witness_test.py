@@ -135,10 +135,10 @@ class Documents(unittest.TestCase):
 
     def test_what_a_file_and_its_summary_hold(self):
         """Words of the documents choose the row, the order or the number."""
-        order, *corner, row, after, second, of_second, first, of_first, least, apex, height, at_second, until = stated(
+        order, *corner, row, after, second, of_second, first, of_first, least, apex, height, at_second, until, met = stated(
             "golden/README.md", r"first and last row of each contact, in order of the (first|last); in a corner ([xy]) before ([xy]) ", r"`/contacts/t`, `x`, `y` \| float64 \[M\] \| of the (first|last) row",
             r"vx_after`, `vy_after` \| float64 \[M\] \| velocity (after|before) the contact", r"In a corner the (first|second) contact's `(before|after)` is the (first|second) one's `(before|after)`",
-            r"how far past the wall the position was before the clamp, px, (>=|<=) 0", r"the apex \(the (first|last) of the (highest|lowest) rows\), the position at each second of the first ten \(the (first|last) row (up to|from) that time\)")
+            r"how far past the wall the position was before the clamp, px, (>=|<=) 0", r"the apex \(the (first|last) of the (highest|lowest) rows\), the position at each second of the first ten \(the (first|last) row (up to|from) that time\)", r"and speed as the sprite (met|left) it")
         anchor, far = stated("scenarios/README.md", r"Settled: row (\d) is the first anchor; a row whose x (or|and) y is more than 0\.5 px from the anchor becomes the anchor\. If the last row .* settled since the anchor's time")
         place_of, corners, settled = {"first": 0, "last": -1, "second": 1}, 0, 0
         for path in sorted((SOURCE / "golden").rglob("*.h5")):
@@ -157,6 +157,9 @@ class Documents(unittest.TestCase):
                 for name in ("vx", "vy"):
                     self.assertEqual(*(contacts[f"{name}_{when}"][place + place_of[which]] for which, when in ((second, of_second), (first, of_first))), path)
                     self.assertEqual(contacts[f"{name}_{after}"][place + 1], rows[name][contacts["step"][place]], path)
+            for place, speed in enumerate(re.findall(r"^  \d.* at ([\d.]+) px/s$", summary, re.MULTILINE)):
+                if len(placed) <= 40:
+                    self.assertAlmostEqual(float(speed), math.hypot(*(contacts[f"{name}_{ {'met': 'before', 'left': 'after'}[met] }"][place] for name in ("vx", "vy"))), delta=1e-6 + 1e-9 * float(speed))
             highest = numpy.flatnonzero(rows["y"] == {"highest": min, "lowest": max}[height](rows["y"]))[place_of[apex]]
             self.assertIn(f"y {rows['y'][highest]:.6f} px, step {highest}\n", summary)
             for seconds, step in re.findall(r"^  (\d+) s  x .*, step (\d+)$", summary, re.MULTILINE):
