@@ -28,6 +28,7 @@ BY_NAME = {"BASH_FUNC_called%%": f"() {STAND_IN}", **{f"BASH_FUNC_{name}%%": f"(
 WITHOUT_PROCESSES = """
 project_folder() { echo "$PWD"; }; has_apt() { :; }; missing_packages() { :; }
 logged() { "$@" > "$LOG.printed" 2>&1; }; say_time() { :; }; time_of_change() { :; }; flock() { :; }
+can_write() { [[ $FAILS != unwritable* ]] && mkdir -p -- "$1"; }
 """
 # Functions for a shell that sourced setup.sh; where it calls apt as root, it gives apt an environment first.
 NO_PROGRAMS = """set -uo pipefail; project=$PWD; source tools/setup.sh
@@ -91,6 +92,8 @@ CALLS = (
     ("run --yes a.json --report x.html", "hyrax-sim*", 8, "",
      f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-sim, hyrax-sim run a.json --report x.html"),
     ("check a.json --golden g", "hyrax-sim*", 8, "", f"{BUILT}, hyrax-sim check a.json --golden g"), ("check", "ninja*", 3, "hyrax-sim could not be built", BUILT),
+    ("run a.json", "unwritable hyrax-sim*", 8, "running the existing hyrax-sim without building it", "hyrax-sim run a.json"),
+    *((script, "unwritable", 3, "build/tools: cannot be written; change its permissions, or", "") for script in ("check", "compare", "test")),
     ("compare my.h --report x.html", "hyrax-compare*", 8, "",
      f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-compare, hyrax-compare my.h --report x.html"),
     ("test", "ctest*", 1, "", f"{TESTS}, ninja /tools, ctest /tools -LE long"),
