@@ -205,13 +205,6 @@ TEST(RunSvg, NotesWhatItDoesNotShow) {
   says({0, 952}, {0, 952}, "start, end");
 }
 
-TEST(RunSvg, EndsItsParts) {
-  for (const std::int64_t count : {0, 1, 600}) {
-    const std::string svg = run_svg(some_fling(), colourful_rows(count), contacts_at_each_wall(9));
-    EXPECT_EQ(count_of(svg, "<g"), count_of(svg, "</g>")) << count;
-  }
-}
-
 TEST(RunSvg, ThePathHasTheColourOfItsSpeedInTheBar) {
   for (const double fastest : {4e4, 1e5}) {  // An even scale, and a logarithmic one.
     Columns rows = dropped_rows(60);
