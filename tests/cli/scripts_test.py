@@ -26,7 +26,8 @@ STAND_IN = """{
 BY_NAME = {"BASH_FUNC_called%%": f"() {STAND_IN}", **{f"BASH_FUNC_{name}%%": f"() {{ called {name} \"$@\"; }}" for name in ("cmake", "cpack", "ctest", "ninja")}}
 # Instead of functions of setup.sh that Scripts tests by themselves, and that start processes.
 WITHOUT_PROCESSES = """
-project_folder() { echo "$PWD"; }; has_apt() { :; }; missing_packages() { :; }
+project_folder() { echo "$PWD"; }; has_apt() { :; }
+missing_packages() { local list; for list in ${!packages_*}; do local -n those=$list; [[ " $* " != *" ${those[*]} "* ]] || printf '%s ' "${list#packages_}" >> "$LOG.packages"; done; }
 logged() { "$@" > "$LOG.printed" 2>&1; }; say_time() { :; }; time_of_change() { :; }; flock() { :; }
 can_write() { [[ $FAILS != unwritable* ]] && mkdir -p -- "$1"; }
 """
@@ -105,8 +106,14 @@ CALLS = (
         r"ninja /tsan hyrax-sim racy, ctest /tsan -R ^faults\.threads$, run 3600, mutation.py --build /tools --count 10 --seed DATE --minutes 60"))),
     ("package deb", "cpack*", 3, "could not be built", "cmake --preset package -DHYRAX_PAGE=no, ninja /package, "
      "cpack --config /package/CPackConfig.cmake -G DEB /package/packages"),
+    ("package --page deb", "ninja*page", 3, "could not be built", "cmake --preset package -DHYRAX_PAGE=ON, ninja /package page"),
     ("package tar", "", 2, "(found tar)", ""),
 )
+
+# The lists of packages that each needs, of which others are parts.
+NEEDED = {"run": "to_build", "run --yes a.json --report x.html": "for_page to_build", "compare my.h --report x.html": "for_page", "test": "to_build to_test",
+          "test --all --yes -R unit": "for_all for_clusters for_page for_platforms for_wine to_browse to_build to_test",
+          "test --nightly": "for_all for_clusters for_page for_platforms for_wine to_browse to_build to_install to_package to_test", "package deb": "to_build to_package", "package --page deb": "for_page to_build to_package"}
 
 
 class Scripts(ProgramTest):
@@ -128,6 +135,7 @@ class Scripts(ProgramTest):
     def call(self, command, fails=""):
         """Runs one of the scripts; returns the outcome and the command lines of the stand-ins."""
         self.write("log", "")
+        self.write("log.packages", "")
         script, *arguments = f"tools/{command}".split()
         outcome = run("bash", script, *arguments, cwd=self.folder,
                       env={**os.environ, **BY_NAME, "CI": "", "FAILS": fails, "LOG": f"{self.folder}/log"})
@@ -141,6 +149,7 @@ class Scripts(ProgramTest):
                 outcome, log = self.call(command, fails)
                 self.assertEqual(outcome.exit_code, exit_code, outcome)
                 self.assertIn(part, outcome.err)
+                self.assertEqual((self.folder / "log.packages").read_text().split(), NEEDED.get(command, "to_build" if command == "run a.json" else "").split())
                 stated = re.search(r"Exit code: [^.]*", (self.folder / f"tools/{command.split()[0]}").read_text())[0]
                 self.assertRegex(stated, r"that of `?hyrax-" if exit_code == 8 or command == "run" else rf"\b{exit_code}\b")
                 text = re.sub(r"--seed \d{8} ", "--seed DATE ", ", ".join(log).replace(str(self.folder.resolve()), "PROJECT"))
@@ -158,6 +167,9 @@ class Scripts(ProgramTest):
     def test_every_option_of_a_usage_is_read_and_every_one_that_is_read_is_in_it(self):
         for script in SCRIPTS:
             with self.subTest(script=script):
+                if script != "compare":  # It goes on with the program's help.
+                    outcome, log = self.call(f"{script} --help")
+                    self.assertEqual((outcome.exit_code, log, outcome.out[:6 + len(script)]), (0, [], f"tools/{script}"))
                 usage, code = re.search(r"<< 'END'\n(.*?)\nEND\n(.*)", (self.folder / "tools" / script).read_text(), re.DOTALL).groups()
                 read = set(re.findall(r"^    (--[a-z-]+)\)", code, re.MULTILINE))
                 of_programs = {"--figure", "--report", "--set", "--verbose", "--json", "--help"}  # To which a script passes them.
