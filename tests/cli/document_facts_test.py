@@ -231,7 +231,7 @@ NO_SOURCE = {
     "tools/report/page/README.md": "0 120 120",
     "tools/hyrax/help.txt": "5",
 }
-BENCHMARKS, SWEEPS = "tests/benchmarks/README.md", "sim/ensemble/README.md"
+TESTS, BENCHMARKS, SWEEPS = "tests/README.md", "tests/benchmarks/README.md", "sim/ensemble/README.md"
 # Document and its words; the output, of a command or a benchmark, that these numbers are from, line by line.
 SAID_AGAIN = (
     ("README.md", "Needs g++ {} or clang {},", ("tests/README.md", "| x86-64 | g++ {} |"), ("tests/README.md", "| x86-64 | clang {},")),
@@ -327,6 +327,16 @@ WORDED = (
     (OWN, r"and `bless` replaces it with `(--accept \w+)` only\.", "tools/app/bless/core_acceptance.cpp", r"(--accept \w+) replaces it"),
     (PAGE, r"`data-replay` \(`(running)`, then `(agrees)`, `(differs)` or `(none)`\)", RUNS, r"worst = \{ (agrees): 0, (none): 1, (differs): 2 \}.*replay = '(running)'"),
     (PAGE, r"the (golden) run is translucent and dashed", RUNS, r"label: '(golden)', name: 'golden file'"),
+    (TESTS, r"`--all` tests two builds: the everyday one, and (clang)'s with sanitizers", "tools/test", r"presets=\(asan-(clang)\)"),
+    (TESTS, r"in the everyday build only, and with `(--nightly)` in all builds", "tools/test", r"tools/test (--nightly) .*run all everyday tests in all builds \(--all leaves"),
+    (TESTS, r"`long` \| with `(--all)` and `--nightly`", "tools/test", r"tools/test (--all) also run the long tests"), (TESTS, r"`nightly` \| with `(--nightly)` only", "tools/test", r"tools/test (--nightly) also run the nightly tests"),
+    (TESTS, r"95 % interval \((Wilson)\)", "tests/must_fail/mutation/table.py", r"\((Wilson) 1927\)"), (TESTS, r"draws ten, with the (date) as the seed", "tools/test", r'--seed "\$\((date) '),
+    (TESTS, r"constants (by one ulp, by 1 %) and (by sign);", "tests/must_fail/mutation/mutators.py", r"A floating constant (by one ulp, by 1 %) and (by sign);"),
+    (TESTS, r"(HYRAX_APPROVE)=1 tools/test -R unit", "tests/unit/sim/result/described.h", r'getenv\("(HYRAX_APPROVE)"\)'), (TESTS, r"tests/cli/documentation_test\.py (--update)", "tests/cli/documentation_test.py", r"documentation_test\.py (--update) rewrites"),
+    (BENCHMARKS, r"build/release/bin/(hyrax-figures)", "tests/benchmarks/CMakeLists.txt", r"add_executable\((hyrax-figures) "),
+    (BENCHMARKS, r"cmake --preset (release) &&", "CMakePresets.json", r'"name": "(release)", "displayName": "[^"]*, with the benchmarks"'),
+    (TESTS, r"What a machine lacks [^.]* (skips a test), and fails it if `(CI)=true`", "tests/cli/process.py", r"(Skips a test) that this machine cannot run; if (CI) is set, that is a failure"),
+    (BENCHMARKS, r"From there on nothing is computed, .*`(--no-skip)` (compute)s it\.", "tools/hyrax-sim/run.cpp", r'"(--no-skip)", "", "(compute) also the steps that repeat'),
     (PAGE, r"golden file \(`(--against)`, or", "tools/report/page/verdict.js", r"report (--against) GOLDEN\.h5 compares"), (PAGE, r"Each is saved as (CSV) by a click", "tools/report/page/charts.js", r" as (CSV)`"),
     (PAGE, r"it (opens on the second around) the (largest distance)", "tests/unit/tools/report/runs_test.mjs", r"it (opens on the second around) their (largest distance)"),
     (PAGE, r"its distance is the first chart", "tests/unit/tools/report/runs_test.mjs", r"children\[0\]\.id === 'chart-distance'"),
