@@ -51,7 +51,7 @@ FUNCTIONS = (
     ("stop because", "", 3, "because\n", []),
     *((f"is_configured build/x {settings}", "", code, "", []) for settings, code in (
         ("", 0), ("A=ON B=long", 0), ("A=O", 1), ("A=OFF", 1), ("A=ON B=lon", 1), ("C=ON", 1))),
-    ("is_configured build", "", 1, "", []), ("project=/other; is_configured build/x", "", 1, "", []),
+    ("is_configured build", "", 1, "", []), ("rm build/x/CMakeCache.txt; is_configured build/x", "", 1, "", []), ("project=/other; is_configured build/x", "", 1, "", []),
     ("configure $project/build/x A=ON", "", 0, "", []), ("configure $project/build/x A=OFF B=long", "", 0, r"configure build/x .* s\n", [CMAKE]),
     ("configure $project/build/x A=OFF B=long", "cmake", 8, r"configure build/x .*FAILED \(exit 8\)\n", [CMAKE]),
     ("forget_other_source build/x; [[ -d build/x ]]", "", 0, "", []), ("project=/other; forget_other_source build/x; [[ ! -e build/x ]]", "", 0, "", []),
@@ -154,6 +154,9 @@ class Scripts(ProgramTest):
                 self.assertRegex(stated, r"that of `?hyrax-" if exit_code == 8 or command == "run" else rf"\b{exit_code}\b")
                 text = re.sub(r"--seed \d{8} ", "--seed DATE ", ", ".join(log).replace(str(self.folder.resolve()), "PROJECT"))
                 self.assertEqual(re.sub(OF_EVERY_CALL, "", text.replace("PROJECT/build/", "/")), calls)
+        (self.folder / "build/tools/bin/hyrax-sim").unlink()
+        outcome, log = self.call("run a.json", "unwritable")
+        self.assertEqual((outcome.exit_code, log), (3, []), "neither built nor there")
 
     def test_a_missing_scenario_is_reported_before_anything_is_built(self):
         options = ",".join(re.findall(r"^  (-\S+) \S", run(PROGRAM, "run", "--help").out, re.MULTILINE)).split(",")
