@@ -10,7 +10,7 @@ import numpy
 
 import browser
 import program
-from program import AGREED, BAD_INPUT, SOURCE
+from program import AGREED, SOURCE
 
 HOSTILE = browser.HOSTILE
 FIGURES = "document.querySelectorAll('figure').length"
@@ -186,13 +186,6 @@ class ResultsTest(browser.BrowserTest):
         for page in pages:
             self.assertEqual(page["values"][0], 0)
             self.assertEqual((page["errors"], page["requests"]), ([], []))
-
-    def test_refuses_what_is_no_figure_and_runs_beside_studies(self):
-        self.study("rest")
-        self.played("fling", program.fling())
-        self.expect(BAD_INPUT, "report", "rest.h5", "fling.h5", "-o", "a.html", says="either trajectories or these")
-        self.expect(BAD_INPUT, "report", "fling.h5", "rest.h5", "-o", "a.html", says="rest.h5")
-        self.expect(BAD_INPUT, "report", "rest.h5", "--against", "fling.h5", "-o", "a.html", says="--against")
 
 
 if __name__ == "__main__":

@@ -57,6 +57,15 @@ class Options(unittest.TestCase):
                 with self.subTest(document=str(document.relative_to(SOURCE)), line=line):
                     self.assertLessEqual(set(re.findall(r"(?<=\s)--[a-z][a-z-]+", line)), known)
 
+    def test_each_task_has_its_command_and_each_core_its_commands(self):
+        tasks = re.findall(r"^\| [a-z][^|]*\| [^|]*?`hyrax-sim (\w+)", text_of("README.md"), re.MULTILINE)
+        self.assertEqual(tasks, "run run check bless diff drift study fuzz shrink sweep new".split())
+        for target, description in re.findall(r"^\| \[[^]]*\]\(([\w/.]+)\) \| ([^|[]*)", text_of("README.md"), re.MULTILINE):
+            self.assertLessEqual(stems(description), stems(text_of(target)) | {"sourc", "layou"}, target)
+        others = re.search(r"^\| any other \| (.*) \|$", text_of("tools/own_core/README.md"), re.MULTILINE)[1]
+        needing = {path.stem for path in (SOURCE / "tools/hyrax-sim").glob("*.cpp") if "needs_paper_step = true" in path.read_text(encoding="utf-8")}
+        self.assertEqual(set(re.findall(r"`(\w+)`", others)), set(re.findall(r"\bCOMMAND\((\w+)\)", text_of("tools/hyrax-sim/program.cpp"))) - needing - {"schema"})
+
     def test_every_option_of_a_script_in_a_document_is_one_of_its_own_or_of_its_program(self):
         of_programs = set(re.findall(r"--[a-z][a-z-]+", "".join(help_screens()) + text_of("tools/hyrax-compare/main.cpp")))
         for document in DOCUMENTS:

@@ -52,6 +52,9 @@ class ReportTest(ProgramTest):
 
     def test_reads_studies_and_sweeps_and_refuses_damaged_ones(self):
         self.expect(AGREED, "study", "rest", "--quick", "--no-figures")
+        for says, *arguments in (("either trajectories or these", "rest.h5", "fling.h5"), ("rest.h5: ", "fling.h5", "rest.h5"),
+                                 ("--against: allowed for trajectories only", "rest.h5", "--against", "fling.h5")):
+            self.expect(BAD_INPUT, "report", *arguments, "-o", "a.html", says=says)
         self.write("sweep.json", document(members=3))
         self.expect(AGREED, "sweep", "sweep.json")
         for name in ("rest.h5", "sweep.h5"):

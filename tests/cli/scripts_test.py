@@ -26,8 +26,10 @@ STAND_IN = """{
 BY_NAME = {"BASH_FUNC_called%%": f"() {STAND_IN}", **{f"BASH_FUNC_{name}%%": f"() {{ called {name} \"$@\"; }}" for name in ("cmake", "cpack", "ctest", "ninja")}}
 # Instead of functions of setup.sh that Scripts tests by themselves, and that start processes.
 WITHOUT_PROCESSES = """
-project_folder() { echo "$PWD"; }; has_apt() { :; }; missing_packages() { :; }
+project_folder() { echo "$PWD"; }; has_apt() { :; }
+missing_packages() { local list; for list in ${!packages_*}; do local -n those=$list; [[ " $* " != *" ${those[*]} "* ]] || printf '%s ' "${list#packages_}" >> "$LOG.packages"; done; }
 logged() { "$@" > "$LOG.printed" 2>&1; }; say_time() { :; }; time_of_change() { :; }; flock() { :; }
+can_write() { [[ $FAILS != unwritable* ]] && mkdir -p -- "$1"; }
 """
 # Functions for a shell that sourced setup.sh; where it calls apt as root, it gives apt an environment first.
 NO_PROGRAMS = """set -uo pipefail; project=$PWD; source tools/setup.sh
@@ -36,7 +38,7 @@ for name in cmake ninja apt-get; do eval "$name() { called $name \\"\\$@\\"; }";
 as_root() { [[ $1 != env ]] || shift 2; "$@"; }; has_apt() { :; }; sudo() { :; }; flock() { :; }
 mktemp() { echo printed; }; rm() { [[ $* == "-f -- printed" ]] || command rm "$@"; }; stat() { :; }
 """
-PLAN, INSTALL, UPDATE = "apt-get install --print-uris --yes --no-install-recommends b c", "apt-get -qq install", "apt-get -qq update"
+PLAN, INSTALL, UPDATE = "apt-get install --print-uris --yes --no-install-recommends b c", "apt-get -qq install b c", "apt-get -qq update"
 SOME = "dpkg-query() { printf 'a=installed\\nb=config-files\\n'; }; ensure_packages a b c"
 CMAKE = "cmake --log-level=WARNING -S PROJECT -B PROJECT/build/x -G Ninja -DA=OFF -DB=long"
 # Answers to the question of setup.sh, as typed. 4 is Ctrl-D.
@@ -49,7 +51,7 @@ FUNCTIONS = (
     ("stop because", "", 3, "because\n", []),
     *((f"is_configured build/x {settings}", "", code, "", []) for settings, code in (
         ("", 0), ("A=ON B=long", 0), ("A=O", 1), ("A=OFF", 1), ("A=ON B=lon", 1), ("C=ON", 1))),
-    ("is_configured build", "", 1, "", []), ("project=/other; is_configured build/x", "", 1, "", []),
+    ("is_configured build", "", 1, "", []), ("rm build/x/CMakeCache.txt; is_configured build/x", "", 1, "", []), ("project=/other; is_configured build/x", "", 1, "", []),
     ("configure $project/build/x A=ON", "", 0, "", []), ("configure $project/build/x A=OFF B=long", "", 0, r"configure build/x .* s\n", [CMAKE]),
     ("configure $project/build/x A=OFF B=long", "cmake", 8, r"configure build/x .*FAILED \(exit 8\)\n", [CMAKE]),
     ("forget_other_source build/x; [[ -d build/x ]]", "", 0, "", []), ("project=/other; forget_other_source build/x; [[ ! -e build/x ]]", "", 0, "", []),
@@ -91,6 +93,8 @@ CALLS = (
     ("run --yes a.json --report x.html", "hyrax-sim*", 8, "",
      f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-sim, hyrax-sim run a.json --report x.html"),
     ("check a.json --golden g", "hyrax-sim*", 8, "", f"{BUILT}, hyrax-sim check a.json --golden g"), ("check", "ninja*", 3, "hyrax-sim could not be built", BUILT),
+    ("run a.json", "unwritable hyrax-sim*", 8, "running the existing hyrax-sim without building it", "hyrax-sim run a.json"),
+    *((script, "unwritable", 3, "build/tools: cannot be written; change its permissions, or", "") for script in ("check", "compare", "test")),
     ("compare my.h --report x.html", "hyrax-compare*", 8, "",
      f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-compare, hyrax-compare my.h --report x.html"),
     ("test", "ctest*", 1, "", f"{TESTS}, ninja /tools, ctest /tools -LE long"),
@@ -102,8 +106,14 @@ CALLS = (
         r"ninja /tsan hyrax-sim racy, ctest /tsan -R ^faults\.threads$, run 3600, mutation.py --build /tools --count 10 --seed DATE --minutes 60"))),
     ("package deb", "cpack*", 3, "could not be built", "cmake --preset package -DHYRAX_PAGE=no, ninja /package, "
      "cpack --config /package/CPackConfig.cmake -G DEB /package/packages"),
+    ("package --page deb", "ninja*page", 3, "could not be built", "cmake --preset package -DHYRAX_PAGE=ON, ninja /package page"),
     ("package tar", "", 2, "(found tar)", ""),
 )
+
+# The lists of packages that each needs, of which others are parts.
+NEEDED = {"run": "to_build", "run --yes a.json --report x.html": "for_page to_build", "compare my.h --report x.html": "for_page", "test": "to_build to_test",
+          "test --all --yes -R unit": "for_all for_clusters for_page for_platforms for_wine to_browse to_build to_test",
+          "test --nightly": "for_all for_clusters for_page for_platforms for_wine to_browse to_build to_install to_package to_test", "package deb": "to_build to_package", "package --page deb": "for_page to_build to_package"}
 
 
 class Scripts(ProgramTest):
@@ -125,6 +135,7 @@ class Scripts(ProgramTest):
     def call(self, command, fails=""):
         """Runs one of the scripts; returns the outcome and the command lines of the stand-ins."""
         self.write("log", "")
+        self.write("log.packages", "")
         script, *arguments = f"tools/{command}".split()
         outcome = run("bash", script, *arguments, cwd=self.folder,
                       env={**os.environ, **BY_NAME, "CI": "", "FAILS": fails, "LOG": f"{self.folder}/log"})
@@ -138,10 +149,14 @@ class Scripts(ProgramTest):
                 outcome, log = self.call(command, fails)
                 self.assertEqual(outcome.exit_code, exit_code, outcome)
                 self.assertIn(part, outcome.err)
+                self.assertEqual((self.folder / "log.packages").read_text().split(), NEEDED.get(command, "to_build" if command == "run a.json" else "").split())
                 stated = re.search(r"Exit code: [^.]*", (self.folder / f"tools/{command.split()[0]}").read_text())[0]
                 self.assertRegex(stated, r"that of `?hyrax-" if exit_code == 8 or command == "run" else rf"\b{exit_code}\b")
                 text = re.sub(r"--seed \d{8} ", "--seed DATE ", ", ".join(log).replace(str(self.folder.resolve()), "PROJECT"))
                 self.assertEqual(re.sub(OF_EVERY_CALL, "", text.replace("PROJECT/build/", "/")), calls)
+        (self.folder / "build/tools/bin/hyrax-sim").unlink()
+        outcome, log = self.call("run a.json", "unwritable")
+        self.assertEqual((outcome.exit_code, log), (3, []), "neither built nor there")
 
     def test_a_missing_scenario_is_reported_before_anything_is_built(self):
         usage = run(PROGRAM, "run", "--help").out
@@ -159,6 +174,9 @@ class Scripts(ProgramTest):
     def test_every_option_of_a_usage_is_read_and_every_one_that_is_read_is_in_it(self):
         for script in SCRIPTS:
             with self.subTest(script=script):
+                if script != "compare":  # It goes on with the program's help.
+                    outcome, log = self.call(f"{script} --help")
+                    self.assertEqual((outcome.exit_code, log, outcome.out[:6 + len(script)]), (0, [], f"tools/{script}"))
                 usage, code = re.search(r"<< 'END'\n(.*?)\nEND\n(.*)", (self.folder / "tools" / script).read_text(), re.DOTALL).groups()
                 read = set(re.findall(r"^    (--[a-z-]+)\)", code, re.MULTILINE))
                 of_programs = {"--figure", "--report", "--set", "--verbose", "--json", "--help"}  # To which a script passes them.
@@ -195,7 +213,7 @@ class Scripts(ProgramTest):
                 printed, calls = ((self.folder / f"{name}.{number}").read_text() for name in ("err", "called"))
                 self.assertEqual(codes[number], str(exit_code), printed)
                 self.assertRegex(printed, rf"(?s)\A{err}\Z")
-                calls = [re.sub(f"^{INSTALL} .*", INSTALL, line.replace(str(self.folder.resolve()), "PROJECT")) for line in calls.splitlines()]
+                calls = [re.sub(r"(?<=^apt-get -qq install ).*=300 ", "", line.replace(str(self.folder.resolve()), "PROJECT")) for line in calls.splitlines()]
                 self.assertEqual(calls, called)
 
 

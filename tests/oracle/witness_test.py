@@ -55,7 +55,7 @@ def stated(path, *patterns):
 
 def value(formula, **names):
     """Of a document's formula."""
-    return eval(formula.replace("^", "**"), {"floor": math.floor}, names)  # pylint: disable=eval-used
+    return eval(formula.replace("^", "**"), {"floor": math.floor, "ceil": math.ceil}, names)  # pylint: disable=eval-used
 
 
 class Documents(unittest.TestCase):
@@ -126,6 +126,64 @@ class Documents(unittest.TestCase):
             names = {"AIR_DRAG": 0.999, "GRAVITY": 1200, "dt": rows["dt"][step], "vx": rows["vx"][step - 1], "vy": rows["vy"][step - 1]}
             self.assertEqual([contacts["vx_before"][place], contacts["vy_before"][place]],
                              [value(re.sub(r"(?<=[A-Z]) (?=[a-z(])", " * ", each), **names) for each in formulas])
+
+    def test_the_time(self):
+        base, comp, start, time, length, frames, relation, allowance = stated(
+            "scenarios/README.md", r"With \(base, comp\) = \((\d), (\d)\) at the beginning and s the (first|last) frame of the current segment, the time after frame i "
+            r"is t = (.*?)\. When dt changes, (.*?) of the old segment of n frames is added to \(base", r"`duration_s` .*? steps = (.*?);",
+            r"the first frame that starts at t (\S+) at_s - (.*?) \(dt of the clock")
+        timeline, base, s, before = clock.Timeline(), float(base), 0, []
+        for i, dt in enumerate([0.1, 0.1, 0.1, 0.25, 0.25, 0.1, 1 / 3, 1 / 3]):
+            if before and before[-1] != dt:
+                base += value(length, n=len(before), dt=before[-1])
+                s, before = i, []
+            before.append(dt)
+            self.assertAlmostEqual(value(time, base=base, comp=float(comp), i=i, s={"first": s, "last": i}[start], dt=dt), timeline.advance(dt), delta=1e-12)
+        for duration_s, dt in ((1.0, 1 / 60), (1.0, 0.3), (0.0, 0.1), (2 + 1e-12, 0.5), (2 + 1e-6, 0.5)):
+            self.assertEqual(value(frames, duration_s=duration_s, dt=dt), clock.steps_of_duration(duration_s, dt))
+            for t in (duration_s, duration_s - 1e-9 * dt, duration_s - 1e-8 * dt, duration_s + dt):
+                self.assertEqual(value(f"t {relation} at_s - {allowance.replace(' ', ' * ')}", t=t, at_s=duration_s, dt=dt), clock.is_due(t, duration_s, dt))
+
+    def test_what_a_file_and_its_summary_hold(self):
+        """Words of the documents choose the row, the order or the number."""
+        order, *corner, row, after, second, of_second, first, of_first, least, apex, height, at_second, until, met = stated(
+            "golden/README.md", r"first and last row of each contact, in order of the (first|last); in a corner ([xy]) before ([xy]) ", r"`/contacts/t`, `x`, `y` \| float64 \[M\] \| of the (first|last) row",
+            r"vx_after`, `vy_after` \| float64 \[M\] \| velocity (after|before) the contact", r"In a corner the (first|second) contact's `(before|after)` is the (first|second) one's `(before|after)`",
+            r"how far past the wall the position was before the clamp, px, (>=|<=) 0", r"the apex \(the (first|last) of the (highest|lowest) rows\), the position at each second of the first ten \(the (first|last) row (up to|from) that time\)", r"and speed as the sprite (met|left) it")
+        anchor, far = stated("scenarios/README.md", r"Settled: row (\d) is the first anchor; a row whose x (or|and) y is more than 0\.5 px from the anchor becomes the anchor\. If the last row .* settled since the anchor's time")
+        place_of, corners, settled = {"first": 0, "last": -1, "second": 1}, 0, 0
+        for path in sorted((SOURCE / "golden").rglob("*.h5")):
+            with h5py.File(path) as file:
+                if "trajectory" not in file or len(file["trajectory/x"]) != file.attrs["steps"] + 1:
+                    continue
+                rows, contacts = ({name: file[group][name][:] for name in file[group]} for group in ("trajectory", "contacts"))
+            summary, steps = path.with_suffix(".txt").read_text(encoding="utf-8"), {"first": contacts["step"], "last": contacts["last_step"]}
+            placed = list(zip(steps[order], (corner.index("x" if wall < 4 else "y") for wall in contacts["wall"])))
+            self.assertEqual(sorted(placed), placed, path)
+            for name in ("t", "x", "y"):
+                self.assertEqual(contacts[name].tobytes(), rows[name][steps[row]].tobytes(), path)
+            self.assertTrue((contacts["overshoot"] * {">=": 1, "<=": -1}[least] >= 0).all(), path)
+            for place in numpy.flatnonzero(numpy.diff(contacts["step"]) == 0):
+                corners += 1
+                for name in ("vx", "vy"):
+                    self.assertEqual(*(contacts[f"{name}_{when}"][place + place_of[which]] for which, when in ((second, of_second), (first, of_first))), path)
+                    self.assertEqual(contacts[f"{name}_{after}"][place + 1], rows[name][contacts["step"][place]], path)
+            for place, speed in enumerate(re.findall(r"^  \d.* at ([\d.]+) px/s$", summary, re.MULTILINE)):
+                if len(placed) <= 40:
+                    self.assertAlmostEqual(float(speed), math.hypot(*(contacts[f"{name}_{ {'met': 'before', 'left': 'after'}[met] }"][place] for name in ("vx", "vy"))), delta=1e-6 + 1e-9 * float(speed))
+            highest = numpy.flatnonzero(rows["y"] == {"highest": min, "lowest": max}[height](rows["y"]))[place_of[apex]]
+            self.assertIn(f"y {rows['y'][highest]:.6f} px, step {highest}\n", summary)
+            for seconds, step in re.findall(r"^  (\d+) s  x .*, step (\d+)$", summary, re.MULTILINE):
+                late = rows["t"] - int(seconds)
+                self.assertEqual(int(step), numpy.flatnonzero(late <= 1e-9 if until == "up to" else late >= -1e-9)[place_of[at_second]], path)
+            at = int(anchor)
+            for place in range(len(rows["t"])):
+                if {"or": any, "and": all}[far](abs(rows[name][place] - rows[name][at]) > 0.5 for name in ("x", "y")):
+                    at = place
+            for since in re.findall(r"^settled since: (\S+) s$", summary, re.MULTILINE):
+                settled += 1
+                self.assertEqual(float(since), rows["t"][at], path)
+        self.assertGreater(min(corners, settled), 50)
 
     def test_the_exact_motions(self):
         v_n, s_n, y_n, slope, moved, phi1, speed, phi2, law_slope, kappa, same_kappa, law_speed, eta, loss, ode_loss = (

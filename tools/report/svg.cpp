@@ -118,10 +118,9 @@ void Svg::cross(SvgPoint at, double arm, const Pen& pen) {
 void Svg::arrow(SvgPoint from, SvgPoint to, std::string_view colour) {
   constexpr double kHead = 9.0, kHalf = 3.6;
   const double length = std::hypot(to.x - from.x, to.y - from.y);
-  if (!(length > 0.0)) return;
   const double dx = (to.x - from.x) / length, dy = (to.y - from.y) / length;
   const SvgPoint neck{to.x - kHead * dx, to.y - kHead * dy};
-  if (length > kHead) line({from, neck}, {colour, 2.0});
+  line({from, neck}, {colour, 2.0});
   area({to, {neck.x - kHalf * dy, neck.y + kHalf * dx}, {neck.x + kHalf * dy, neck.y - kHalf * dx}}, colour);
 }
 

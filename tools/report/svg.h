@@ -50,6 +50,7 @@ class Svg {
   /// @param tip what a viewer shows of it under the pointer; may be empty.
   void sign(SvgPoint at, Marker marker, double size, std::string_view colour, std::string_view tip = {});
   void cross(SvgPoint at, double arm, const Pen& pen);
+  /// REQUIRES: longer than its head, 9 px.
   void arrow(SvgPoint from, SvgPoint to, std::string_view colour);
   /// The place is at half the height of its letters. Control characters become blanks.
   void text(SvgPoint at, std::string_view text, const Lettering& lettering);

@@ -76,8 +76,7 @@ class EvidenceCheck final : public RowSink {
   [[nodiscard]] std::optional<std::int64_t> first_difference() const {
     if (!row_ || !block_) return row_ ? row_ : block_;
     // A row of the block that differs says more than the block.
-    const bool is_in_block = *row_ >= *block_ && *row_ < *block_ + static_cast<std::int64_t>(kBlockRows);
-    return is_in_block ? *row_ : std::min(*row_, *block_);
+    return *row_ < *block_ + static_cast<std::int64_t>(kBlockRows) ? row_ : block_;
   }
   [[nodiscard]] std::int64_t rows_compared() const { return static_cast<std::int64_t>(next_row_); }
   /// Whether every row and block of the file was played.

@@ -50,6 +50,12 @@ TEST(DriftFigures, MarkNoMoreThanReadersCanDistinguishAndSaySo) {
   EXPECT_EQ(energy_of(run).note, "the first 2 of 7 arcs");
   run.scenario = fling_at(60.0, 100, {13, {std::int64_t{5}, Stop{}}});
   EXPECT_EQ(plot_of(energy_of(run)).marks.size(), 12u);
+  run.scenario = fling_at(
+      60.0, 100, {{std::int64_t{5}, Stop{}}, {std::int64_t{6}, Place{}}, {std::int64_t{90}, Stop{}}});
+  EXPECT_EQ(plot_of(energy_of(run)).marks.size(), 1u)
+      << "not a hand's way, nor what comes after the last flight";
+  run.arcs.pop_back();
+  EXPECT_EQ(plot_of(energy_of(run)).series[0].x.size(), 10u) << "of the arcs that are kept";
   EXPECT_EQ(plot_of(restitution_of(MeasuredRun(20))).x.ticks.back().text, "20");
   EXPECT_TRUE(plot_of(restitution_of(MeasuredRun(21))).x.ticks.empty());
 }

@@ -75,6 +75,7 @@ TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   EXPECT_TRUE(scale_of(axis, {1e-9, 1.01e-7, 1.0}).end_of_strip());
   EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).end_of_strip());
   EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).end_of_strip()) << "nothing is empty between them";
+  EXPECT_FALSE(scale_of(axis, {1e-10, 1e-9}).end_of_strip()) << "there is no rest";
 }
 
 TEST(PlotSvg, TextsKeepOffCurvesAndOneAnother) {
@@ -86,6 +87,40 @@ TEST(PlotSvg, TextsKeepOffCurvesAndOneAnother) {
   EXPECT_GT(place_of(free, "first").x, place_of(free, "second").x) << "the right of the point is taken";
   plot.series = {{.x = {5.0, 9.0}, .y = {5.0, 5.0}}};
   EXPECT_LT(place_of(svg_of(plot), "first").x, place_of(free, "first").x) << "a curve goes to the right";
+}
+
+TEST(PlotSvg, MarksAreDrawnWithinThePlotWithTheTextsThatHaveRoom) {
+  Plot plot{.x = {.low = 0.0, .high = 10.0}, .y = {.low = 0.0, .high = 10.0}};
+  plot.series = {{.x = {5.0}, .y = {5.0}}};
+  const auto axis_y = [&] { return place_of(svg_of(plot), "0").y; };
+  const double bare = axis_y();
+  plot.marks = {{.at = 5.0}, {.is_vertical = false, .at = -5.0, .text = "below"}};
+  EXPECT_EQ(axis_y(), bare) << "a line without a text takes no room above the plot";
+  plot.marks.insert(plot.marks.end(),
+                    {{.at = 9.8, .text = "a text that ends at the right"}, {.at = 9.9, .text = "unseen"}});
+  EXPECT_GT(axis_y(), bare);
+  const std::string svg = svg_of(plot);
+  EXPECT_EQ(picture_faults(svg), std::vector<std::string>{});
+  EXPECT_TRUE(box_of(svg, "a text that ends at the right"));
+  for (const char* const text : {"below", "unseen"}) EXPECT_FALSE(box_of(svg, text)) << text;
+}
+
+TEST(PlotSvg, PlotsOfOtherEndsAreBesideEachOtherAndANarrowOneHasItsTextsInALegend) {
+  Plot plot{.x = {.label = "t", .low = 0.0, .high = 10.0}};
+  plot.series = {{.name = "half", .look = {.tone = Tone::green}, .x = {1.0, 5.0}, .y = {1.0, 5.0}},
+                 {.name = "half step", .look = {.tone = Tone::blue}, .x = {1.0, 5.0}, .y = {2.0, 6.0}}};
+  plot.texts = {{5.0, 6.0, "half step: 1 px"}};
+  for (const auto& [high, width] :
+       {std::pair(10.0, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"960\""),
+        {20.0, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1180\""}}) {
+    Plot other = plot;
+    other.x.high = high;
+    EXPECT_TRUE(figure_svg({.title = "t", .body = std::vector{plot, other}}).starts_with(width)) << high;
+  }
+  const std::string html = figure_html({.title = "t", .body = std::vector{plot}});
+  const std::string narrow = html.substr(0, html.find("<svg class=\"medium\""));
+  EXPECT_GT(narrow.rfind(colour_of(Tone::blue)), narrow.rfind(colour_of(Tone::green)))
+      << "of the longer name";
 }
 
 TEST(PlotSvg, LongTextsAreBrokenOnANarrowSheet) {

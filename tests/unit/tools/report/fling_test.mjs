@@ -118,7 +118,8 @@ test('a throw flies beside itself at other rates since it was let go', () => {
   told();
   for (const key of ['s', 'S', 's']) windowEvents.fire('keydown', { key, target: element('replay') });
   assert.deepEqual(told(), ['loop [2,4] 0.1', 'loop [5,8] 0.1', 'loop [2,4] 0.1']);
-  windowEvents.fire('keydown', { key: 's', ctrlKey: true, target: element('replay') });
+  view.result.contacts.t = [0.5]; // Before the throw.
+  for (const ctrlKey of [true, false]) windowEvents.fire('keydown', { key: 's', ctrlKey, target: element('replay') });
   windowEvents.fire('keydown', { key: 's', target: { tagName: 'SELECT' } });
   assert.deepEqual(told(), []);
   element('again').fire('click');

@@ -69,11 +69,11 @@ test('points are where their numbers are, the nearest is under the pointer', asy
 });
 
 test('a click replays the member beside its neighbours, and saves it', async () => {
-  const { at, plot, section, choices } = await shown(grid);
+  const { at, section, choices } = await shown(grid);
   loaded.length = 0;
   at('click', 100, 75);
   assert.deepEqual(loaded, ['10 5 0 0', '10 5 -1 0', '20 5 0 0', '10 5 1 0']);
-  assert.equal(plot().ctx.log.at(-1), 'stroke ink 5: box 173,120 134,100');
+  assert.equal(Plot.all.at(-1).ctx.log.at(-1), 'stroke ink 5: box 173,120 134,100');
   assert.deepEqual([element('member').hidden, section.next, element('member-heading').textContent, element('member-number').value], [false, element('member'), 'Member 7', 7]);
   assert.equal(element('member-note').textContent, '/start/vx_px_per_s 0, /start/x_px 10. Ends at x 20, y 60 px after 1 steps; contacts right 2, ground 1. Thin: 3 neighbours.');
   saved.length = 0;
@@ -85,6 +85,7 @@ test('a click replays the member beside its neighbours, and saves it', async () 
   assert.deepEqual(log.filter(line => line.includes('box') && !line.startsWith('fill')), ['stroke faint 2 of 0.4: box 40,20 40,80', 'stroke faint 2 of 0.4: box 80,20 40,80', 'stroke faint 2 of 0.4: box 40,20 40,80', 'stroke box 2: box 40,20 40,80']);
   element('forward').fire('click');
   assert.deepEqual(element('replay').getContext().log.filter(line => line.includes('of 0.4: box')), ['80,240', '120,240', '80,240'].map(at => `stroke faint 2 of 0.4: box ${at} 40,80`));
+  assert.equal(element('readouts').querySelector('[data-name=row]').textContent, '1');
   const number = choices.querySelector('input');
   assert.equal(number.attributes.max, '16');
   assert.deepEqual(['10', '11', '99'].map(value => (loaded.splice(0), number.fire('change', { target: { value } }), loaded[0])), ['20 5 0 0', '10 5 1 0', '20 5 1 0']);

@@ -142,6 +142,11 @@ TEST(PageCore, PlaysAsFarAsAskedAndSaysWhenItRests) {
   EXPECT_EQ(given()[6], replay(shipped_core(), scenario, trace).at_rest_since_s.value());
 }
 
+TEST(PageCore, MeasuresRunsOfUpToTwoHundredThousandSteps) {
+  for (const std::int64_t steps : {200'000, 200'001})
+    EXPECT_EQ(std::isnan(PlayedInPage(fling_at(60.0, steps)).came_to[7]), steps > 200'000) << steps;
+}
+
 TEST(PageCore, DrawsEachRowOfUpToAMillionAndTenThousandContacts) {
   EXPECT_EQ(ShownRows(999'999).every(), 1);
   EXPECT_EQ(ShownRows(1'000'000).every(), 2);
@@ -184,6 +189,8 @@ TEST(PageCore, FindsTheFirstRowOrBlockThatDiffersFromTheFiles) {
   EXPECT_EQ(difference(4199, 0), 0.0);
   expect_rows(give({4201.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}));
   EXPECT_EQ(PlayedInPage(scenario).came_to[4], 0.0) << "a row beyond the run";
+  expect_blocks(give(Numbers(3 * sizeof(Digest))));
+  EXPECT_EQ(PlayedInPage(scenario).came_to[4], 0.0) << "a block beyond the run";
 }
 
 TEST(PageCore, AFlingByHandIsTheScenarioThatItHandsOut) {

@@ -115,7 +115,7 @@ test('searches agree with a plain loop', () => {
   }
   assert.deepEqual(data.rangeOf([undefined, 4, null, -1, NaN]), [-1, 4]);
   assert.deepEqual(data.rangeOf([NaN]), [null, null]);
-  assert.deepEqual([...data.doubles(base64([1.5, -0, NaN]))], [1.5, -0, NaN]);
+  assert.deepEqual([...data.doubles(base64([0.1, -0, NaN]))], [0.1, -0, NaN]);
 });
 
 test('a place looks the way it came from', () => {

@@ -121,6 +121,33 @@ TEST(RunSvg, CountsAndSpeedsAreWrittenForPeople) {
   EXPECT_TRUE(has_text(run_svg(fast, rows, {}), "11,400 px/s"));
 }
 
+TEST(RunSvg, TheLegendSaysHowManyFramesABeadIsForAndWhatIsNotRecorded) {
+  for (const auto& [dt_s, label] : {std::pair(0.1, "every frame"),
+                                    {0.05, "every 2 frames"},
+                                    {1.0 / 60, "every 6 frames"},
+                                    {0.0016, ""}}) {
+    Columns rows;
+    for (std::int64_t i = 0; i < 50; ++i) {
+      const double t_s = dt_s * static_cast<double>(i);
+      rows.append({i, t_s, dt_s, 900, 100 + 600 * t_s, 0, 600, 0});
+    }
+    const std::string svg = run_svg(some_fling(), rows, {});
+    EXPECT_EQ(svg.find(">every ") != std::string::npos, label[0] != '\0') << dt_s;
+    EXPECT_TRUE(label[0] == '\0' || has_text(svg, label)) << label;
+  }
+  for (const auto& [x_px, is_far] : {std::pair(120.0, false), {300.0, true}}) {
+    Columns rows;
+    rows.append({0, 0.0, 0.0, 100, 100, 600, 0, 0});
+    rows.append({2, 2.0 / 60, 1.0 / 60, x_px, 100, 600, 0, 0});
+    Scenario scenario = some_fling();
+    scenario.events = {{std::int64_t{1}, Fling{{5.0, 6.0}}}, {std::int64_t{2}, Stop{}}};
+    const std::string svg = run_svg(scenario, rows, {});
+    EXPECT_EQ(has_text(svg, "not recorded"), is_far) << x_px;
+    EXPECT_TRUE(has_text(svg, "stop 0.0333 s"));
+    EXPECT_EQ(svg.find(">fling "), std::string::npos) << "of a row that is not recorded";
+  }
+}
+
 TEST(RunSvg, ARunThatBecomesNonFiniteSaysSoMarksThePlaceAndLeavesOutTheseRows) {
   Columns rows = colourful_rows(100);
   const auto has_mark = [&] {
@@ -168,17 +195,14 @@ TEST(RunSvg, NotesWhatItDoesNotShow) {
     EXPECT_TRUE(has_text(svg, note)) << note;
   };
   says({-1'000'000, 1'000'000}, {0, 952}, "starts far outside, at x -1,000,000, y 1,000,000 px");
+  scenario.window = {4000, 200};  // No part of it is visited.
+  says({-1'000'000, 1'000'000}, {-1'000'000, 1'000'000},
+       "starts far outside, at x -1,000,000, y 1,000,000 px");
+  scenario.window = {1920, 1080};
   says({0, 952}, {30'000, 0.5}, "ends far outside, at x 30,000, y 0.5 px");
   scenario.length = std::int64_t{600};
   says({0, 952}, {0, 952}, "the first 1 of 600 steps");
   says({0, 952}, {0, 952}, "start, end");
-}
-
-TEST(RunSvg, EndsItsParts) {
-  for (const std::int64_t count : {0, 1, 600}) {
-    const std::string svg = run_svg(some_fling(), colourful_rows(count), contacts_at_each_wall(9));
-    EXPECT_EQ(count_of(svg, "<g"), count_of(svg, "</g>")) << count;
-  }
 }
 
 TEST(RunSvg, ThePathHasTheColourOfItsSpeedInTheBar) {

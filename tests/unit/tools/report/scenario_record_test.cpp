@@ -46,6 +46,12 @@ TEST(ScenarioRecord, KeepsEveryBitOfASeedAndTheSignOfZeroInAWholeRecord) {
     EXPECT_FALSE(scenario_of(std::span<const double>(record).first(length))) << length;
   record.push_back(0.0);
   EXPECT_FALSE(scenario_of(record));
+  record.pop_back();
+  for (const std::size_t kind : {9u, 11u}) {  // Of the length, and of the clock.
+    std::vector<double> unknown = record;
+    unknown[kind] = 3.0;
+    EXPECT_FALSE(scenario_of(unknown)) << kind;
+  }
 }
 
 // The page writes a scenario file of this layout: record.js, and its test has the same numbers.
