@@ -225,6 +225,12 @@ TEST(PageCore, AFlingByHandIsTheScenarioThatItHandsOut) {
   play_to(3.0);
   finish();
   EXPECT_EQ(given_text(), hash);
+  static_cast<void>(give(start));
+  live_start();
+  live_grab(310, 220, 0.0);
+  live_frame(0.016);  // A hand that rests gives no place.
+  live_scenario();
+  EXPECT_EQ(scenario_of(given())->events, (std::vector<Event>{{std::int64_t{0}, Grab{}}}));
 }
 
 TEST(PageCore, FliesAtADisplaysRateOrExactly) {
