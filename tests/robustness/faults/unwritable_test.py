@@ -60,6 +60,10 @@ class Limit(Unwritable):
                     says="fling.csv: cannot be written: File too large")
         self.assert_untouched()
 
+    def test_a_text_that_fits_a_buffer(self):
+        self.expect(CANNOT_ACCESS, "new", "small", preexec_fn=at_most(100), says="small.json: cannot be written: File too large")
+        self.assert_untouched()
+
     def test_bless_fails_in_both_files_or_in_none(self):
         for size in (0, 500, 20_000):
             self.bless_fails("golden/fling.", "cannot be written: File too large", preexec_fn=at_most(size))

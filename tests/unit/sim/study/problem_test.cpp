@@ -36,6 +36,11 @@ TEST(ProblemOfScenario, JitterGoesWithTheRate) {
   for (const double frame_s : frames_s) largest_s = std::max(largest_s, std::fabs(frame_s - 1.0 / 600.0));
   EXPECT_GT(largest_s, 0.0001);  // A tenth of what it is at 60 Hz, times three or so.
   EXPECT_LT(largest_s, 0.0006);
+  scenario.events = {{std::int64_t{60}, Stop{}}};
+  std::size_t frame = 0;
+  for (const std::vector<double>& stage : stage_frames_s(problem_of(scenario).problem.value(), 600.0))
+    for (const double frame_s : stage)
+      EXPECT_NEAR(frame_s, frames_s.at(frame++), 1e-5) << "as without the event";
 }
 
 TEST(ProblemOfScenario, AFrameIsMissedAsOftenAtEveryRate) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <utility>
 
 #include "recording.h"
 
@@ -78,6 +81,21 @@ TEST(ListingStep, NamesTheFirstExpressionOfAnotherStep) {
               listing.extra_right = [](const Body& body, const Frame&) { return body.y < 500.0; };
             }),
             "y + dt * ((vy + dt * 1200) * 0.999) < 500");
+}
+
+TEST(ListingStep, NamesAConstantThatIsNotKnown) {
+  const std::pair<double Constants::*, const char*> names[] = {
+      {&Constants::gravity_px_per_s2, "GRAVITY"},
+      {&Constants::air_drag, "AIR_DRAG"},
+      {&Constants::restitution, "RESTITUTION"},
+      {&Constants::ground_friction, "GROUND_FRICTION"},
+      {&Constants::rest_threshold_px_per_s, "REST_THRESHOLD"}};
+  for (const auto& [field, name] : names) {
+    Constants constants = kShipped;
+    constants.*field = std::numeric_limits<double>::quiet_NaN();
+    const TracedStep step = listing_step(constants);
+    EXPECT_EQ(std::ranges::count(step.expressions, name, &Expression::name), 1) << name;
+  }
 }
 
 TEST(ListingStep, NamesWhatIsMissing) {

@@ -58,7 +58,7 @@ TEST(RunScene, OfRunsAreThoseApproved) {
   Scenario steep = fling_at(144.0, 400, many);
   steep.window = {200, 3000};
   steep.record_every = 7;
-  // Of the throws one is stopped, one placed elsewhere, and one released by a hand.
+  // Of the throws one is stopped, one placed elsewhere, one flies on from such a place, and one is released.
   Scenario fast = fling_at(24.0, 90,
                            {{10, Fling{{1.0, 2.0}}},
                             {10, Stop{}},
@@ -66,7 +66,9 @@ TEST(RunScene, OfRunsAreThoseApproved) {
                             {21, Fling{{3.0, 4.0}}},
                             {22, Release{{5.0, 6.0}}},
                             {30, Fling{{7.0, 8.0}}},
-                            {30, Place{{100.0, 200.0}}}});
+                            {30, Place{{100.0, 200.0}}},
+                            {40, Place{{300.0, 100.0}}},
+                            {50, Fling{{9.0, 10.0}}}});
   fast.start_velocity = {60'000.0, -700.0};
   Scenario wide = fling_at(60.0, 60);  // Not finite at the end; more windows than are drawn.
   wide.window = {9000, 200};
