@@ -51,6 +51,12 @@ class H5py(Reader):
             self.assertEqual(list(events["a"]), [-900, 0.25, 1280, 64])
             self.assertEqual(list(events["b"]), [-800, 0, 720, 32])
 
+    def test_constants_are_in_the_order_of_the_document(self):
+        listed = re.search(r"`constants` float64 \[5\]: (.*?) of the core", (SOURCE / "golden/README.md").read_text())[1]
+        header = dict(re.findall(r" ([A-Z_]+) = ([\d.]+);", (SOURCE / "sim/physics/physics.h").read_text()))
+        with h5py.File(self.path) as file:
+            self.assertEqual(list(file.attrs["constants"]), [float(header[name]) for name in re.findall("[A-Z_]+", listed)])
+
     def test_provenance_has_the_build_and_no_time(self):
         with h5py.File(self.path) as file:
             self.assertEqual(sorted(file["provenance"].attrs),

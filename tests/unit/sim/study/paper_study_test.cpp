@@ -38,6 +38,16 @@ TEST(AccuracyClaims, KeepTheirVerdictsWhateverTheStarts) {
     }
 }
 
+// Of a hundred throws 63, 54, 43 and 34 settle near each other: the interval decides, or does not.
+TEST(FrameRateClaim, IsDecidedByMoreThanChance) {
+  Constants constants = shipped_core().constants.value();
+  std::vector<ClaimVerdict> verdicts;
+  for (constants.ground_friction = 0.1; constants.ground_friction < 0.26; constants.ground_friction += 0.05)
+    verdicts.push_back(frame_rate_claim(listing_core(constants), {}).verdict);
+  EXPECT_EQ(verdicts, (std::vector{ClaimVerdict::holds, ClaimVerdict::not_measured,
+                                   ClaimVerdict::not_measured, ClaimVerdict::does_not_hold}));
+}
+
 // Claims of the shipped core at 1 ns a step; computed on first use.
 const std::vector<Claim>& claims() {
   static const std::vector<Claim> all = paper_claims(shipped_core(), 1e-9);
