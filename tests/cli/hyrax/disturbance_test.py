@@ -10,6 +10,9 @@ from process import skip_without
 SCREEN = [1024, 768]
 SMALL_SCREEN = [800, 600]
 
+WM_POWERBROADCAST, PBT_APMSUSPEND, PBT_APMRESUMEAUTOMATIC = 0x218, 4, 0x12
+ASLEEP_MS = 4000
+
 # The recording is written every second; writing it takes some time.
 LOST_MAX_S = 1.5
 
@@ -45,6 +48,14 @@ class Disturbance(HyraxTest):
         width, height = flight.frames[-1]["sprite_px"]
         self.assertGreater(max(width / SCREEN[0], height / SCREEN[1]), 1)
         self.assert_is_the_model(flight)
+
+    def test_the_time_that_the_machine_sleeps_in_flight_is_no_frame(self):
+        process = self.start_and_fling()
+        self.hand("post", WM_POWERBROADCAST, PBT_APMSUSPEND, 0, "sleep", ASLEEP_MS, "post", WM_POWERBROADCAST, PBT_APMRESUMEAUTOMATIC, 0)
+        self.wait_for_sleep()
+        flight = self.close(process)
+        self.assert_is_the_model(flight)
+        self.assertLess(max(flight.document["clock"]["dt_s"]), ASLEEP_MS / 2000)
 
     def test_killed_in_mid_recording_it_loses_at_most_a_second(self):
         for wait_ms in (100, 500, 900):
