@@ -241,139 +241,6 @@ SAID_AGAIN = (
      (BENCHMARKS, "sweep of 10 s at 60 Hz, times faster than naive                      13.05    (12.69 .. 13.31)  at least {}"),
      (SWEEPS, "sweep of 100 s at 60 Hz, keep final                          {} ("), (SWEEPS, "keep final (naive: mt19937_64)       {} (")),
 )
-# Document, a source, and what the document says with words, in «», of that source, for readers of its code or files.
-DEFINED = (
-    (SCHEMA, HEADER, "played frame by frame. Origin top left, «+x right, +y down»; px, px/s, s."),
-    (SCHEMA, "tools/files/scenario_members.cpp", '"time": { "description": "[low, high], both inclusive«, or a number as upper bound»."'),
-    (STUDIES, "sim/study/methods/cost.h", "is *cheaper* only if «the 95 % interval of a / b, round by round, is below 1»;"),
-    (STUDIES, "sim/study/methods/cost.cpp", "all costs are `«not measured: clock unsteady»`."),
-    (STUDIES, "sim/study/speed_error/speed_error_tables.cpp", "± standard error | least squares of «log error against log dt»;",
-     "each work once a round and «in random order».", "For each, the study measures the «largest distance from the exact fling», and",
-     "and the «time per simulated second». Exact means", "(`set_up` in the files: «time of a run before its first frame»)",
-     "An energy error is the «largest difference of energy / largest kinetic energy of the exact fling»,"),
-    (STUDIES, "sim/study/needs/needs_study.cpp", "`path moves` is the «largest distance at equal times»,", "`end moves` is the «distance at the end».",
-     "`contacts moved` counts «contacts that moved, appeared or vanished»,", "shorter a step is without the part, where that is above its «95 % interval»"),
-    (STUDIES, "sim/study/hard_cases/hard_cases_study.cpp", "verdicts «held, finding (an expected failure), broken, or finding gone (it holds)»."),
-    (STUDIES, "sim/study/frame_rate/frame_rate_study.cpp", "The score is «100 (1 - mean spread / mean horizontal path)»:",
-     "Other contacts: «flings that meet a side wall or the top another number of times» than at 60 Hz."),
-    (CARD, "sim/card/card_result.cpp", "Each line gives base and candidate (`«before -> after»`)", "after 20 s: «shift in x», and distance.",
-     "| step | whether both cores do the «same operations on every path»,", "Claims that were «not measured with one of the cores» are listed apart"),
-    (CARD, "sim/card/card.cpp", "the long one left out, «made by the constants of the base»;",
-     "or the «scenarios played again by another process» after everything else was measured"),
-    (CARD, "sim/card/core_run.h", "A scenario whose sprite still moves «within the last second of its file» is played on"),
-    (CARD, "sim/card/card.h", "Everything but the speed «is the same on every machine».", "| consequence | «the largest consequence for a user, one sentence»:",
-     "largest minus smallest x where a fling lands on 18 displays of 24 to 1000 Hz. «Of the flings that settle on all with both cores»;",
-     "settles: over «each step that touched one, the row minus the exact flight of the paper's laws from the row before».",
-     "It is lift («height: back to the wall»), bounces (", "bounces («speed across the walls that were touched») and friction («speed along them»).",
-     "Energy and exact motion are «of the flings that stay finite with both cores» |", "recorded`: those that end «elsewhere: more than half a pixel away» |",
-     "| exact motion | «distance from the exact motion of the paper's laws, frames left out, after» 1 to",
-     "«pairs of samples, base and candidate one after the other in changing order», and the ratio, «candidate / base, of each pair» |"),
-)
-
-# Document and its words; source, and its words: what the groups have is the same in both, in any order.
-APPLY, COMPARISON, CMAKE, WALLS = "sim/scenario/apply.h", "sim/compare/comparison.h", "tools/own_core/hyrax_add_scenarios.cmake", "sim/core/contact_kernel.h"
-RUNS, MEMBERS, OWN = "tools/report/page/runs.js", "tools/report/page/members.js", "tools/own_core/README.md"
-WORDED = (
-    ("README.md", r"origin is (top left), y points (down)\.", HEADER, r"Origin (top left), \+x right, \+y (down);"),
-    ("README.md", r"tools/run # replays (\S+);", "tools/run", r"tools/run replay (\S+);"),
-    ("README.md", r"tools/test # builds and runs all (\w+) tests", "tools/test", r"tools/test build in release mode, run the (\w+) tests"),
-    ("README.md", r"cmake --build build # builds (\S+) and the tests", "tools/setup.sh", r"builds (\S+); ctest"),
-    ("README.md", r"after each edit `tools/check (--watch)`", "tools/check", r"tools/check (--watch) \[ARGUMENT\]\.\.\. repeat it after each change"),
-    ("README.md", r"identical results under `(-O3 -march=native)` too", "tests/README.md", r"\| g\+\+ 12 \| .*?`(-O3 -march=native)`.*? agree \|"),
-    ("README.md", r"Every (key) carries its (unit);", FORMAT, r"A (key) of a quantity ends with its (unit)\."),
-    ("README.md", r"A new (file) below `(scenario)s/` that is blessed and committed is a new (test); no (code)", "tests/cli/CMakeLists.txt", r"A new (scenario) (file) is (test)ed with no (code)\."),
-    ("README.md", r"path depends on the frame rate, and shorter frames do not (converge)", "sim/reference/README.md", r"does not (converge): the paper's step"),
-    (FORMAT, r"origin is the (top left) corner of the window, x points (right), y points (down)\. `x, y` is the (top left) corner of the sprite; it is kept within `(0 \.\.) window - sprite`", HEADER,
-     r"Origin (top left), \+x (right), \+y (down);.*The (top left) corner is kept within (0 \.\.) screen - obj"),
-    (FORMAT, r"`fling` \| sets the velocity: [^|]*\(`(\w+)`\) \| \| `place` \| sets the position: [^|]*\(`(\w+)`\) \| \| `stop` \| sets the velocity to 0 \(`(\w+)`\)", APPLY,
-     r"const Fling& [^}]*?on\.(\w+)\(.*const Place& [^}]*?on\.(\w+)\(.*const Stop&[^}]*?on\.(\w+)\("),
-    (FORMAT, r"`release` \| sets the velocity and lets go, (before) the step of this frame", APPLY, r"Applies an action (before) the frame it falls on"),
-    (FORMAT, r"`hitch` \| gives (this frame another dt):", SCHEMA, r"Give (this frame another dt), s"),
-    (FORMAT, r"apply the events of this frame in (file order); \(3\) unless the sprite is held, call", "tests/oracle/replay.py", r"due in this frame, in (file order);"),
-    (FORMAT, r"`jitter` may be added to the (first two)\.", SCHEMA, r"the (first two) may have jitter"),
-    (FORMAT, r"`seed` is (required): an integer", SCHEMA, r'"title": "Jitter",.*?"(required)": \["kind", "seed"\]'),
-    (FORMAT, r"an error\. (With jitter), a time beyond", "sim/scenario/schedule.h", r"(With jitter), frames have to be walked"),
-    (FORMAT, r"(frames pass), (without) step and with contact 0, (until) `release`", SCHEMA, r"(Frames pass) (without) update (until) it is released"),
-    (FORMAT, r"`state_hash` \| 32 hex digits \| the hash of all rows is this one", SCHEMA, r'"state_hash": \{ [^}]*"Hash over every row"'),
-    (FORMAT, r"Numbers are read exactly \((correctly rounded), (in) every (locale)\)", "tools/files/json.h", r"Numbers are read (correctly rounded) and written shortest-round-trip (in) any (locale)"),
-    (FORMAT, r"`in_bounds` \| boolean \| (every row) is (inside the bounds of its frame) \(or, with `false`, one is not\)", SCHEMA, r"Whether (every row) lies (inside the bounds of its frame)"),
-    (FORMAT, r"`finite` \| boolean \| the (state stays finite)", SCHEMA, r"Whether the (state stays finite)"),
-    (FORMAT, r"`steps` (may be left out); if given, it must equal the (length)", SCHEMA, r"With an array of dt: its (length), and (may be left out)"),
-    (FORMAT, r"`name` \| no \|[^|]*If left out, the (file) name without `\.json`", SCHEMA, r"The (file)'s stem if left out"),
-    (FORMAT, r"`sprite` \|[^|]*\|[^|]*; (may be larger than the window) \|", SCHEMA, r"(May be larger than the window): a hard case"),
-    (FORMAT, r"; needs dt > 0; not with an array of dt \|", SCHEMA, r'"then": \{ "properties": \{ "duration_s": false \} \}'),
-    (FORMAT, r"(Contacts) are stored for every (K) \|", SCHEMA, r"(Contacts) are recorded whatever (K) is"),
-    (FORMAT, r"the last row is within; a single number is refused \|", SCHEMA, r'"final_x_px": \{ "\$ref": "#/\$defs/interval",'),
-    (SCHEMA, r"a number as upper bound\.", FORMAT, r"settled, at the number at the latest"), (SCHEMA, r"Only while held\.", FORMAT, r"`release` while not held are errors"),
-    (SCHEMA, r"missed_frames: now and then dt is doubled", FORMAT, r"`missed_frames` \| `probability`, 0 \.\. 1 \| `dt \* 2\.0`"),
-    (SCHEMA, r'"implementation_px_max": [^}]* distance from the (discrete closed form), px.*"truncation_px_max": [^}]* from the (matched ODE), px', "sim/reference/drift.h",
-     r"double implementation_px = 0\.0; Against the (discrete closed form): .*double truncation_px = 0\.0; Against the (matched ODE)\."),
-    (FILES, r"`run` compares as well, unless `--(set)` was given", "tools/app/runs/scenario_run.cpp", r'"values were (set)"'),
-    (FILES, r"Where the (clocks differ), distance and energy are compared at the (same time), all else at the same step", "tools/app/diff/trajectory_diff.h", r"rows of the (same time): the (clocks differ)"),
-    (FILES, r"Runs that become (non-finite) come (first)\.", "tools/app/causes/difference_group.h", r"Runs that become (non-finite) (first);"),
-    (FILES, r"with the lines of the summary itself, (all but the reason's) text", "tools/store/golden_summary.h", r"of its own lines, (all but the reason's)"),
-    (FILES, r"and `(accepted\.txt)`, (written last), with its constants, the reason and (checksums of both)", "tools/app/core/accepted_core.h", r"(accepted\.txt), (written last), with the (checksums of both)"),
-    (FILES, r"(clamps in the step that made the row): ([^|]*) vy set to 0 by the rest rule", "tools/store/trajectory_parts.cpp", r"(clamps in the step that made the row): (.*?) put to rest"),
-    (FILES, r"the hash and the state at its beginning\.", "sim/trajectory/stored_run.h", r"keyframe; At the first row of the first of them"),
-    (FILES, r"how far each coordinate of the start may move \(in px and px/s\) before any contact changes\. The last line has the two checksums", "golden/flings/first-fling.txt",
-     r"margin: any start within \S+ px and px/s keeps all contacts; .*checksums: \S+ \S+$"),
-    (FILES, r"`rounding` \| every row has (the same contact byte); (positions)", "sim/compare/run_distance.h", r"within rounding: (the same contact byte), (positions)"),
-    (FILES, r"`values` \| (the same walls at the same steps, first and last, but more than)", COMPARISON, r"(the same walls at the same steps, first and last, but more than)"),
-    (FILES, r"`contacts` \| (a contact moved, appeared or vanished) \|", COMPARISON, r"contacts, (a contact moved, appeared or vanished)\."),
-    (FILES, r"`shape` \| another (length), another (scenario), or (missing data)", COMPARISON, r"shape, Other (length), (missing data), another (scenario)\."),
-    (FILES, r"allows \(default: `(\w+)`\); (new scenarios) and scenarios (whose own text changed) need no", "tools/hyrax-sim/bless.cpp",
-     r"default: (\w+)\); (new scenarios) and those (whose own text changed) need none"),
-    (FILES, r"for these folders \(default: `(\w+)`\); needs no reason", "tools/hyrax-sim/bless.cpp", r"of the folders given \(default: (\w+)\)"),
-    (FILES, r": a (range keeps its width), with the new value in its middle\. A (boolean), an (error bound) or a (one-sided limit) that does not hold is never changed", "tools/hyrax-sim/bless.cpp",
-     r"a (range keeps its width)\. (Boolean)s, (error bound)s and (one-sided limit)s never change"),
-    (OWN, r"letters, digits, `(.)`, `(.)`, `(.)`\)", CMAKE, r"must be of letters, digits, (.), (.) and (.) \(found"),
-    (OWN, r"have the label `CORE`, which is `(\w+)` for the shipped core", CMAKE, r"set\(prefix (\w+)\).*LABELS \${prefix}"),
-    (OWN, r"compiled with `(\S+)`, like the shipped core", "tools/cmake/room.cmake", r"(-ffp-contract=\w+)"),
-    (OWN, r"only `study (\w+)` is about the shipped constants", "sim/study/paper/paper_study.cpp", r"\.name = \"(paper)\",.*is_of_paper = true"),
-    (OWN, r"(on or past the wall's bound, or if its velocity turn)s from (towards the wall to away from it within reach: the bound is no farther from the position before the step than the faster of both velocities goes in dt)\.",
-     WALLS, r"(on or past the wall's bound, or if its velocity turn)ed from (towards the wall to away from it within reach: the bound is no farther from the position before the step than the faster of both velocities goes in dt)\."),
-    (OWN, r"`before` is the (velocity before the step), `overshoot` is (NaN)\.", WALLS, r"`before` is the (velocity before the step), `overshoot` (NaN)\."),
-    (OWN, r"`constants` is there for a core of the same shape only", "sim/trajectory/stored_run.h", r"constants; Of the core that played it; nothing where it is not the paper's model"),
-    (OWN, r"`fuzz` for finite, inside, repeatable, in pieces; `sweep` (step by step) \|", "sim/ensemble/ensemble.h", r"Plays one scenario by the replay, (step by step)"),
-    (OWN, r"`study`, `sweep` \(by the fast (kernels)\), `fuzz`", "tests/cli/own_shapes_test.py", r"The (kernels) leave steps at rest out"),
-    (OWN, r"else where `check` looks: the `(golden)` (beside) the nearest folder `(scenarios)`", FILES, r"or in the `(golden)` (beside) that `(scenarios)`"),
-    (OWN, r"else the header's, without suffix", CMAKE, r"STEM LAST_ONLY arg_NAME"), (OWN, r"when the project is built next\. Call it from the top", CMAKE, r"CONFIGURE_DEPENDS"),
-    (OWN, r"`CORE\.FOLDER/NAME` by (the scenario's name),", CMAKE, r"What a test is named after: (the scenario's name),"),
-    (OWN, r"Two small sources are compiled", CMAKE, r"add_executable\(\S+ \S+/shipped_core\.cpp\).*target_sources\(\S+ PRIVATE \S+/main\.cpp\)"),
-    (OWN, r"your step changed in a way that (no scenario notices)", "tools/hyrax-sim/check.cpp", r"changes that (no scenario notices)"),
-    (OWN, r"names (the first expression that is not the paper's):", "tests/cli/own_shapes_test.py", r"(the first expression that is not the paper's)\."),
-    (OWN, r"compares the state (hash) of every row with (the one in the) golden file's (summary)", "tools/hyrax-replay/help.txt", r"compares the (hash) of each scenario with (the one in the) (summary) of its golden file"),
-    (OWN, r"the velocity before the step \((after) its (inputs)\)", WALLS, r"before the state (after) the (inputs) of the frame"),
-    (OWN, r"`run` prints `(from the rows)`\.", "tests/unit/tools/app/own_core.txt", r"ground 2; (from the rows):"), (OWN, r"`diff` hold (x, y, vx, vy) only", WALLS, r"a step that a row shows: (x, y, vx, vy)\."),
-    (OWN, r"in a contact with the (ground) with (vy) = 0\.", WALLS, r"set where the (ground) was met and (vy) is 0\."),
-    (OWN, r"and `bless` replaces it with `(--accept \w+)` only\.", "tools/app/bless/core_acceptance.cpp", r"(--accept \w+) replaces it"),
-    (PAGE, r"`data-replay` \(`(running)`, then `(agrees)`, `(differs)` or `(none)`\)", RUNS, r"worst = \{ (agrees): 0, (none): 1, (differs): 2 \}.*replay = '(running)'"),
-    (PAGE, r"the (golden) run is translucent and dashed", RUNS, r"label: '(golden)', name: 'golden file'"),
-    (TESTS, r"`--all` tests two builds: the everyday one, and (clang)'s with sanitizers", "tools/test", r"presets=\(asan-(clang)\)"),
-    (TESTS, r"in the everyday build only, and with `(--nightly)` in all builds", "tools/test", r"tools/test (--nightly) .*run all everyday tests in all builds \(--all leaves"),
-    (TESTS, r"`long` \| with `(--all)` and `--nightly`", "tools/test", r"tools/test (--all) also run the long tests"), (TESTS, r"`nightly` \| with `(--nightly)` only", "tools/test", r"tools/test (--nightly) also run the nightly tests"),
-    (TESTS, r"95 % interval \((Wilson)\)", "tests/must_fail/mutation/table.py", r"\((Wilson) 1927\)"), (TESTS, r"draws ten, with the (date) as the seed", "tools/test", r'--seed "\$\((date) '),
-    (TESTS, r"constants (by one ulp, by 1 %) and (by sign);", "tests/must_fail/mutation/mutators.py", r"A floating constant (by one ulp, by 1 %) and (by sign);"),
-    (TESTS, r"(HYRAX_APPROVE)=1 tools/test -R unit", "tests/unit/sim/result/described.h", r'getenv\("(HYRAX_APPROVE)"\)'), (TESTS, r"tests/cli/documentation_test\.py (--update)", "tests/cli/documentation_test.py", r"documentation_test\.py (--update) rewrites"),
-    (BENCHMARKS, r"build/release/bin/(hyrax-figures)", "tests/benchmarks/CMakeLists.txt", r"add_executable\((hyrax-figures) "),
-    (BENCHMARKS, r"cmake --preset (release) &&", "CMakePresets.json", r'"name": "(release)", "displayName": "[^"]*, with the benchmarks"'),
-    (TESTS, r"What a machine lacks [^.]* (skips a test), and fails it if `(CI)=true`", "tests/cli/process.py", r"(Skips a test) that this machine cannot run; if (CI) is set, that is a failure"),
-    (BENCHMARKS, r"From there on nothing is computed, .*`(--no-skip)` (compute)s it\.", "tools/hyrax-sim/run.cpp", r'"(--no-skip)", "", "(compute) also the steps that repeat'),
-    (PAGE, r"golden file \(`(--against)`, or", "tools/report/page/verdict.js", r"report (--against) GOLDEN\.h5 compares"), (PAGE, r"Each is saved as (CSV) by a click", "tools/report/page/charts.js", r" as (CSV)`"),
-    (PAGE, r"it (opens on the second around) the (largest distance)", "tests/unit/tools/report/runs_test.mjs", r"it (opens on the second around) their (largest distance)"),
-    (PAGE, r"its distance is the first chart", "tests/unit/tools/report/runs_test.mjs", r"children\[0\]\.id === 'chart-distance'"),
-    (PAGE, r"`data-state-hash` \(as the browser computed it\)", RUNS, r"dataset\.stateHash = worstResult\.check\.stateHash;"), (PAGE, r"`data-core` is `(differs)` where", "tools/report/page/core.js", r"dataset\.core = '(differs)'"),
-    (PAGE, r"JSON \(group `/(report)`\)", "tools/store/table_file.h", r'kReportTable = "(report)"'), (PAGE, r"a (digest of some hundred steps)", "sim/replay/fingerprint.h", r"The (digest of some hundred steps),"),
-    ("CHANGELOG.md", r"the classes `(\w+)`, `(\w+)`, `(\w+)`, `(\w+)` \(`bits` is gone\)", COMPARISON, r'kNames = \{"(\w+)", "(\w+)", "(\w+)", "(\w+)"\}'),
-    ("CHANGELOG.md", r"draws energy drift in `(-\w+)\.svg`", "tools/report/drift_figures.cpp", r'\{"-whole", "(-\w+)",'),
-    ("CHANGELOG.md", r"`steps_astray` is called `(\w+)`", "tools/app/drift/drift_result.cpp", r'column_of_one\("(differing\w+)"'),
-    ("CHANGELOG.md", r"; `run -o (FILE\.csv)`\.", "tools/hyrax-sim/run.cpp", r"FILE\.h5, (FILE\.csv),"), ("CHANGELOG.md", r"Text files larger than \d+ MiB are refused", "tools/files/text_file.cpp", r"> kTextMax\) refuse_input"),
-    (PAGE, r"opens on the (first) that differs", "tests/unit/tools/report/runs_test.mjs", r"it opens the (first) of the worst"),
-    (PAGE, r"energy drift by cause \(in (px of height), summed up over the run\)", "tools/report/page/core.js", r"Energy so far by cause, (px of height),"),
-    (PAGE, r"fall on a pixel, (the smallest and the largest value are drawn)\.", RUNS, r"(the smallest and the largest value are drawn)\."),
-    (PAGE, r"\((cells) where both are grids, (points elsewhere)\)", MEMBERS, r": (cells) that tile where both are grids, (points elsewhere)\."),
-    (PAGE, r"writes, with its state (hash) as `(expect)`\.", MEMBERS, r"(expect): \{ state_(hash):"),
-)
 SCENARIOS = len([path for path in (SOURCE / "scenarios").rglob("*.json") if not path.name.endswith(".schema.json")])
 WORDS = "zero one two three four five six seven eight nine ten".split()
 NUMBER = r"(-?\d[\d,']*(?:\.\d+)?(?:e[+-]?\d+)?|" + "|".join(WORDS) + ")"
@@ -471,14 +338,6 @@ class Facts(unittest.TestCase):
         for document, words, numbers in rows:
             with self.subTest(document=document, words=words):
                 self.assertEqual(stated(document, words), numbers)
-
-    def test_what_is_said_in_words_is_what_the_source_says(self):
-        for document, said, source, its in WORDED:
-            with self.subTest(document=document, said=said):
-                pairs = [re.search(pattern, " ".join(re.sub(r'"\s*\n\s*"|^\s*///?|///<|\*\*', "", text_of(path), flags=re.MULTILINE).split()), re.IGNORECASE)
-                         for path, pattern in ((document, said), (source, its))]
-                self.assertTrue(all(pairs), pairs)
-                self.assertEqual(*(sorted(map(str.lower, found.groups())) for found in pairs))
 
     def test_every_number_has_a_source_or_is_in_the_list(self):
         rows = [row[:2] for row in (*STATED, *SAID_AGAIN, *computed())]
@@ -632,14 +491,6 @@ class Facts(unittest.TestCase):
         self.assertEqual(list(zip(re.findall(r"\w+", names), units.split(", "), strict=True)), columns)
         csv = [f"{name}_{unit.replace('/', '_per_')}" for name, unit in columns]
         self.assertIn(f"`{','.join(['step', *csv, 'contact'])}`", text_of(FILES))
-
-    def test_what_is_defined_has_the_words_of_the_source(self):
-        for document, source, *sentences in DEFINED:
-            code, text = (" ".join(each.split()).lower() for each in (re.sub(r'"\s+"|\n\s*//[/<!]*', " ", text_of(source)), text_of(document)))
-            for sentence in sentences:
-                with self.subTest(document=document, sentence=sentence):
-                    self.assertEqual([words for words in re.findall("«(.*?)»", sentence.lower()) if words not in code], [])
-                    self.assertTrue(re.sub("[«»]", "", sentence).lower() in text)
 
     def test_the_ways_to_end_on_the_floor_have_their_names_in_files(self):
         names, texts = (re.findall('"(.*?)"', re.search(array + r" = \{(.*?)\}", text_of("sim/study/rest/rest_map.h"))[1])
