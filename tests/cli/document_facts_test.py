@@ -51,25 +51,20 @@ STATED = (
          "read, {} golden file missing, {} arithmetic is not strict IEEE-754, {} internal",
          "agreed, disagreed, bad_input, cannot_access, golden_missing, not_strict_ieee, program_fault"),
         ("tools/hyrax-sim/program.cpp", "Exit codes: {} agreed or done, {} disagreed, {} bad usage or input, {} cannot read or write,",
-         "agreed, disagreed, bad_input, cannot_access"),
+         "agreed, disagreed, bad_input, cannot_access"), ("tools/hyrax-sim/shrink.cpp", "the command does not fail here: exit code {} (", "agreed"),
         ("tools/hyrax-sim/program.cpp", '"{} golden file missing (or a part of a sweep), {} arithmetic is not strict IEEE-754, {} internal',
-         "golden_missing, not_strict_ieee, program_fault"),
+         "golden_missing, not_strict_ieee, program_fault"), ("tools/hyrax-sim/study.cpp", "exit {} if one of the study's rules", "disagreed"),
         ("tools/hyrax-compare/main.cpp", "Exit codes: {} printed, whatever differs; {} golden/core is damaged; {} bad usage", "agreed, disagreed, bad_input"),
         ("tools/hyrax-compare/main.cpp", "; {} cannot read; {} no golden/core; {} arithmetic is not strict IEEE-754; {} internal",
-         "cannot_access, golden_missing, not_strict_ieee, program_fault"),
+         "cannot_access, golden_missing, not_strict_ieee, program_fault"), ("tools/hyrax-sim/check.cpp", "unreferenced (exit code {})", "disagreed"),
         *((f"tools/{script}", f"; {{}} if {words}", "cannot_access") for script, words in (
             ("run", "it could not be installed or built."), ("compare", "it could not be built."), ("check", "hyrax-sim could not be built."))),
-        ("tools/hyrax-sim/study.cpp", "exit {} if one of the study's rules", "disagreed"),
-        ("tools/hyrax-sim/shrink.cpp", "the command does not fail here: exit code {} (", "agreed"),
-        ("tools/files/scenario.schema.json", "exit {} where it does not hold", "disagreed"),
-        ("tools/hyrax-sim/check.cpp", "unreferenced (exit code {})", "disagreed"),
+        ("tools/files/scenario.schema.json", "exit {} where it does not hold", "disagreed"), (CARD, "The exit code is {} whatever", "agreed"),
         ("tools/hyrax-sim/check.cpp", "notices; exit code {} if there is one", "disagreed"),
-        (CARD, "The exit code is {} whatever", "agreed"),
         (PAGE, "ends with exit code {}. After an edit", "cannot_access"), (PAGE, "end with exit code {}, and the page says", "program_fault"),
         ("tools/own_core/README.md", "ends with exit code {} for any other", "bad_input"),
         ("tools/own_core/README.md", "`check` ends with exit code {}, even", "bad_input"))),
-    *((CORE, "| `" + name + "` | {}", HEADER, name)
-      for name in PHYSICS_CONSTANTS.split(", ")),
+    *((CORE, f"| `{name}` | {{}}", HEADER, name) for name in PHYSICS_CONSTANTS.split(", ")),
     (CORE, "; and if `|vy| < {}` then", HEADER, "REST_THRESHOLD"),  # The formulas: tests/oracle/witness_test.py.
     (DRIFT, "G = {} px/s², a = {} (paper", HEADER, "GRAVITY, AIR_DRAG"), (DRIFT, "leaves |vy| below {} px/s", HEADER, "REST_THRESHOLD"),
     (FORMAT, "`window` | yes | `width_px`, `height_px`: integers, 0 .. {} |", SCENARIO, "kWindowSideMax_px"),
@@ -119,7 +114,7 @@ STATED = (
     (CARD, "after 1 to {} s at {} rows", FLINGS, "kExactSeconds, kRate_hz"),
     (CARD, "how many of {} random runs", "sim/card/card.cpp", "kRandomRuns"),
     (CARD, "first {} rows are compared one by one, and the state hash up to {}", "sim/card/core_run.h",
-     "kCoreRunRowsMax, kCoreRunStepsMax"),
+     "kCoreRunRowsMax, kCoreRunStepsMax"), (CARD, "is played on for {} s before", "sim/card/core_run.h", "kPlayedOn_s"),
     (STUDIES, "plays the same flights at rates from {} Hz upward", "sim/study/speed_error/speed_error_study.cpp", "options.rates_hz = "),
     (STUDIES, "Times come in {} rounds", "sim/study/methods/cost.h", "repetitions"),
     (STUDIES, "the study plays {} flings like it", "sim/study/speed_error/speed_error.h", "kBandFlings"),
@@ -173,7 +168,6 @@ STATED = (
         ("probability", "Of a frame that takes twice the time"))),
     (FORMAT, "`state_hash` | {} hex digits", SCHEMA, ('"^[0-9a-f]{32}$", "maxLength":',)),
     (CARD, "with a sprite of {} px; vx {} .. {}, vy {} .. {} px/s", FLINGS, ("kSprite", "draw(2,", "draw(2, -2000.0,", "draw(3,", "draw(3, -2000.0,")),
-    (CARD, "is played on for {} s before", "sim/card/core_run.h", "kPlayedOn_s"),
     (CARD, "`std::pow(AIR_DRAG, {} * dt)`", MODEL, "model_rate_hz"), (CARD, "settle at {} Hz", FLINGS, "kRate_hz"),
     (DRIFT, "drag of {} Hz, k", MODEL, "model_rate_hz"), (DRIFT, "At {} Hz the last two", MODEL, "model_rate_hz"),
     (DRIFT, "moved by up to {} px in x", "sim/search/contact_chance.h", "within_px"),
@@ -339,12 +333,6 @@ class Facts(unittest.TestCase):
         for document, words in ((HYRAX, "about twice a second"), (HYRAX, "(four and a half minutes of motion at 60 Hz)"),
                                 (HYRAX, "at most the last second is lost"), ("tools/hyrax/help.txt", "At most the last second is lost")):
             self.assertIn(words, text_of(document))
-
-    def test_how_long_is_fuzzed(self):
-        script, tests = " ".join(text_of("tools/test").split()), " ".join(text_of("tests/README.md").split())
-        for where, words in ((script, "fuzz for half a minute;"), (script, "fuzz for an hour, and"), (script, "=(asan-clang) fuzzing_s=30 "),
-                             (script, "debug) fuzzing_s=3600 "), (tests, "fuzzes for an hour instead of half a minute")):
-            self.assertIn(words, where)
 
     def test_figures_of_speed_reach_their_goal_or_are_marked(self):
         sources = re.sub(r'"\s*\n\s*"', "", "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "tests/benchmarks").glob("*_figures.cpp")))

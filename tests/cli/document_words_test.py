@@ -24,8 +24,7 @@ WORDS = {
         ("scenarios/README.md", "Every (key) carries its (unit);", r"A (key) of a quantity ends with its (unit)\."),
         ("tests/cli/CMakeLists.txt", "A new file below `scenarios/` that is blessed and committed is a new test; no code",
          r"A new scenario file is tested with no code\."),
-        ("sim/reference/README.md", "path depends on the frame rate, and shorter frames do not (converge)",
-         "does not (converge): the paper's step")),
+        ("sim/reference/README.md", "path depends on the frame rate, and shorter frames do not (converge)")),
     "scenarios/README.md": (
         (HEADER, r"origin is the (top left) corner of the window, x points (right), y points (down)\. `x, y` is the (top left) corner of the "
          r"sprite; it is kept within `(0 \.\.) window - sprite`",
@@ -60,10 +59,9 @@ WORDS = {
         ("tools/files/scenario_members.cpp", r'"time": \{ "description": "\[low, high\], both inclusive(, or a number as upper bound)\."')),
     "golden/README.md": (
         ("tools/app/runs/scenario_run.cpp", "`run` compares as well, unless `--(set)` was given", '"values were (set)"'),
-        ("tools/app/diff/trajectory_diff.h", "Where the clocks differ, distance and energy are compared at the same time, all else at the "
-         "same step", "rows of the same time: the clocks differ"),
+        ("tools/app/diff/trajectory_diff.h", "Where the (clocks differ), distance and energy are compared at the (same time), all else at "
+         "the same step"), ("tools/store/golden_summary.h", "with the lines of the summary itself, (all but the reason's) text"),
         ("tools/app/causes/difference_group.h", r"Runs that become (non-finite) come (first)\.", "Runs that become (non-finite) (first);"),
-        ("tools/store/golden_summary.h", "with the lines of the summary itself, (all but the reason's) text"),
         ("tools/app/core/accepted_core.h", r"and `(accepted\.txt)`, (written last), with its constants, the reason and (checksums of both)"),
         ("tools/store/trajectory_parts.cpp", "(clamps in the step that made the row): ([^|]*) vy set to 0 by the rest rule",
          "(clamps in the step that made the row): (.*?) put to rest"), (COMPARISON, r"`contacts` \| (a contact moved, appeared or vanished) \|"),
@@ -86,8 +84,7 @@ WORDS = {
         ("sim/study/paper/paper_study.cpp", r"only `study (\w+)` is about the shipped constants", r'\.name = "(paper)",.*is_of_paper = true'),
         (WALLS, "(on or past the wall's bound, or if its velocity turn)s from (towards the wall to away from it within reach: the bound is "
          r"no farther from the position before the step than the faster of both velocities goes in dt)\."),
-        (WALLS, r"`before` is the (velocity before the step), `overshoot` is (NaN)\.",
-         r"`before` is the (velocity before the step), `overshoot` (NaN)\."), (CMAKE, r"`CORE\.FOLDER/NAME` by (the scenario's name),"),
+        (WALLS, r"(`before` is the velocity before the step), `overshoot` is (NaN)\."), (CMAKE, r"`CORE\.FOLDER/NAME` by (the scenario's name),"),
         ("sim/trajectory/stored_run.h", "`constants` is there for a core of the same shape only",
          "constants; Of the core that played it; nothing where it is not the paper's model"),
         ("sim/ensemble/ensemble.h", r"`fuzz` for finite, inside, repeatable, in pieces; `sweep` (step by step) \|",
@@ -132,7 +129,8 @@ WORDS = {
         ("tests/unit/sim/result/described.h", "(HYRAX_APPROVE)=1 tools/test -R unit", r'getenv\("(HYRAX_APPROVE)"\)'),
         ("tests/cli/documentation_test.py", r"tests/cli/documentation_test\.py (--update)", r"documentation_test\.py (--update) rewrites"),
         ("tests/cli/process.py", "What a machine lacks [^.]* (skips a test), and fails it if `(CI)=true`",
-         "(Skips a test) that this machine cannot run; if (CI) is set, that is a failure")),
+         "(Skips a test) that this machine cannot run; if (CI) is set, that is a failure"),
+        ("tools/test", "fuzzes for an hour instead of half a minute", r"=\(asan-clang\) fuzzing_s=30 .*debug\) fuzzing_s=3600 ")),
     "tests/benchmarks/README.md": (
         ("tests/benchmarks/CMakeLists.txt", "build/release/bin/(hyrax-figures)", r"add_executable\((hyrax-figures) "),
         ("CMakePresets.json", "cmake --preset (release) &&", '"name": "(release)", "displayName": "[^"]*, with the benchmarks"'),
@@ -174,6 +172,7 @@ WORDS = {
          r"pair) \|"),
         (LINES, r"recorded`: those that end (elsewhere: more than half a pixel away) \| \| consequence \| (the largest consequence for a "
          "user, one sentence):")),
+    "tools/test": (("tools/test", "fuzz for half a minute;.*fuzz for an hour, and", r"=\(asan-clang\) fuzzing_s=30 .*debug\) fuzzing_s=3600 "),),
 }
 
 
