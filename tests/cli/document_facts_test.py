@@ -26,7 +26,8 @@ HEADER, SCENARIO, STATE = "sim/physics/physics.h", "sim/scenario/scenario.h", "s
 HASH, ROUNDING, REST = "sim/trajectory/state_hash.h", "sim/compare/run_distance.cpp", "sim/trajectory/run_summary.h"
 CARD, STUDIES, PAGE, HYRAX = "sim/card/README.md", "sim/study/README.md", "tools/report/page/README.md", "tools/hyrax/README.md"
 PHYSICS_CONSTANTS = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"
-FLINGS, SCHEMA, MODEL = "sim/card/flings.cpp", "tools/files/scenario.schema.json", "sim/reference/model.h"
+TESTS, BENCHMARKS, SWEEPS, OWN = "tests/README.md", "tests/benchmarks/README.md", "sim/ensemble/README.md", "tools/own_core/README.md"
+FLINGS, COMPARE, SCHEMA, MODEL = "sim/card/flings.cpp", "tools/hyrax-compare/main.cpp", "tools/files/scenario.schema.json", "sim/reference/model.h"
 
 # Document and its words, with `{}` for each number; source, and the names that have these numbers there (with commas, or
 # a tuple, where a name has one).
@@ -39,8 +40,8 @@ STATED = (
         (FILES, "missing (exit code {})", "golden_missing"), (FILES, "`unreferenced` (exit code {})", "disagreed"),
         (FILES, "comparison fails (exit code {})", "disagreed"), (FILES, "is a scenario (exit code {}, nothing", "bad_input"),
         (FILES, "it ends with exit code {}. If none", "disagreed"), (FILES, "; exit code {} is bad", "disagreed"),
-        (CARD, "A core is refused (exit {},", "bad_input"), ("sim/ensemble/README.md", "that are missing (exit {})", "golden_missing"),
-        ("tests/README.md", "refused at start, exit code {} |", "not_strict_ieee"), (FORMAT, "may not hold (exit code {})", "disagreed"),
+        (CARD, "A core is refused (exit {},", "bad_input"), (SWEEPS, "that are missing (exit {})", "golden_missing"),
+        (TESTS, "refused at start, exit code {} |", "not_strict_ieee"), (FORMAT, "may not hold (exit code {})", "disagreed"),
         (CORE, "at every start: exit code {}", "not_strict_ieee"), (DRIFT, "at fault: exit code {}", "program_fault"),
         ("CHANGELOG.md", "the other way round, is missing ({}); an unreferenced golden file is {};", "golden_missing, disagreed"),
         ("CHANGELOG.md", "in a golden folder is refused ({}); an unwritable stdout is {}.", "bad_input, cannot_access"),
@@ -54,16 +55,16 @@ STATED = (
          "agreed, disagreed, bad_input, cannot_access"), ("tools/hyrax-sim/shrink.cpp", "the command does not fail here: exit code {} (", "agreed"),
         ("tools/hyrax-sim/program.cpp", '"{} golden file missing (or a part of a sweep), {} arithmetic is not strict IEEE-754, {} internal',
          "golden_missing, not_strict_ieee, program_fault"), ("tools/hyrax-sim/study.cpp", "exit {} if one of the study's rules", "disagreed"),
-        ("tools/hyrax-compare/main.cpp", "Exit codes: {} printed, whatever differs; {} golden/core is damaged; {} bad usage", "agreed, disagreed, bad_input"),
-        ("tools/hyrax-compare/main.cpp", "; {} cannot read; {} no golden/core; {} arithmetic is not strict IEEE-754; {} internal",
+        (COMPARE, "Exit codes: {} printed, whatever differs; {} golden/core is damaged; {} bad usage", "agreed, disagreed, bad_input"),
+        (COMPARE, "; {} cannot read; {} no golden/core; {} arithmetic is not strict IEEE-754; {} internal",
          "cannot_access, golden_missing, not_strict_ieee, program_fault"), ("tools/hyrax-sim/check.cpp", "unreferenced (exit code {})", "disagreed"),
         *((f"tools/{script}", f"; {{}} if {words}", "cannot_access") for script, words in (
             ("run", "it could not be installed or built."), ("compare", "it could not be built."), ("check", "hyrax-sim could not be built."))),
         ("tools/files/scenario.schema.json", "exit {} where it does not hold", "disagreed"), (CARD, "The exit code is {} whatever", "agreed"),
         ("tools/hyrax-sim/check.cpp", "notices; exit code {} if there is one", "disagreed"),
         (PAGE, "ends with exit code {}. After an edit", "cannot_access"), (PAGE, "end with exit code {}, and the page says", "program_fault"),
-        ("tools/own_core/README.md", "ends with exit code {} for any other", "bad_input"),
-        ("tools/own_core/README.md", "`check` ends with exit code {}, even", "bad_input"))),
+        (OWN, "ends with exit code {} for any other", "bad_input"),
+        (OWN, "`check` ends with exit code {}, even", "bad_input"))),
     *((CORE, f"| `{name}` | {{}}", HEADER, name) for name in PHYSICS_CONSTANTS.split(", ")),
     (CORE, "; and if `|vy| < {}` then", HEADER, "REST_THRESHOLD"),  # The formulas: tests/oracle/witness_test.py.
     (DRIFT, "G = {} px/s², a = {} (paper", HEADER, "GRAVITY, AIR_DRAG"), (DRIFT, "leaves |vy| below {} px/s", HEADER, "REST_THRESHOLD"),
@@ -78,23 +79,23 @@ STATED = (
     (FORMAT, "another dt: `dt_s`, 0 .. {}. A", SCENARIO, "kFrameMax_s"), (FORMAT, "at_s - {} dt", "sim/scenario/schedule.cpp", "kTolerance"),
     (FORMAT, "a time beyond frame {} is an error", "sim/scenario/schedule.h", "kWalkedFrameMax"),
     (FORMAT, "more than {} px from the anchor becomes", REST, "kStill_px"),
-    ("sim/ensemble/README.md", "`members` | 1 .. {},", "sim/scenario/sweep.h", "kMembersMax"),
+    (SWEEPS, "`members` | 1 .. {},", "sim/scenario/sweep.h", "kMembersMax"),
     (FILES, "positions differ by at most {} px, velocities by {} px/s + {} of their size, t and dt by {} s", ROUNDING,
-     "kRounding_px, kRounding_px_per_s, kRoundingOfSpeed, kRounding_s"),
+     "kRounding_px, kRounding_px_per_s, kRoundingOfSpeed, kRounding_s"), (FILES, "for each block of {} rows", HASH, "kBlockRows"),
     (FILES, "Golden files of more than {} rows", "sim/trajectory/stored_run.h", "kStoredRowsMax"),
-    (FILES, "for each block of {} rows", HASH, "kBlockRows"), (FILES, "A row is {} bytes", HASH, "kPackedRowBytes"),
-    (FILES, "Each block of {} rows (row 0 first", HASH, "kBlockRows"), (FILES, "every block of {} rows, with the golden", HASH, "kBlockRows"),
+    (FILES, "A row is {} bytes", HASH, "kPackedRowBytes"), (FILES, "Each block of {} rows (row 0 first", HASH, "kBlockRows"),
+    (FILES, "every block of {} rows, with the golden", HASH, "kBlockRows"),
     (FILES, "at most {} are stored |", "sim/trajectory/row.h", "kContactsRecordedMax"),
     (FILES, "{} left, {} right, {} top, {} ground, {} vy set to 0", STATE, "left, right, top, ground, kRestBit"),
     (FILES, "`/contacts/wall` | uint8 [M] | {}, {}, {} or {} |", STATE, "left, right, top, ground"),
     (FILES, "it has more than {} paths", "sim/trace/traced_step.h", "kStepPathsMax"),
     (DRIFT, "At most {} arcs and contacts are stored", "tools/app/drift/drift.h", "kArcsListedMax"),
     (DRIFT, "in x and in y: {} starts", "sim/search/contact_chance.h", "starts"),
-    (DRIFT, "played for up to {} steps", "sim/search/contact_chance.cpp", "kStepsCompared"),
+    (DRIFT, "played for up to {} steps", "sim/search/contact_chance.cpp", "kStepsCompared"), (DRIFT, "drag of {} Hz, k", MODEL, "model_rate_hz"),
     (DRIFT, "estimate.h), seed {}", "sim/search/contact_chance.h", "seed"), (DRIFT, "at the rates of {} Hz, restitution", MODEL, "model_rate_hz"),
     (DRIFT, "GSL's `rk8pd` at {} integrates", "sim/reference/gsl_flight.h", "tolerance"),
     (DRIFT, "more than {} px +\n{} times the arc's", "sim/reference/drift.h", "kSolversApart_px, kSolversApart_rel"),
-    (DRIFT, "an impact also {} of the way", "sim/reference/drift.h", "kSolversApart_rel"),
+    (DRIFT, "an impact also {} of the way", "sim/reference/drift.h", "kSolversApart_rel"), (DRIFT, "At {} Hz the last two", MODEL, "model_rate_hz"),
     (DRIFT, "up to {} frames of equal dt", "sim/reference/arc_solution.h", "kFramesMax"),
     ("tools/app/drift/drift_run.cpp", "tolerance of GSL (default: {})", "sim/reference/gsl_flight.h", "tolerance"),
     ("tools/hyrax-sim/run.cpp", "of more than {}, a line each", "tools/hyrax-sim/run.cpp", "kPrintedInFullMax"),
@@ -102,14 +103,14 @@ STATED = (
     ("tools/hyrax-sim/fuzz.cpp", "5m or 2h (default: {}s)", "tools/app/search/broken_rule.h", "time_s"),
     ("tools/hyrax-sim/fuzz.cpp", "are drawn (default: {})", "tools/hyrax-sim/fuzz.cpp", "seed.value_or"),
     ("tools/hyrax-sim/shrink.cpp", "(default: {}, of PROGRAM {})", "tools/hyrax-sim/shrink.cpp", "kLimit_s, kProgramLimit_s"),
-    *(("tools/hyrax-compare/main.cpp", words, "tools/hyrax-compare/main.cpp", name + ".value_or") for words, name in (
+    *((COMPARE, words, COMPARE, name + ".value_or") for words, name in (
         ("flings and runs (default {})", "seed"), ("random flings (default {})", "flings"), ("(default {} s)", "limit_s"))),
-    (CARD, "takes more than {} s |", "tools/hyrax-compare/main.cpp", "limit_s.value_or"), (CARD, "20th second: at {} Hz", FLINGS, "kRate_hz"),
-    (CARD, "scenarios, {} random flings (seed {})", "tools/hyrax-compare/main.cpp", "flings.value_or, seed.value_or"),
+    (CARD, "takes more than {} s |", COMPARE, "limit_s.value_or"), (CARD, "20th second: at {} Hz", FLINGS, "kRate_hz"),
+    (CARD, "scenarios, {} random flings (seed {})", COMPARE, "flings.value_or, seed.value_or"), (CARD, "ns a step in {} pairs", FLINGS, "kPairs"),
     (CARD, "settle at {} Hz, after {} s:", FLINGS, "kRate_hz, kDuration_s"), (CARD, "of the first {} flings:", "sim/card/card.h", "kDisplayFlings"),
-    (CARD, "in a window of {} x {} px", FLINGS, "Size kWindow, kWindow{1920,"),
+    (CARD, "in a window of {} x {} px", FLINGS, "Size kWindow, kWindow{1920,"), (CARD, "`std::pow(AIR_DRAG, {} * dt)`", MODEL, "model_rate_hz"),
     (CARD, "where a fling lands on {} displays", "sim/study/display_rates.h", "std::array<double,"), (CARD, "1 px is {} px²/s²", HEADER, "GRAVITY"),
-    (CARD, "is most on the {} displays", "sim/study/display_rates.h", "std::array<double,"), (CARD, "ns a step in {} pairs", FLINGS, "kPairs"),
+    (CARD, "is most on the {} displays", "sim/study/display_rates.h", "std::array<double,"), (CARD, "settle at {} Hz", FLINGS, "kRate_hz"),
     (CARD, "dropped from {} px still moves up and down in the {}th second", FLINGS, "kHeight_px, kDuration_s"),
     (CARD, "after 1 to {} s at {} rows", FLINGS, "kExactSeconds, kRate_hz"),
     (CARD, "how many of {} random runs", "sim/card/card.cpp", "kRandomRuns"),
@@ -136,7 +137,7 @@ STATED = (
     (PAGE, "same throw at {}, {}, {} and {} Hz", "tools/report/page/fling.js", "['24 Hz',, ['60 Hz',, ['144 Hz',, ['240 Hz',"),
     (PAGE, "with shift {} steps", "tools/report/page/player.js", "event.shiftKey ?"),
     (FILES, "and the {} worst scenarios", "tools/app/causes/group_text.cpp", "kWorstListed"),
-    ("tools/own_core/README.md", "AIR_DRAG {} .. {}, REST", "sim/study/reference_model.cpp", "constants.air_drag,, 0.5,"),
+    (OWN, "AIR_DRAG {} .. {}, REST", "sim/study/reference_model.cpp", "constants.air_drag,, 0.5,"),
     (HYRAX, "not moved for {} frames it sleeps", "tools/hyrax/pet.h", "kStillFrames"),
     (HYRAX, "After {} frames (four and a half minutes", "tools/hyrax/recording.h", "kPartFrames"),
     (HYRAX, "ends after 2^{} frames", "tools/hyrax/recording.h", "kFramesMax = std::int64_t{1} <<"),
@@ -144,16 +145,16 @@ STATED = (
     (FILES, "apart the two cores are after {} s of it", "tools/app/causes/unnoticed.cpp", "kConsequence_s"),
     (FILES, "stays below {} MB (a test)", "tests/cli/goldens_test.py", "BYTES_MAX"),
     (HYRAX, "one file of less than {} MB", "tests/cli/hyrax/executable_test.py", "SIZE_MAX_BYTES"),
-    ("tests/README.md", "({} damaged golden files; `--all` tries {})", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS, if _IS_ALL else"),
+    (TESTS, "({} damaged golden files; `--all` tries {})", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS, if _IS_ALL else"),
     ("tools/test", "{} damaged golden files", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS"),
     *((document, words, "tools/test", "\n      mutants") for document, words in (
-        ("tools/test", "change {} places of the sources"), ("tests/README.md", "and tries {} mutants\nof the harness"),
-        ("tests/README.md", "`tools/test --nightly`\ndraws {}, with"))),
-    (SCHEMA, "no frame longer than {} s", SCENARIO, "kFrameMax_s"), (SCHEMA, "ceil(duration / dt - {})", "sim/scenario/frame_clock.cpp", "base_dt_s(scenario.clock) -"),
-    (SCHEMA, "stays within {} px, s", REST, "kStill_px"),
+        ("tools/test", "change {} places of the sources"), (TESTS, "and tries {} mutants\nof the harness"),
+        (TESTS, "`tools/test --nightly`\ndraws {}, with"))),
+    (SCHEMA, "no frame longer than {} s", SCENARIO, "kFrameMax_s"), (SCHEMA, "stays within {} px, s", REST, "kStill_px"),
+    (SCHEMA, "ceil(duration / dt - {})", "sim/scenario/frame_clock.cpp", "base_dt_s(scenario.clock) -"),
     ("README.md", "CMake {} and", "CMakeLists.txt", "cmake_minimum_required(VERSION"),
     ("README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
-    ("tools/own_core/README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
+    (OWN, "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),
     ("CHANGELOG.md", "\n## {}", "CMakeLists.txt", "project(hyrax-sim VERSION"),
     ("CHANGELOG.md", "beyond frame {} is refused with jitter", "sim/scenario/schedule.h", "kWalkedFrameMax"),
     ("CHANGELOG.md", "play at least {} flings", "sim/study/paper/claim_probe.h", "kStarts"),
@@ -168,38 +169,32 @@ STATED = (
         ("probability", "Of a frame that takes twice the time"))),
     (FORMAT, "`state_hash` | {} hex digits", SCHEMA, ('"^[0-9a-f]{32}$", "maxLength":',)),
     (CARD, "with a sprite of {} px; vx {} .. {}, vy {} .. {} px/s", FLINGS, ("kSprite", "draw(2,", "draw(2, -2000.0,", "draw(3,", "draw(3, -2000.0,")),
-    (CARD, "`std::pow(AIR_DRAG, {} * dt)`", MODEL, "model_rate_hz"), (CARD, "settle at {} Hz", FLINGS, "kRate_hz"),
-    (DRIFT, "drag of {} Hz, k", MODEL, "model_rate_hz"), (DRIFT, "At {} Hz the last two", MODEL, "model_rate_hz"),
     (DRIFT, "moved by up to {} px in x", "sim/search/contact_chance.h", "within_px"),
-    ("tools/own_core/README.md", "GRAVITY {} .. {} px/s², AIR", "sim/study/reference_model.cpp", ("constants.gravity_px_per_s2,", "constants.gravity_px_per_s2, 0.0,")),
-    ("tools/own_core/README.md", "GROUND_FRICTION {} .. {}, REST_THRESHOLD\n{} .. {} px/s", "sim/study/reference_model.cpp",
+    (OWN, "GRAVITY {} .. {} px/s², AIR", "sim/study/reference_model.cpp", ("constants.gravity_px_per_s2,", "constants.gravity_px_per_s2, 0.0,")),
+    (OWN, "GROUND_FRICTION {} .. {}, REST_THRESHOLD\n{} .. {} px/s", "sim/study/reference_model.cpp",
      ("constants.ground_friction,", "constants.ground_friction, 0.0,", "constants.rest_threshold_px_per_s,", "constants.rest_threshold_px_per_s, 0.0,")),
 )
-HELPS = [SOURCE / f"tools/{program}/help.txt" for program in ("hyrax", "hyrax-replay")]
 # Numbers of documents that no table has, in their order: of the literature, of examples, of conventions (95 % intervals), of
 # what was measured once, and of formulas, which tests/oracle/witness_test.py evaluates. A new one belongs into a table, or, if
 # nothing decides it, here.
 NO_SOURCE = {
-    "CHANGELOG.md": "95 1e 300 0 0", "README.md": "75 1000 1.0", "golden/README.md": "0 1 2 3 0.1 0 0 0 1 2 3 4 5 6 7 1 0 16 32 1.10",
-    "scenarios/README.md": ("320 240 5120 1440 60 165 110 400 0 1 2 3 4 120 1,500 0 0 0 0 2K 144 60.0 1e9 0 1 1 1.0 2.0 1.0 6.0 "
+    "CHANGELOG.md": "95 1e 300 0 0", "README.md": "75 1000 1.0", FILES: "0 1 2 3 0.1 0 0 0 1 2 3 4 5 6 7 1 0 16 32 1.10", "sim/README.md": "1 0 0 0",
+    FORMAT: ("320 240 5120 1440 60 165 110 400 0 1 2 3 4 120 1,500 0 0 0 0 2K 144 60.0 1e9 0 1 1 1.0 2.0 1.0 6.0 "
         "11 0.0 0 0.0 2.0 0 2 64 1 1 0x9E3779B97F4A7C15 2 64 30 27 31 0xBF58476D1CE4E5B9 0x94D049BB133111EB 11 2 0 0 0 0 0 1 2 "
-        "3 4 1 0 0 0 0 1 0"), "sim/README.md": "1 0 0 0", "sim/card/README.md": "95 1927 0", "sim/ensemble/README.md": "0 1 1 4 64 2 12.2 96",
-    "sim/physics/README.md": "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6", "tests/browser/README.md": "1,000,001",
-    "sim/reference/README.md": "1e-11 1 95 60 1e-11 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006",
-    "sim/study/README.md": ("95 22:209 1927 95 7:1 1979 3 95 1 60 60 15 0 60 4 60 95 0 0 0 3 75 8 960 60 100 1 100 50 240 24 "
-        "2 2.3 60 7 95 60 1e-9 2.3 2.4 0 2.4 6.1 2.3 0.999 0.999 2.4 0.999 4.1 0.2 60 12 4.1 3.2.2"), "tests/must_fail/README.md": "0",
-    "tests/README.md": ("1e9 40 16 0.1.0 12 107 107 14 22 107 107 12 107 107 12 107 107 12 106 106 12 106 106 12 106 106 12 106 "
+        "3 4 1 0 0 0 0 1 0"), CARD: "95 1927 0", SWEEPS: "0 1 1 4 64 2 12.2 96",
+    CORE: "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6", "tests/browser/README.md": "1,000,001",
+    DRIFT: "1e-11 1 95 60 1e-11 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006", BENCHMARKS: "2 12.2.0 10 600", HYRAX: "10 11 60 8",
+    STUDIES: ("95 22:209 1927 95 7:1 1979 3 95 1 60 60 15 0 60 4 60 95 0 0 0 3 75 8 960 60 100 1 100 50 240 24 "
+        "2 2.3 60 7 95 60 1e-9 2.3 2.4 0 2.4 6.1 2.3 0.999 0.999 2.4 0.999 4.1 0.2 60 12 4.1 3.2.2"), "tests/must_fail/README.md": "0", OWN: "0 0 3",
+    TESTS: ("1e9 40 16 0.1.0 12 107 107 14 22 107 107 12 107 107 12 107 107 12 106 106 12 106 106 12 106 106 12 106 "
         "106 19 106 106 12 12 78 107 24.04 13 106 16.8 1 200 165 12 23 44 44 0 0 102 97 0 5 170 129 24 17 191 102 62 27 56 49 0 "
-        "7 29 26 0 3 4 4 0 0 12 10 1 1 808 626 99 83 95 30 110 96 10 3 1 0.1.0 17 42,600"), "tests/benchmarks/README.md": "2 12.2.0 10 600",
-    "tests/oracle/README.md": "60 3.11", "tools/hyrax/README.md": "10 11 60 5 8", "tools/own_core/README.md": "0 0 3", "tools/hyrax/help.txt": "5",
-    "tools/report/page/README.md": "0 120 120",
+        "7 29 26 0 3 4 4 0 0 12 10 1 1 808 626 99 83 95 30 110 96 10 3 1 0.1.0 17 42,600"), "tests/oracle/README.md": "60 3.11", PAGE: "0 120 120",
 }
-TESTS, BENCHMARKS, SWEEPS = "tests/README.md", "tests/benchmarks/README.md", "sim/ensemble/README.md"
 # Document and its words; the output, of a command or a benchmark, that these numbers are from, line by line.
 SAID_AGAIN = (
-    ("README.md", "Needs g++ {} or clang {},", ("tests/README.md", "| x86-64 | g++ {} |"), ("tests/README.md", "| x86-64 | clang {},")),
-    ("README.md", "the GPL, version {} or later", ("tools/own_core/README.md", "the GPL, version {} or later")),
-    (FILES, "physics.h from {} to {}. `tools/check`", (FILES, "constant: GRAVITY {} -> {}; alone")), (FILES, "is skipped ({}):", (FILES, "|| code={}; exit")),
+    ("README.md", "Needs g++ {} or clang {},", (TESTS, "| x86-64 | g++ {} |"), (TESTS, "| x86-64 | clang {},")),
+    ("README.md", "the GPL, version {} or later", (OWN, "the GPL, version {} or later")), (FILES, "is skipped ({}):", (FILES, "|| code={}; exit")),
+    (FILES, "physics.h from {} to {}. `tools/check`", (FILES, "constant: GRAVITY {} -> {}; alone")),
     (FILES, "`{} .. {} ground` is", (FILES, "  {} .. {} ground at")), (FILES, "from row {} to row {}. *Margin*", (FILES, "  {} .. {} ground at")),
     (DRIFT, "grow over each arc to {} px;", (DRIFT, "; trunc. {} px")),
     (DRIFT, "gravity takes {} px of height, the lift out of walls gives {} px", (DRIFT, "gravity once a step -{} px"), (DRIFT, "lift out of walls +{} px")),
@@ -255,6 +250,7 @@ def computed():
     speeds = [1000.0]
     while len(speeds) == 1 or speeds[-1] != speeds[-2]:
         speeds.append(speeds[-1] * drag * friction)
+    exponent, = decided("tools/hyrax/recording.h", "kFramesMax = std::int64_t{1} <<")
     normal = sum(speed >= sys.float_info.min for speed in speeds)
     unsteady, *parts = decided("sim/study/methods/cost.h", "kDriftMax_rel") + [
         float(each) for each in re.findall(r"quantile\(probes_ns, (0\.\d5)\)", text_of("sim/study/methods/cost.cpp"))]
@@ -265,30 +261,31 @@ def computed():
         (STUDIES, "so that after some {}\nsteps it is below {} px/s", [round(normal, -2), float(f"{sys.float_info.min:.1e}")]),
         (STUDIES, "and {} steps later stuck at two units of the last place ({}\npx/s)", [round(len(speeds) - normal, -1), speeds[-1]]),
         (STUDIES, "more than {} %\n({}th minus {}th percentile)", [100 * unsteady, *(100 * part for part in parts)]),
-        (STUDIES, "is also dropped at {}\ndisplay rates", [len(rates_hz)]), ("README.md", "Below {} Hz a sprite on the floor", rates[:1]),
+        (STUDIES, "is also dropped at {}\ndisplay rates", [len(rates_hz)]), (STUDIES, "below {} Hz the visible bounce ends", [round(rates[0], 1)]),
+        ("README.md", "Below {} Hz a sprite on the floor", rates[:1]), (FILES, "the {} scenarios here", [SCENARIOS]),
         *((STUDIES, words, [100 * part for part in decided(f"sim/study/{source}.cpp", name)]) for words, source, name in (
             ("spread less in more than {} % of the flings, beyond", "frame_rate/frame_rate_study", "steadier_by_time[clock].low() >"),
             ("if the interval of their share is above {} %", "paper/energy_claims", "kBetter"), ("window is below\n  {} %", "paper/use_claims", "kMost"))),
         (DRIFT, "per frame: {} px of height per second at {} Hz, whatever", [round((drag - kappa**2 * phi2) * gravity * dt), 60]),
-        (STUDIES, "| median ({} .. {} %) | quantiles", [100 * float(band[2]), 100 * float(band[3])]), (FILES, "the {} scenarios here", [SCENARIOS]),
+        (STUDIES, "| median ({} .. {} %) | quantiles", [100 * float(band[2]), 100 * float(band[3])]), (STUDIES, "one step adds a = {} G dt", [drag]),
+        (FILES, "`constants` float64 [{}]", [len(PHYSICS_CONSTANTS.split(", "))]), (DRIFT, "takes {} % of the speed", [round(100 * (1 - drag), 9)]),
         (STUDIES, "| < {} px/s | above {} Hz | zero speed |", [gains[0], rates[0]]), (CORE, "; {} of the energy remains", [restitution**2]),
         (STUDIES, "| {} .. {} px/s | {} .. {} Hz | two-cycle:", [*gains[:2], rates[1], rates[0]]), (DRIFT, "a L / (1 - a) = {}", [round(kappa, 8)]),
         (STUDIES, "| {} .. {} px/s | {} .. {} Hz | two-cycle or", [gains[1], round(gains[2], 1), rates[2], rates[1]]),
         (STUDIES, "| > {} px/s | below {} Hz | residual speed, constant: -{} a / (1 + {} * {})",
-         [round(gains[2], 1), rates[2], restitution, restitution, drag]), (DRIFT, "takes {} % of the speed", [round(100 * (1 - drag), 9)]),
-        (STUDIES, "one step adds a = {} G dt", [drag]), (STUDIES, "below {} Hz the visible bounce ends", [round(rates[0], 1)]),
-        ("sim/README.md", "vy constant ({} px/s at {} Hz)", [round(-restitution * drag * gravity * dt / (1 + kept), 3), 60]),
-        ("sim/ensemble/README.md", "leaves at most {} |vx| dt", [round(1 / (1 - drag * friction), 2)]),
-        (SWEEPS, '"few bounces, far right:", ((file["members/contacts"][:, {}] <',
+         [round(gains[2], 1), rates[2], restitution, restitution, drag]), (SWEEPS, '"few bounces, far right:", ((file["members/contacts"][:, {}] <',
          [re.search(r'"contacts with ([a-z, ]+)"', text_of("tools/store/ensemble_columns.cpp"))[1].split(", ").index("ground")]),
-        (DRIFT, "k = -ln({}) / dt", [drag]), (DRIFT, "k = {} 1/s", [round(60 * rate, 7)]),
+        ("sim/README.md", "vy constant ({} px/s at {} Hz)", [round(-restitution * drag * gravity * dt / (1 + kept), 3), 60]),
+        (SWEEPS, "leaves at most {} |vx| dt", [round(1 / (1 - drag * friction), 2)]), (DRIFT, "k = -ln({}) / dt", [drag]),
+        (DRIFT, "k = {} 1/s", [round(60 * rate, 7)]), (DRIFT, "It differs from {}, because", [restitution]),
         (DRIFT, "(G² h / 2) t: {} px²/s² per second at {} Hz", [round(gravity**2 * dt / 2, 6), 60]),
-        (DRIFT, "phi2) G h = {} px/s", [round((drag - kappa**2 * phi2) * gravity * dt, 4)]),
-        (DRIFT, "not at the wall: {} / 2 of", [restitution**2]), (DRIFT, "It differs from {}, because", [restitution]),
+        (DRIFT, "phi2) G h = {} px/s", [round((drag - kappa**2 * phi2) * gravity * dt, 4)]), (DRIFT, "not at the wall: {} / 2 of", [restitution**2]),
         ("README.md", "changed from {} to {}, by one ulp", [gravity, math.nextafter(gravity, math.inf)]),
         (FILES, "rounded to {} decimals", [len(re.search(r"x ([\d.]+) px, y", text_of("golden/flings/first-fling.txt"))[1].split(".")[1])]),
-        (FILES, "`constants` float64 [{}]", [len(PHYSICS_CONSTANTS.split(", "))]),
-        (CARD, "of the middle {} %", [100 * (float(band[3]) - float(band[2]))]), (STUDIES, "range from {} to {} %", [100 * float(band[2]), 100 * float(band[3])]),
+        (CARD, "of the middle {} %", [100 * (float(band[3]) - float(band[2]))]),
+        (STUDIES, "range from {} to {} %", [100 * float(band[2]), 100 * float(band[3])]),
+        *((document, words, [round(2**exponent / 60 / 3600)]) for document, words in (
+            (HYRAX, "frames, about {} hours of motion"), ("tools/hyrax/help.txt", "after about {} hours of motion"))),
         (CARD, "lands on 18 displays of {} to {} Hz", [min(displays_hz), max(displays_hz)]))
 
 
@@ -306,7 +303,7 @@ class Facts(unittest.TestCase):
 
     def test_every_number_has_a_source_or_is_in_the_list(self):
         rows = [row[:2] for row in (*STATED, *SAID_AGAIN, *computed())]
-        for document in (*DOCUMENTS, *HELPS):
+        for document in (*DOCUMENTS, SOURCE / "tools/hyrax/help.txt", SOURCE / "tools/hyrax-replay/help.txt"):
             path = str(document.relative_to(SOURCE))
             text = re.sub(r"^```.*?^```$", lambda block: re.sub(r"\d", "-", block[0]), text_of(path), flags=re.DOTALL | re.MULTILINE)
             for words in (row[1] for row in rows if row[0] == path):
@@ -323,16 +320,6 @@ class Facts(unittest.TestCase):
             spans = [places_of(document, row[1])[0].span() for row in STATED if row[0] == document]
             for code in re.finditer(r"[Ee]xit(?: codes?:?)? (\d+)", prose):
                 self.assertTrue(any(first <= code.start(1) < last for first, last in spans), (document, code[0]))
-
-    def test_how_long_a_recording_is(self):
-        exponent, hours = stated(HYRAX, "ends after 2^{} frames, about {} hours of motion")
-        self.assertEqual([hours], [round(2**exponent / 60 / 3600)])
-        self.assertEqual(stated("tools/hyrax/help.txt", "after about {} hours of motion"), [hours])
-        saves, part = decided("tools/hyrax/recording.h", "kSavesPerSecond, kPartFrames")
-        self.assertEqual([saves, round(2 * part / 60 / 60) / 2], [2, 4.5])
-        for document, words in ((HYRAX, "about twice a second"), (HYRAX, "(four and a half minutes of motion at 60 Hz)"),
-                                (HYRAX, "at most the last second is lost"), ("tools/hyrax/help.txt", "At most the last second is lost")):
-            self.assertIn(words, text_of(document))
 
     def test_figures_of_speed_reach_their_goal_or_are_marked(self):
         sources = re.sub(r'"\s*\n\s*"', "", "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "tests/benchmarks").glob("*_figures.cpp")))
@@ -356,7 +343,7 @@ class Facts(unittest.TestCase):
         self.assertGreaterEqual(with_source, 10)
 
     def test_every_total_is_that_of_its_table(self):
-        text = text_of("tests/README.md")
+        text = text_of(TESTS)
         rows = [[int(cell) for cell in re.findall(r"\d+", cells)] for cells in re.findall(r"^\| `sim/\S+` ((?:\| \d+ )+)\|$", text, re.MULTILINE)]
         total = re.search(r"^\| all ((?:\| \d+ )+)\|$", text, re.MULTILINE)[1]
         self.assertGreater(len(rows), 5)
@@ -374,7 +361,7 @@ class Facts(unittest.TestCase):
             if subject.is_core:
                 names = {mutant.name for mutant in mutants}
                 by = [sum(name in names for how, path, name in reasons if (how, path) == (each, subject.path)) for each in ("unit test", "equivalent")]
-                self.assertEqual(stated("tests/README.md", f"| `{subject.path}` | {{}} | {{}} | {{}} | {{}} |"), [len(mutants), len(mutants) - sum(by), *by])
+                self.assertEqual(stated(TESTS, f"| `{subject.path}` | {{}} | {{}} | {{}} | {{}} |"), [len(mutants), len(mutants) - sum(by), *by])
 
     def test_a_member_of_a_sweep_has_the_bytes_that_are_stated(self):
         sweep = re.search(r"```json rest-places.json\n(.*?)```", text_of(SWEEPS), re.DOTALL)[1].replace("3000", "50").replace(
@@ -395,11 +382,10 @@ class Facts(unittest.TestCase):
                 self.assertNotRegex(path.read_text(encoding="utf-8"), r"\b(chrono|getenv|fstream|iostream|fopen|setlocale|printf|fputs)\b", path)
 
     def test_every_count_of_scenarios_is_that_of_the_folder(self):
-        counts = {int(each) for each in re.findall(r"of (\d{3}) (?:agree|differ)", text_of("tests/README.md"))}
-        self.assertEqual(counts, {SCENARIOS, SCENARIOS - 1})
+        self.assertEqual(set(re.findall(r"of (\d{3}) (?:agree|differ)", text_of(TESTS))), {str(SCENARIOS), str(SCENARIOS - 1)})
 
     def test_platforms_are_those_of_the_matrix(self):
-        rows = re.findall(r"^\| ([^|]*) \| ([^|]*) \| ([^|]*) \| [^|]* \| \d+ of \d+ agree", text_of("tests/README.md"), re.MULTILINE)
+        rows = re.findall(r"^\| ([^|]*) \| ([^|]*) \| ([^|]*) \| [^|]* \| \d+ of \d+ agree", text_of(TESTS), re.MULTILINE)
         flags = {builder: set(re.findall(r"`([^`]*)`", cell)) for name, builder, cell in rows if name == "x86-64"}
         by = {each: {row.flags for row in BUILDS if row.name == f"{each} {row.flags}"} for each in ("g++", "clang++", "clang++-22")}
         self.assertEqual(flags, {"g++ 12": by["g++"], "clang 14, clang 22": by["clang++"]})
@@ -441,7 +427,7 @@ class Facts(unittest.TestCase):
         lists = "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "tests").rglob("CMakeLists.txt"))
         nightly = set(" ".join(re.findall(r"hyrax_label\(nightly ([^)]*)\)", lists)).split())
         self.assertGreater(len(nightly), 10)
-        listed = re.search(r"^\| `nightly` \| .*", text_of("tests/README.md"), re.MULTILINE)[0]
+        listed = re.search(r"^\| `nightly` \| .*", text_of(TESTS), re.MULTILINE)[0]
         self.assertLessEqual(nightly, set(re.findall(r"`([\w-]+\.[\w-]+)`", listed)))
 
     def test_columns_of_rows_have_their_units(self):

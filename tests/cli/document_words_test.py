@@ -119,10 +119,9 @@ WORDS = {
         ("tools/report/page/members.js", r"writes, with its state hash as `expect`\.", r"expect: \{ state_hash:")),
     "tests/README.md": (
         ("tools/test", "`--all` tests two builds: the everyday one, and (clang)'s with sanitizers", r"presets=\(asan-(clang)\)"),
-        ("tools/test", "in the everyday build only, and with `(--nightly)` in all builds",
-         r"tools/test (--nightly) .*run all everyday tests in all builds \(--all leaves"),
-        ("tools/test", r"`long` \| with `(--all)` and `--nightly`", "tools/test (--all) also run the long tests"),
-        ("tools/test", r"`nightly` \| with `(--nightly)` only", "tools/test (--nightly) also run the nightly tests"),
+        ("tools/test", r"`long` \| with `(--all)` and `--nightly`.*`nightly` \| with `(--nightly)` only.* in the everyday build only, and "
+         "with `--nightly` in all builds", "tools/test (--all) also run the long tests.*tools/test (--nightly) also run the nightly "
+         r"tests.*run all everyday tests in all builds \(--all leaves"),
         ("tests/must_fail/mutation/table.py", r"95 % interval \((Wilson)\)", r"\((Wilson) 1927\)"),
         ("tools/test", "draws ten, with the (date) as the seed", r'--seed "\$\((date) '),
         ("tests/must_fail/mutation/mutators.py", "constants (by one ulp, by 1 %) and (by sign);"),
@@ -172,6 +171,10 @@ WORDS = {
          r"pair) \|"),
         (LINES, r"recorded`: those that end (elsewhere: more than half a pixel away) \| \| consequence \| (the largest consequence for a "
          "user, one sentence):")),
+    "tools/hyrax/README.md": (
+        ("tools/hyrax/recording.h", r"written about twice a second, .* at most the last second is lost, .*\((four and a half minutes of "
+         r"motion at 60 Hz)\)", r"kSavesPerSecond = 2;.*kPartFrames = 16'384; (four and a half minutes of motion at 60 Hz)\."),),
+    "tools/hyrax/help.txt": (("tools/hyrax/recording.h", "At most the last second is lost", "kSavesPerSecond = 2;"),),
     "tools/test": (("tools/test", "fuzz for half a minute;.*fuzz for an hour, and", r"=\(asan-clang\) fuzzing_s=30 .*debug\) fuzzing_s=3600 "),),
 }
 
