@@ -110,7 +110,7 @@ STATED = (
     (CARD, "settle at {} Hz, after {} s:", FLINGS, "kRate_hz, kDuration_s"), (CARD, "of the first {} flings:", "sim/card/card.h", "kDisplayFlings"),
     (CARD, "in a window of {} x {} px", FLINGS, "Size kWindow, kWindow{1920,"), (CARD, "`std::pow(AIR_DRAG, {} * dt)`", MODEL, "model_rate_hz"),
     (CARD, "where a fling lands on {} displays", "sim/study/display_rates.h", "std::array<double,"), (CARD, "1 px is {} px²/s²", HEADER, "GRAVITY"),
-    (CARD, "is most on the {} displays", "sim/study/display_rates.h", "std::array<double,"), (CARD, "settle at {} Hz", FLINGS, "kRate_hz"),
+    (CARD, "is most on the {} displays", "sim/study/display_rates.h", "std::array<double,"),
     (CARD, "dropped from {} px still moves up and down in the {}th second", FLINGS, "kHeight_px, kDuration_s"),
     (CARD, "after 1 to {} s at {} rows", FLINGS, "kExactSeconds, kRate_hz"),
     (CARD, "how many of {} random runs", "sim/card/card.cpp", "kRandomRuns"),
