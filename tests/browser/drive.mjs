@@ -4,7 +4,7 @@
 // A task is {file, hash, bypass_csp, plain (without JavaScript), size, scheme, actions}; an action is ["evaluate", expression], ["click", selector],
 // ["press", key], ["mouse", selector, [[x, y]...]] (a drag along points given as fractions of the element),
 // ["touch", selector, [[x, y]...]] (the same with a finger), ["download", selector, path], ["wait", expression],
-// ["look", {size, scheme}] (from now on), ["paper"] (as it is printed) or ["axe"] (what axe-core finds wrong: a list of texts). A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
+// ["look", {size, scheme}] (from now on), ["paper"] (as it is printed), ["axe"] (what axe-core finds wrong: a list of texts) or ["tab", n] (what has the focus after each of n tabs). A result is {attributes, errors, requests, values}, or {failed: MESSAGE}.
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
@@ -52,6 +52,15 @@ async function faults(page) {
   return violations.flatMap(({ id, nodes }) => nodes.map(node => `${id}: ${node.target.join(' ')}: ${node.failureSummary}`));
 }
 
+async function focused(page, count) {
+  const names = [];
+  for (let i = 0; i < count; ++i) {
+    await page.keyboard.press('Tab');
+    names.push(await page.evaluate(() => document.activeElement.id || document.activeElement.textContent.trim()));
+  }
+  return names;
+}
+
 async function look(page, { size: [width, height] = [1280, 900], scheme = 'light' }) {
   await page.setViewportSize({ width, height });
   await page.emulateMedia({ colorScheme: scheme });
@@ -69,6 +78,7 @@ const actions = {
   axe: faults,
   mouse: (page, selector, points) => drag(page, 'mouse', selector, points),
   touch: (page, selector, points) => drag(page, 'touch', selector, points),
+  tab: focused,
   evaluate: (page, expression) => page.evaluate(expression),
   click: (page, selector) => page.click(selector),
   press: (page, key) => page.keyboard.press(key),

@@ -153,6 +153,16 @@ class ReportTest(browser.BrowserTest):
         whole = self.expect(AGREED, "drift", "same.h5", "--json").json["runs"][0]["whole"]
         self.assertAlmostEqual(float(distances["144 Hz"].replace(",", "")), whole["end_px"], delta=0.06)
 
+    def test_names_and_descriptions_are_text(self):
+        self.played("fling", program.fling(description=HOSTILE))
+        (self.folder / "fling.h5").rename(self.folder / "<img src=x onerror=alert(3)>.h5")
+        self.expect(AGREED, "report", "<img src=x onerror=alert(3)>.h5", "-o", "page.html")
+        (page,) = self.open({"file": str(self.folder / "page.html"), "bypass_csp": True, "actions": [
+            ["evaluate", "document.getElementById('description').textContent"],
+            ["evaluate", "document.querySelectorAll('body img').length"]]})
+        self.assertEqual(page["values"], [HOSTILE, 0])
+        self.assertEqual((page["errors"], page["requests"]), ([], []))
+
     def test_a_million_rows(self):
         self.played("long", program.fling(name="long", steps=1_000_000, clock={
             "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.2, "seed": 3}}))
@@ -234,6 +244,12 @@ class ReportTest(browser.BrowserTest):
             *(action for look in looks for action in (["look", look], ["axe"])), ["evaluate", spoilt], ["axe"]]})
         self.assertEqual((page["values"][1:6:2], page["errors"]), ([[]] * 3, []))
         self.assertEqual({fault.split(":")[0] for fault in page["values"][-1]}, {"button-name", "color-contrast"})
+
+    def test_tab_goes_through_the_controls_in_order(self):
+        self.played("fling", program.fling())
+        (page,) = self.open({**self.report("fling"), "actions": [["tab", 9]]})
+        self.assertEqual(page["values"][0], ["mode-replay", "mode-fling", "replay", "first", "back", "play", "forward",
+                                             "speed", "time"])
 
 
 if __name__ == "__main__":

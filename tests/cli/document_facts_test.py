@@ -150,7 +150,7 @@ STATED = (
     *((document, words, "tools/test", "\n      mutants") for document, words in (
         ("tools/test", "change {} places of the sources"), (TESTS, "and tries {} mutants\nof the harness"),
         (TESTS, "`tools/test --nightly`\ndraws {}, with"))),
-    (SCHEMA, "no frame longer than {} s", SCENARIO, "kFrameMax_s"), (SCHEMA, "stays within {} px, s", REST, "kStill_px"),
+    (SCHEMA, "no frame longer than {} s", SCENARIO, "kFrameMax_s"), (SCHEMA, "frames, at most {}; dt", SCENARIO, "kStepsMax"), (SCHEMA, "stays within {} px, s", REST, "kStill_px"),
     (SCHEMA, "ceil(duration / dt - {})", "sim/scenario/frame_clock.cpp", "base_dt_s(scenario.clock) -"),
     ("README.md", "CMake {} and", "CMakeLists.txt", "cmake_minimum_required(VERSION"),
     ("README.md", "find_package(hyrax {} REQUIRED)", "CMakeLists.txt", "project(hyrax-sim VERSION"),

@@ -116,6 +116,7 @@ class Numbers(ProgramTest):
             for name in [f"members/{each}" for each in file["members"]] + ["inputs/start.vx_px_per_s"]:
                 del file[name]
                 file.create_dataset(name, (members,), "<f8")
+        self.assertNotEqual(self.hyrax_sim("report", "sweep.h5", "-o", "read.html").exit_code, BAD_INPUT)
         page, = self.page_by("report", "sweep.h5", "-o", "page.html")["results"]
         self.assertRegex(page["verdict"]["text"][0], r"\AAll numbers are those of a sample: 1 of every [\d,]+ of 3,000,000,000 members\.\Z")
 
