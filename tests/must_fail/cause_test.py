@@ -3,13 +3,10 @@
 
     cause_test.py             tests, and compares README.md beside this file with the table
     cause_test.py --update    writes the table into README.md
-
-HYRAX_ALL_EDITS is set: all cores are played, else a tenth of them, and those that a test is about.
 """
 
 import functools
 import json
-import os
 import re
 import sys
 import tempfile
@@ -35,7 +32,6 @@ LONG = [f"scenarios/{name}.json" for name in (
     "clocks/hour-at-60-hz", "clocks/missed-frames-ten-minutes", "hard/a-fling-a-minute")]
 OUTSIDE = ("first_frame_longer", "jitter_of_first_frame", "jitter_shifted", "last_input_late", "comparer_and_rest_rule",
            "frames_longer", "jitter_longer", "inputs_late", "inputs_later", "comparer_and_gravity")
-IS_ALL = "HYRAX_ALL_EDITS" in os.environ
 
 # Which runs it changes depends on the runs before and beside them.
 NOT_REPEATABLE = "hidden_state"
@@ -76,13 +72,6 @@ def all_cores():
     return {**cores, "contracted": "build"}
 
 
-def played_cores():
-    """Those of all_cores that are played."""
-    cores = all_cores()
-    some = [*list(cores)[::10], "two_constants", "clock_and_drag", "inputs_and_friction", "contracted"]
-    return cores if IS_ALL else {name: cores[name] for name in some}
-
-
 def causes_of(core):
     """What the table says of a core."""
     return ", ".join(sorted({group["operation"] for group in document_of(core)["groups"]})) or "no bit differs"
@@ -103,7 +92,7 @@ class Causes(unittest.TestCase):
     maxDiff = None
 
     def test_each_cause_is_true(self):
-        for core, operation in played_cores().items():
+        for core, operation in all_cores().items():
             with self.subTest(core=core):
                 document = document_of(core)
                 groups = document["groups"]
@@ -116,7 +105,7 @@ class Causes(unittest.TestCase):
                     self.assertRegex(group["detail"], f"^{DETAILS[group['operation']]}")
 
     def test_edits_outside_the_core_are_told_apart_in_long_runs_too(self):
-        for core in OUTSIDE if IS_ALL else OUTSIDE[:5]:
+        for core in OUTSIDE:
             with self.subTest(core=core):
                 document = json.loads(run_altered(core, "check", "--json", *LONG).out)
                 operation = altered_cores()[core][0]
@@ -162,7 +151,7 @@ class Causes(unittest.TestCase):
         rows = re.findall(r"^\| ([\w, ]+) \| (`.*)$", text[text.index(BEGIN):text.index(END)], re.MULTILINE)
         causes = {core: said for said, cores in rows for core in re.findall(r"`(\w+)`", cores)}
         self.assertEqual(sorted(causes), sorted(all_cores()))
-        for core in played_cores():
+        for core in all_cores():
             self.assertEqual(causes[core], causes_of(core), core)
 
 

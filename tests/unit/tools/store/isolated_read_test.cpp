@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <vector>
 
 #include <sys/resource.h>
@@ -125,6 +127,21 @@ TEST_F(ReadTogether, IsNotReadAgainUntilItChanges) {
     EXPECT_NE(message_of([] { std::raise(SIGSEGV); }), "");
     trust_own_file(path_);
   }
+}
+
+TEST_F(ReadTogether, IsTheSameFileUnderAnotherNameOnly) {
+  trust_own_file(other_);
+  std::filesystem::rename(other_, path_);
+  EXPECT_EQ(message_of([] { std::raise(SIGSEGV); }), "");
+  const auto written = std::filesystem::last_write_time(path_);
+  std::filesystem::last_write_time(path_, written + std::chrono::seconds(1));
+  EXPECT_NE(message_of([] { std::raise(SIGSEGV); }), "");
+  std::filesystem::last_write_time(path_, written);
+  EXPECT_EQ(message_of([] { std::raise(SIGSEGV); }), "");
+  write_bytes(other_, "another");
+  std::filesystem::last_write_time(other_, written);
+  std::filesystem::rename(other_, path_);
+  EXPECT_NE(message_of([] { std::raise(SIGSEGV); }), "");
 }
 
 TEST_F(ReadTogether, WithOneThatCrashesEachIsReadByItself) {
