@@ -94,7 +94,11 @@ class TraceSink : public RowSink {
   void rows(const Columns& batch) override {
     for (std::size_t row = 0; row < batch.size(); ++row) rows_.push_back(batch.row(row));
   }
-  void contact_began(const Contact& contact) override { contacts_.push_back(contact); }
+  void contact_began(const Contact& contact) override {
+    constexpr std::size_t kMany = 10'000;
+    if (contacts_.size() == kMany) contacts_.reserve(kContactsRecordedMax);  // A long list is not moved.
+    contacts_.push_back(contact);
+  }
   void contact_ended(std::int64_t index, std::int64_t last_step) override {
     Contact& contact = contacts_.at(static_cast<std::size_t>(index));
     EXPECT_EQ(contact.last_step, contact.step) << "contact " << index << " ended twice";
