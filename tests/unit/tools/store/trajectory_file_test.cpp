@@ -51,7 +51,7 @@ TEST_F(StoredRunFile, HoldsRowsInTheirOrderWhateverBatchesTheyComeIn) {
     writer.rows(std::exchange(batch, {}));
     ++at;
   }
-  writer.finish({scenario, steps, "hyrax-physics/1", std::string(32, '0')}, {}, 0);
+  writer.finish({scenario, steps, "hyrax-physics/1", std::string(32, '0'), {}}, {}, 0);
   std::int64_t in_place = 0;
   for (const Row& row : rows_of(TrajectoryFile(path_)))
     in_place += static_cast<double>(row.step) == row.x_px && row.step == in_place;
