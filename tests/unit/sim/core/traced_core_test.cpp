@@ -28,19 +28,13 @@ void expect_the_runs_of_the_shipped_core(const Core& core) {
 }
 
 // The shipped rows, their contacts told by this step, or without one by the rows.
-Core by_contact_kernel(const std::shared_ptr<const StepProgram>& step) {
-  Core core = shipped_core();
-  core.kernel = std::make_shared<const ContactKernel>(core.kernel, step, core.constants);
-  return core;
-}
-
-TEST(ContactKernel, TellsTheContactsOfTheCoreByItsTracedStep) {
-  expect_the_runs_of_the_shipped_core(
-      by_contact_kernel(make_step_program(canonical(recording::record_listing()))));
-}
-
-TEST(ContactKernel, TellsThemByRowsThatAreThePapers) {
-  expect_the_runs_of_the_shipped_core(by_contact_kernel(nullptr));
+TEST(ContactKernel, TellsTheContactsOfTheCoreByItsTracedStepAndByRowsThatAreThePapers) {
+  for (const auto& step :
+       {make_step_program(canonical(recording::record_listing())), std::shared_ptr<const StepProgram>()}) {
+    Core core = shipped_core();
+    core.kernel = std::make_shared<const ContactKernel>(core.kernel, step, core.constants);
+    expect_the_runs_of_the_shipped_core(core);
+  }
 }
 
 // A spin, which no row shows, turns it.

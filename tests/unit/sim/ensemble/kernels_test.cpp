@@ -1,7 +1,6 @@
 // Every kernel that this machine can run, against physics::update: states at and beside every edge.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>

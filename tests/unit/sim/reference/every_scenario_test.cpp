@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "sim/core/shipped_core.h"
 #include "sim/reference/gsl_flight.h"

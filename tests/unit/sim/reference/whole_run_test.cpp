@@ -95,16 +95,5 @@ TEST(WholeRun, OfASpriteThatFillsItsWindowComesToAnEnd) {
   EXPECT_LT(whole_of(scenario).end_px, 1e-300);
 }
 
-// G h / 2 a second without drag, over arcs of any height.
-TEST(SecularSlope, IsThatOfAllArcsTogether) {
-  Scenario scenario = open_sky({300.0, -900.0}, 60.0, 300);
-  const Columns rows = fly_by(paper_step(1.0), scenario);
-  scenario.events = {{std::int64_t{100}, Place{{rows.x_px[100], rows.y_px[100]}}}};
-  Measured measured;
-  measure(scenario, rows, measured, nullptr, {.air_drag = 1.0});
-  ASSERT_EQ(measured.arcs.size(), 2u);
-  EXPECT_NEAR(measured.summary.secular_px_per_s.value(), -10.0, 1e-9);
-}
-
 }  // namespace
 }  // namespace hyrax

@@ -29,7 +29,6 @@ class Wide {
 
   friend Wide exp(const Wide& a) { return made(mpfr_exp, a); }
   friend Wide log(const Wide& a) { return made(mpfr_log, a); }
-  friend Wide pow(const Wide& a, const Wide& b) { return made(mpfr_pow, a, b); }
 
  private:
   template <class Operation>

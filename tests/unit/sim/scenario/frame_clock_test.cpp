@@ -47,13 +47,6 @@ TEST(Jitter, DrawsThePublishedFrames) {
   }
 }
 
-TEST(FrameClock, OfARateUsesItsReciprocal) {
-  const Clock clock{FixedRate{144.0}, {}};
-  EXPECT_EQ(bits(FrameClock(clock).dt_s(0)), bits(1.0 / 144.0));
-  EXPECT_EQ(bits(FrameClock(clock).dt_s(999'999'999'999)), bits(1.0 / 144.0));
-  EXPECT_TRUE(FrameClock(clock).is_fixed());
-}
-
 TEST(FrameClock, OfAStepKeepsItsBits) {
   const Clock clock{FixedStep{-0.0}, {}};
   EXPECT_EQ(bits(FrameClock(clock).dt_s(7)), bits(-0.0));
@@ -66,15 +59,6 @@ TEST(FrameClock, WithJitterDrawsByFrameAndKeepsItsBase) {
   EXPECT_EQ(bits(frames.dt_s(5)), bits(jittered_dt_s(1.0 / 60.0, *clock.jitter, 5)));
   EXPECT_NE(bits(frames.dt_s(5)), bits(frames.dt_s(6)));
   EXPECT_EQ(bits(frames.nominal_dt_s(5)), bits(1.0 / 60.0));
-}
-
-TEST(FrameClock, OfATraceUsesItsFrames) {
-  const Clock clock{RecordedSteps{{0.1, 0.0, 0.3}}, {}};
-  const FrameClock frames(clock);
-  EXPECT_FALSE(frames.is_fixed());
-  EXPECT_EQ(frames.dt_s(0), 0.1);
-  EXPECT_EQ(frames.dt_s(2), 0.3);
-  EXPECT_EQ(frames.nominal_dt_s(1), 0.0);
 }
 
 TEST(Timeline, GivesThePublishedTimes) {
@@ -122,11 +106,6 @@ TEST(StepCount, OfADurationIsThePublishedOne) {
     EXPECT_EQ(step_count(of_length(clock, exact(entry, "duration_s"))), integer_of(entry, "steps"))
         << text_of(entry, "duration_s") << " of " << text_of(entry, "dt_s");
   }
-}
-
-TEST(StepCount, OfStepsIsTheirNumberAndOfATraceItsLength) {
-  EXPECT_EQ(step_count(of_length({FixedRate{60.0}, {}}, kStepsMax)), kStepsMax);
-  EXPECT_EQ(step_count(of_length({RecordedSteps{{0.1, 0.1, 0.1}}, {}}, {})), 3);
 }
 
 TEST(StepCount, OfADurationPastTheLimitExceedsTheLimit) {

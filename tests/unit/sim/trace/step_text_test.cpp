@@ -59,46 +59,6 @@ TracedStep shuffled(const TracedStep& step, std::uint64_t seed) {
   return other;
 }
 
-TEST(StepText, HasALineForEachExpressionComparisonAndPath) {
-  EXPECT_EQ(text_of([](Body& body, const Frame& frame) {
-              body.x = body.x + body.vx * Real(0.999) * frame.dt;
-              if (body.x > to_real(frame.window_width - frame.sprite_width)) body.vx = -body.vx;
-            }),
-            R"(hyrax-step/1
-members: real real real real
-dt: real
-new_vx: real
-new_vy: real
-new_x: real
-new_y: real
-start_vx: real
-start_vy: real
-start_x: real
-start_y: real
-vx: real
-vy: real
-x: real
-y: real
-sprite_width: whole
-window_width: whole
-e0: real = -vx
-e1: whole = -sprite_width
-e2: real = vx * 0.999{0x1.ff7ced916872bp-1}
-e3: whole = window_width + e1
-e4: real = dt * e2
-e5: real = x + e4
-e6: real = to_real(e3)
-c0: e6 < e5
-construct: = start_x start_y start_vx start_vy
-update: !c0 = e5 y vx vy
-update: c0 = e5 y e0 vy
-set_position: = new_x new_y vx vy
-set_velocity: = x y new_vx new_vy
-reset_velocity: = x y 0{0x0p+0} 0{0x0p+0}
-checksum: 7e67a91a5efc6dfe
-)");
-}
-
 TEST(StepText, DoesNotDependOnHowTheStepWasRecorded) {
   const TracedStep listing = record_listing();
   const std::string text = step_text(canonical(listing));
