@@ -47,6 +47,10 @@ TEST(Consequence, OfFewRunsNamesTheWorst) {
   Card card{.flings = 100, .scenarios = 3};
   card.random.classes.same_bits = 100;
   EXPECT_EQ(consequence_of(card), "None: every row has the same bits.");
+  const char* const farthest = "Most flings look the same; the farthest of 100 lands 7 px from where it did.";
+  card.displays.distance_max_px = 7.0;  // On another display than the scenarios' and the flings'.
+  EXPECT_EQ(consequence_of(card), farthest);
+  card.displays.distance_max_px = 0.0;
   card.random.classes.same_bits = 99;
   EXPECT_TRUE(card.has_other_bits());
   EXPECT_EQ(consequence_of(card), "None that can be seen: only speeds differ.");
@@ -57,8 +61,7 @@ TEST(Consequence, OfFewRunsNamesTheWorst) {
   card.library.changed = {far_away(0.25)};
   EXPECT_EQ(consequence_of(card), "None that can be seen: no sprite is more than 0.25 px from where it was.");
   card.random.distance_max_px = 7.0;
-  EXPECT_EQ(consequence_of(card),
-            "Most flings look the same; the farthest of 100 lands 7 px from where it did.");
+  EXPECT_EQ(consequence_of(card), farthest);
   card.library.changed = {far_away(0.25), far_away(40.0)};
   EXPECT_EQ(consequence_of(card),
             "Most flings look the same; in hard/corner.json the sprite is up to 40 px from where it was.");
@@ -94,15 +97,6 @@ TEST(Consequence, CountsHardCasesAndRandomRuns) {
   EXPECT_EQ(consequence_of(card), broken);
   card.random.no_longer_settle = 3;
   EXPECT_EQ(consequence_of(card), "3 of 100 flings no longer settle within 20 s. " + broken);
-}
-
-// On another display than the scenarios' and the flings'.
-TEST(Consequence, SeesAnotherLandingOnOneDisplay) {
-  Card card{.flings = 100, .scenarios = 3};
-  card.random.classes.same_bits = 100;
-  card.displays.distance_max_px = 7.0;
-  EXPECT_EQ(consequence_of(card),
-            "Most flings look the same; the farthest of 100 lands 7 px from where it did.");
 }
 
 }  // namespace

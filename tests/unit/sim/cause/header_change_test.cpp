@@ -88,11 +88,8 @@ TEST(HeaderChanges, OfAStatementHasItsTextsAndLine) {
   EXPECT_EQ(added.line, 9);
   EXPECT_EQ(change_text(altered), "line 8    altered: m_vx *= DRAG; -> m_vx *= 2 * DRAG;");
   EXPECT_EQ(change_text(removed), "line 8    removed: m_vx *= DRAG;");
-}
-
-TEST(HeaderChanges, AStatementIsQuotedAsTheHeaderHasIt) {
-  const HeaderChange change = only_change(with("m_vx *= DRAG;", "if (m_vx < 0.0)   m_vx = -m_vx*( DRAG);"));
-  EXPECT_EQ(change.detail, "m_vx *= DRAG; -> if (m_vx < 0.0) m_vx = -m_vx*( DRAG);");
+  const HeaderChange quoted = only_change(with("m_vx *= DRAG;", "if (m_vx < 0.0)   m_vx = -m_vx*( DRAG);"));
+  EXPECT_EQ(quoted.detail, "m_vx *= DRAG; -> if (m_vx < 0.0) m_vx = -m_vx*( DRAG);");
 }
 
 TEST(HeaderChanges, ALoopIsOneStatementAndALambdaInACallIsNot) {
@@ -166,7 +163,7 @@ TEST(HeaderChanges, OfUnclosedTextsEnd) {
     EXPECT_FALSE(header_changes(kHeader, text).empty()) << text;
 }
 
-TEST(ChangesSentence, NamesConstantsThenLines) {
+TEST(ChangesSentence, NamesConstantsThenLinesAndWhichHeaderALineIsOf) {
   EXPECT_EQ(changes_sentence(header_changes(kHeader, with("1200.0", "1250.0"))), "GRAVITY 1200 -> 1250");
   std::string both = with("m_vx *= DRAG;", "m_vx *= 2 * DRAG;");
   both.replace(both.find("m_x = 0.0"), 9, "m_x = 1.0");
@@ -179,9 +176,6 @@ TEST(ChangesSentence, NamesConstantsThenLines) {
             "GRAVITY 1200 -> 980; the core changed at lines 7, 8 and 10");
   EXPECT_EQ(changes_sentence(header_changes(kHeader, with("m_vx *= DRAG;", ""))),
             "the core changed at line 8 of the accepted header");
-}
-
-TEST(ChangesSentence, SaysWhichHeaderALineIsOf) {
   const std::string moved =
       with("m_vy += GRAVITY * dt;\n    m_vx *= DRAG;", "m_vx *= DRAG;\n    m_vy += GRAVITY * dt;");
   EXPECT_EQ(changes_sentence(header_changes(kHeader, moved)),

@@ -52,15 +52,6 @@ TEST(FrameClock, OfAStepKeepsItsBits) {
   EXPECT_EQ(bits(FrameClock(clock).dt_s(7)), bits(-0.0));
 }
 
-TEST(FrameClock, WithJitterDrawsByFrameAndKeepsItsBase) {
-  const Clock clock{FixedRate{60.0}, Jitter{Jitter::Kind::uniform, 0.3, 11}};
-  const FrameClock frames(clock);
-  EXPECT_FALSE(frames.is_fixed());
-  EXPECT_EQ(bits(frames.dt_s(5)), bits(jittered_dt_s(1.0 / 60.0, *clock.jitter, 5)));
-  EXPECT_NE(bits(frames.dt_s(5)), bits(frames.dt_s(6)));
-  EXPECT_EQ(bits(frames.nominal_dt_s(5)), bits(1.0 / 60.0));
-}
-
 TEST(Timeline, GivesThePublishedTimes) {
   for (const Json& entry : vectors("time_rule")) {
     const std::vector<double> dts_s = exact_list(entry, "dts_s");
@@ -72,26 +63,6 @@ TEST(Timeline, GivesThePublishedTimes) {
           << text_of(entry, "name") << ", frame " << frame;
     }
   }
-}
-
-TEST(Timeline, PlaysEqualFramesAtOnceToTheSameTime) {
-  Timeline at_once;
-  Timeline one_by_one;
-  for (const double dt_s : {0.1, 1.0 / 60.0, 0.5}) {
-    at_once.play(dt_s, 1000);
-    for (int frame = 0; frame < 1000; ++frame) one_by_one.play(dt_s);
-    EXPECT_EQ(at_once, one_by_one);
-    EXPECT_EQ(bits(at_once.time_s()), bits(one_by_one.time_s()));
-  }
-}
-
-TEST(Timeline, PredictsTheTimeOfALaterFrame) {
-  Timeline timeline;
-  timeline.play(0.5);
-  timeline.play(0.1, 3);
-  const double ahead_s = timeline.time_s(40);
-  timeline.play(0.1, 40);
-  EXPECT_EQ(bits(ahead_s), bits(timeline.time_s()));
 }
 
 TEST(Timeline, DoesNotDriftOverALongRun) {

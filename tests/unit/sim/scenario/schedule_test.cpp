@@ -213,9 +213,7 @@ TEST(Schedule, WalksToTheEndOnceForManyLateEvents) {
     EXPECT_EQ(walked_to_100(once).frames, (std::vector<std::int64_t>{0, -1, 0, -1}));
     EXPECT_EQ(walked_to_100(once).faulty.size(), 1u);
   }
-}
-
-TEST(Schedule, WalksToTheEndOnceMoreWhenOneFrameShortOfTheLimit) {
+  // One frame short of the limit, once more.
   const Scenario twice = with_events(jittered(Jitter::Kind::missed_frames, 0.0), kStepsMax,
                                      {at_step(1), at_time(150.0), at_time(150.0), at_time(150.0)});
   EXPECT_EQ(walked_to_100(twice).frames, (std::vector<std::int64_t>{1, -1, -1, -1}));

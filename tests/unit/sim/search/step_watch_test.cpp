@@ -72,19 +72,6 @@ TEST(Invariants, AreCalledBy) {
   }
 }
 
-TEST(StepWatch, EveryKindOfInputKeepsAllInvariants) {
-  Scenario scenario = eventful_fling();
-  // Leaves out the event that makes the sprite wider than its window: two walls clamp it.
-  std::erase_if(scenario.events, [](const Event& event) {
-    const Resize* const resize = std::get_if<Resize>(&event.action);
-    return resize != nullptr && resize->sprite == Size{1000, 64};
-  });
-  const InvariantMeasures measures = watched(scenario);
-  for (std::size_t index = 0; index < kInvariantCount; ++index)
-    EXPECT_TRUE(measures[index].holds || static_cast<Invariant>(index) == Invariant::no_time)
-        << kInvariantTexts[index].name;
-}
-
 TEST(StepWatch, FindsARowThatBreaksAnInvariant) {
   struct Fault {
     Invariant invariant;
@@ -161,13 +148,12 @@ TEST(StepWatch, FindsASpeedThatNoBounceLeaves) {
       EXPECT_FALSE(of(watched(scenario, 1, change), Invariant::bounce).holds) << at.start.x_px;
     }
 }
+
 TEST(StepWatch, FindsThatDragActsInAZeroLengthFrame) {
   Scenario scenario = fling_at(60.0, 60, {{std::int64_t{20}, Hitch{0.0}}});
   const InvariantMeasures measures = watched(scenario);
   EXPECT_FALSE(of(measures, Invariant::no_time).holds);
   EXPECT_EQ(of(measures, Invariant::no_time).worst_step, 21);
-}
-TEST(StepWatch, ChecksNoTimeOnlyInZeroLengthFrames) {
   EXPECT_FALSE(of(watched(fling_at(60.0, 60)), Invariant::no_time).is_checked);
 }
 

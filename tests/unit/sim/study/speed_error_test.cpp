@@ -125,17 +125,14 @@ TEST(SpeedErrorRules, FindWhatBreaksThem) {
   }
 }
 
-TEST(SpeedErrorRules, SayWhereWhatIsAllowedAndWhatWasFound) {
+TEST(SpeedErrorRules, SayWhereWhatIsAllowedAndWhatWasFoundOrThatAMethodFails) {
   SpeedError study = some_study();
   std::erase_if(study.orders, [](const OrderFit& fit) { return fit.problem == 0 && fit.method == 3; });
   EXPECT_EQ(
       broken_rules(study),
       std::vector<std::string>{"an order is fitted over three rates or more (euler, long-arc): must be 3 .. "
                                "inf (found 0)"});
-}
-
-TEST(SpeedErrorRules, FindAMethodThatFails) {
-  SpeedError study = some_study();
+  study = some_study();
   study.points[1].errors.is_failed = true;
   EXPECT_EQ(
       broken_rules(study),
