@@ -59,15 +59,11 @@ TEST_F(ShortRun, ANanInBothIsADifference) {
 }
 
 TEST_F(ShortRun, ShowsTheRowsAroundAFault) {
-  const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(100, "y")});
-  ASSERT_EQ(comparison.actual_around.size(), 5u);
-  ASSERT_EQ(comparison.expected_around.size(), 5u);
-  EXPECT_EQ(comparison.actual_around.front().step, 98);
-  EXPECT_EQ(comparison.actual_around.back().step, 102);
-  EXPECT_EQ(comparison.expected_around[2].step, 100);
-  EXPECT_LT(comparison.expected_around[2].y_px, comparison.actual_around[2].y_px);
-  EXPECT_EQ(compare(kept_, scenario_, {.fault = one_ulp(0, "y")}).actual_around.size(), 3u);
-  EXPECT_EQ(compare(kept_, scenario_, {.fault = one_ulp(kSteps, "y")}).actual_around.size(), 3u);
+  for (const auto& [step, rows] : {std::pair(std::int64_t{100}, 5u), {0, 3u}, {kSteps, 3u}}) {
+    const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(step, "y")});
+    EXPECT_EQ(comparison.actual_around.size(), rows) << step;
+    EXPECT_EQ(comparison.expected_around.size(), rows) << step;
+  }
 }
 
 TEST_F(ShortRun, AMovedContactIsWorseThanItsBits) {
@@ -130,20 +126,6 @@ TEST_F(ShortRun, ThePhysicsModelsNameSetsNoClass) {
   comparison = compare(kept_, scenario_, {.fault = one_ulp(7, "x"), .physics = "hyrax-physics/2"});
   EXPECT_EQ(comparison.difference, DifferenceClass::rounding);
   EXPECT_NE(comparison.physics, "");
-}
-
-TEST_F(ShortRun, MeasuresTheLargestDistanceOfAllRows) {
-  EXPECT_FALSE(compare(kept_, scenario_).largest);
-  kept_.rows.x_px[200] += 3.0;
-  kept_.rows.y_px[200] += 4.0;
-  kept_.rows.x_px[300] -= 1.0;
-  const Comparison comparison = compare(kept_, scenario_, {.fault = one_ulp(100, "vy")});
-  EXPECT_EQ(comparison.first->step, 100);
-  EXPECT_EQ(comparison.difference, DifferenceClass::values);
-  ASSERT_TRUE(comparison.largest);
-  EXPECT_NEAR(comparison.largest->px, 5.0, 1e-9);
-  EXPECT_EQ(comparison.largest->step, 200);
-  EXPECT_FALSE(comparison.has_unknown_rows);
 }
 
 TEST_F(ShortRun, ThatContradictsItselfDoesNotAgree) {

@@ -74,7 +74,7 @@ Row row_at(std::int64_t step, double x_px, std::uint8_t contact = 0) {
   return {.step = step, .t_s = 0.25 * static_cast<double>(step), .x_px = x_px, .contact = contact};
 }
 
-TEST(TrajectoryComparer, ReportsTheFirstAndTheWorst) {
+TEST(TrajectoryComparer, ReportsTheFirstAndTheWorstWithinTheToleranceToo) {
   TrajectoryComparer comparer({});
   comparer.compare(row_at(0, 1.0), row_at(0, 1.0));
   EXPECT_FALSE(comparer.first());
@@ -91,14 +91,11 @@ TEST(TrajectoryComparer, ReportsTheFirstAndTheWorst) {
   ASSERT_TRUE(worst);
   EXPECT_EQ(worst->step, 2);
   EXPECT_EQ(worst->abs(), 3.0);
-}
-
-TEST(TrajectoryComparer, ReportsTheWorstWithinTheTolerance) {
-  TrajectoryComparer comparer({.abs = 1.0});
-  comparer.compare(row_at(5, 1.0), row_at(5, 1.5));
-  EXPECT_FALSE(comparer.first());
-  ASSERT_TRUE(comparer.worst()[2]);
-  EXPECT_EQ(comparer.worst()[2]->abs(), 0.5);
+  TrajectoryComparer tolerant({.abs = 1.0});
+  tolerant.compare(row_at(5, 1.0), row_at(5, 1.5));
+  EXPECT_FALSE(tolerant.first());
+  ASSERT_TRUE(tolerant.worst()[2]);
+  EXPECT_EQ(tolerant.worst()[2]->abs(), 0.5);
 }
 
 TEST(TrajectoryComparer, RanksNanAsTheWorst) {

@@ -18,39 +18,35 @@ constexpr Bounds kBounds{1000.0, 500.0};
 constexpr double kDt_s = 0.1;
 constexpr State kInside{500.0, 250.0, 0.0, 0.0};
 
-std::uint8_t contact_between(const State& before, const State& after) {
-  return contact_of_rows(kBounds, before, kDt_s, after);
-}
-
 std::uint8_t bit(Wall wall) { return static_cast<std::uint8_t>(wall); }
 
-TEST(RowWalls, AreMetOnOrPastABound) {
-  EXPECT_EQ(contact_between(kInside, {0.0, 250.0, -9.0, 0.0}), bit(Wall::left));
-  EXPECT_EQ(contact_between(kInside, {-1e-9, 250.0, 9.0, 0.0}), bit(Wall::left));
-  EXPECT_EQ(contact_between(kInside, {1000.0, 250.0, 9.0, 0.0}), bit(Wall::right));
-  EXPECT_EQ(contact_between(kInside, {500.0, -3.0, 0.0, 9.0}), bit(Wall::top));
-  EXPECT_EQ(contact_between(kInside, {500.0, 501.0, 0.0, 9.0}), bit(Wall::ground));
-  EXPECT_EQ(contact_between(kInside, {0.0, 500.0, 9.0, 9.0}), bit(Wall::left) | bit(Wall::ground));
-  EXPECT_EQ(contact_between(kInside, {1e-9, std::nextafter(500.0, 0.0), 9.0, 9.0}), 0);
-}
-
-TEST(RowWalls, AreMetWhereTheVelocityTurnsAwayWithinReach) {
-  EXPECT_EQ(contact_between({4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, 50.0, 0.0}), bit(Wall::left));
-  EXPECT_EQ(contact_between({998.0, 250.0, 50.0, 0.0}, {997.0, 250.0, -50.0, 0.0}), bit(Wall::right));
-  EXPECT_EQ(contact_between({500.0, 4.0, 0.0, -50.0}, {500.0, 1.0, 0.0, 50.0}), bit(Wall::top));
-  EXPECT_EQ(contact_between({500.0, 498.0, 0.0, 50.0}, {500.0, 497.0, 0.0, -50.0}), bit(Wall::ground));
-}
-
-TEST(RowWalls, AreNotMetAtAnApexOrByAWeakenedVelocity) {
-  EXPECT_EQ(contact_between({500.0, 6.0, 0.0, -50.0}, {500.0, 5.0, 0.0, 50.0}), 0);
-  EXPECT_EQ(contact_between({500.0, 250.0, 30.0, 50.0}, {500.0, 250.0, -30.0, -50.0}), 0);
-  EXPECT_EQ(contact_between({4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, -10.0, 0.0}), 0);
-  EXPECT_EQ(contact_between({4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, 0.0, 0.0}), 0);
-}
-
-TEST(RowWalls, SetTheRestBitOnTheGroundOnly) {
-  EXPECT_EQ(contact_between(kInside, {500.0, 500.0, 9.0, 0.0}), bit(Wall::ground) | kRestBit);
-  EXPECT_EQ(contact_between(kInside, {500.0, 0.0, 9.0, 0.0}), bit(Wall::top));
+TEST(RowWalls, AreMetOnOrPastABoundOrWhereTheVelocityTurnsAwayWithinReach) {
+  const struct {
+    State before, after;
+    int contact;
+  } cases[] = {
+      {kInside, {0.0, 250.0, -9.0, 0.0}, bit(Wall::left)},
+      {kInside, {-1e-9, 250.0, 9.0, 0.0}, bit(Wall::left)},
+      {kInside, {1000.0, 250.0, 9.0, 0.0}, bit(Wall::right)},
+      {kInside, {500.0, -3.0, 0.0, 9.0}, bit(Wall::top)},
+      {kInside, {500.0, 501.0, 0.0, 9.0}, bit(Wall::ground)},
+      {kInside, {0.0, 500.0, 9.0, 9.0}, bit(Wall::left) | bit(Wall::ground)},
+      {kInside, {1e-9, std::nextafter(500.0, 0.0), 9.0, 9.0}, 0},
+      {{4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, 50.0, 0.0}, bit(Wall::left)},
+      {{998.0, 250.0, 50.0, 0.0}, {997.0, 250.0, -50.0, 0.0}, bit(Wall::right)},
+      {{500.0, 4.0, 0.0, -50.0}, {500.0, 1.0, 0.0, 50.0}, bit(Wall::top)},
+      {{500.0, 498.0, 0.0, 50.0}, {500.0, 497.0, 0.0, -50.0}, bit(Wall::ground)},
+      // Neither at an apex nor by a weakened velocity.
+      {{500.0, 6.0, 0.0, -50.0}, {500.0, 5.0, 0.0, 50.0}, 0},
+      {{500.0, 250.0, 30.0, 50.0}, {500.0, 250.0, -30.0, -50.0}, 0},
+      {{4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, -10.0, 0.0}, 0},
+      {{4.0, 250.0, -50.0, 0.0}, {1.0, 250.0, 0.0, 0.0}, 0},
+      // The rest bit is set on the ground only.
+      {kInside, {500.0, 500.0, 9.0, 0.0}, bit(Wall::ground) | kRestBit},
+      {kInside, {500.0, 0.0, 9.0, 0.0}, bit(Wall::top)},
+  };
+  for (const auto& [before, after, contact] : cases)
+    EXPECT_EQ(contact_of_rows(kBounds, before, kDt_s, after), contact) << after.x_px << ", " << after.y_px;
 }
 
 TEST(RowWalls, OfTwoAtTheSamePlaceAreTheLeftAndTheTop) {

@@ -217,20 +217,6 @@ TEST(Ensemble, EqualsTheReplayOfAnyFling) {
   }
 }
 
-TEST(Ensemble, PlaysPartsAndRowsAlike) {
-  for (const KeepSet& keep : {kAllButTheHash, kept({Keep::final, Keep::state_hash})}) {
-    const Sweep sweep = sweep_over(fling_at(60.0, 300), 100, keep);
-    std::vector<MemberResult> all(100);
-    static_cast<void>(EnsemblePlayer(shipped_core(), sweep).play({}, 0, all));
-    std::vector<MemberResult> some(10);
-    static_cast<void>(EnsemblePlayer(shipped_core(), sweep).play({2, 7}, 3, some));
-    for (std::size_t row = 0; row < some.size(); ++row) {
-      EXPECT_EQ(difference(some[row], all[2 + 7 * (row + 3)], keep), "");
-      EXPECT_EQ(some[row].state_hash, all[2 + 7 * (row + 3)].state_hash);
-    }
-  }
-}
-
 TEST(Ensemble, LeavesOutWhatRepeats) {
   std::vector<MemberResult> results(64);
   const Sweep sweep = sweep_over(fling_at(60.0, 100'000'000), 64, kFinalOnly);

@@ -99,13 +99,13 @@ TEST(Script, OfALongScenarioIsItsFirstFramesWithTheirInputs) {
 }
 
 Result studied(const std::vector<std::string>& names, std::shared_ptr<const StepProgram> core_step = nullptr,
-               std::optional<double> within_px = {}) {
+               std::optional<double> within_px = {}, std::int64_t (*now_ns)() = steady_ns) {
   StudyRequest request{.core = shipped_core(),
                        .is_quick = true,
                        .within_px = within_px,
                        .core_step = std::move(core_step),
                        .machine = "some machine",
-                       .now_ns = steady_ns};
+                       .now_ns = now_ns};
   for (const std::string& name : names) {
     request.scenarios.push_back({name, scenario_named(name)});
     Scenario& scenario = request.scenarios.back().scenario;
@@ -167,17 +167,11 @@ TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
 }
 
 TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
-  StudyRequest request{
-      .core = shipped_core(), .is_quick = true, .machine = "some machine", .now_ns = unsteady_ns};
-  request.scenarios = {{"first", scenario_named("flings/first-fling")}};
-  for (const Study& study : studies()) {
-    if (study.name != "needs") continue;
-    const Result result = study.run(request);
-    const auto& text = std::get<std::string>(result.verdict.text.back());
-    EXPECT_NE(text.find("Times of steps: not measured: clock unsteady"), text.npos) << text;
-    EXPECT_NE(text.find("of the exact motion: not measured: clock unsteady"), text.npos) << text;
-    EXPECT_TRUE(result.verdict.broken.empty()) << "costs break no rule";
-  }
+  const Verdict verdict = studied({"flings/first-fling"}, nullptr, {}, unsteady_ns).verdict;
+  const auto& text = std::get<std::string>(verdict.text.back());
+  EXPECT_NE(text.find("Times of steps: not measured: clock unsteady"), text.npos) << text;
+  EXPECT_NE(text.find("of the exact motion: not measured: clock unsteady"), text.npos) << text;
+  EXPECT_TRUE(verdict.broken.empty()) << "costs break no rule";
 }
 
 TEST(NeedsCoverage, SaysThatNoPartIsWithoutAScenario) {
