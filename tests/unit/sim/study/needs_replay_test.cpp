@@ -32,7 +32,7 @@ std::uint8_t walls_replayed(const Scenario& scenario) {
 constexpr struct {
   Part part;
   int walls;
-} kTouching[] = {{Part::left_wall, 1}, {Part::right_wall, 2}, {Part::top_wall, 4},     {Part::ground, 8},
+} kTouching[] = {{Part::left_wall, 1}, {Part::right_wall, 2}, {Part::top_wall, 4},    {Part::ground, 8},
                  {Part::friction, 8},  {Part::rest_rule, 8},  {Part::restitution, 15}};
 
 TEST(NeedsOfTheLibrary, AgreeWithTheWallsThatTheReplayTouches) {
