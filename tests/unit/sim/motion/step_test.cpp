@@ -7,6 +7,7 @@
 
 #include "sim/motion/step.h"
 #include "sim/physics/physics.h"
+#include "sim/scenario/split_mix64.h"
 
 namespace hyrax {
 namespace {
@@ -83,6 +84,28 @@ TEST(ListingStep, WithAllPartsIsTheCoreOnEveryEdge) {
     ASSERT_TRUE(agrees(start, dt_s, world, step_with(AllParts())));
     ASSERT_TRUE(agrees(start, dt_s, world, step_with(Parts())));
   });
+}
+
+TEST(ListingStep, WithAllPartsIsTheCoreThroughRandomFlings) {
+  for (std::uint64_t fling = 0; fling < 300; ++fling) {
+    const auto draw = [&, k = fling * 8](double low, double high) mutable {
+      return low + (high - low) * split_mix64_unit(42, k++);
+    };
+    auto next = draw;
+    const World world{.state = {},
+                      .window = {static_cast<std::int32_t>(next(1.0, 2000.0)),
+                                 static_cast<std::int32_t>(next(1.0, 2000.0))},
+                      .sprite = {128, 128}};
+    State variant{next(-500.0, 2500.0), next(-500.0, 2500.0), next(-5000.0, 5000.0), next(-5000.0, 5000.0)};
+    const double dt_s = 1.0 / next(20.0, 1000.0);
+    physics core = core_of(variant);
+    const Parts parts;
+    for (int frame = 0; frame < 400; ++frame) {
+      ListingStep(kPaper, parts, world.bounds())(variant, dt_s);
+      core.update(dt_s, world.window.width_px, world.window.height_px, 128, 128);
+      ASSERT_TRUE(same_state(variant, core)) << "fling " << fling << ", frame " << frame;
+    }
+  }
 }
 
 TEST(ListingStep, WithoutAnyOnePartIsNotTheCore) {

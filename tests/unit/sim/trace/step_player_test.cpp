@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "recording.h"
 #include "sim/motion/step.h"
@@ -82,6 +84,29 @@ TEST_F(StepPlayer, GivesTheBitsOfPhysicsOverTheEdges) {
           for (const double dt_s : {0.0, 1.0 / 60.0, 0.5})
             for (const Size& sprite : {Size{128, 128}, Size{1500, 1000}})
               ASSERT_TRUE(plays_as_physics(*program_, {x, y, vx, vy}, dt_s, {1000, 1000}, sprite));
+}
+
+TEST_F(StepPlayer, GivesTheBitsOfPhysicsInRandomSteps) {
+  std::mt19937_64 random(7);
+  const auto drawn = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  for (int turn = 0; turn < 100'000; ++turn) {
+    const Size window = {static_cast<int>(drawn(0, 4000)), static_cast<int>(drawn(0, 3000))};
+    const Size sprite = {static_cast<int>(drawn(1, 300)), static_cast<int>(drawn(1, 300))};
+    const State from = {drawn(-10, window.width_px), drawn(-10, window.height_px),
+                        drawn(-1, 1) * std::exp(drawn(-5, 12)), drawn(-1, 1) * std::exp(drawn(-5, 12))};
+    ASSERT_TRUE(plays_as_physics(*program_, from, std::exp(drawn(-9, 1)), window, sprite));
+    const State bits = {std::bit_cast<double>(random()), std::bit_cast<double>(random()),
+                        std::bit_cast<double>(random()), std::bit_cast<double>(random())};
+    if (is_finite(bits)) {
+      const State after = state_after(physics(bits.x_px, bits.y_px, bits.vx_px_per_s, bits.vy_px_per_s), 0.01,
+                                      window, sprite);
+      if (is_finite(after)) {
+        ASSERT_TRUE(same_bits(state_after(TracedBody(*program_, bits), 0.01, window, sprite), after));
+      }
+    }
+  }
 }
 
 TEST_F(StepPlayer, CallsTheSetters) {
