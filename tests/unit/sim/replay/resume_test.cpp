@@ -117,6 +117,16 @@ void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::in
   EXPECT_TRUE(same_trace(trace, whole)) << "seed " << seed << ", pieces " << piece_max;
 }
 
+TEST(ReplayInPieces, GivesTheSameRun) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) expect_same_in_pieces(eventful_fling(), seed, 9);
+}
+
+TEST(ReplayInPieces, GivesTheSameRunWhereItRepeats) {
+  for (const std::int64_t piece_max : {2, 50, 3000, 30'000})
+    for (std::uint64_t seed = 0; seed < 5; ++seed)
+      expect_same_in_pieces(fling_at(60.0, 30'000), seed, piece_max);
+}
+
 TEST(ReplayInPieces, GivesTheSameRunInRandomFlings) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Scenario scenario = any_fling(seed, 12'000);

@@ -35,6 +35,26 @@ std::vector<std::int64_t> steps_at_seconds(const Waypoints& waypoints) {
   return steps;
 }
 
+TEST(Waypoints, TheApexIsTheFirstOfTheHighestRows) {
+  EXPECT_EQ(waypoints_of(run_of(0.25, {5.0, 3.0, 4.0, 3.0, 9.0})).apex.step, 1);
+  EXPECT_EQ(waypoints_of(run_of(0.25, {1.0, 3.0})).apex.step, 0);
+}
+
+TEST(Waypoints, OfARunOfNoFramesAreItsStart) {
+  const Waypoints waypoints = waypoints_of(run_of(0.25, {5.0}));
+  EXPECT_EQ(waypoints.apex.y_px, 5.0);
+  EXPECT_TRUE(waypoints.at_seconds.empty());
+}
+
+TEST(Waypoints, ARowIsShownUntilTheNext) {
+  EXPECT_EQ(steps_at_seconds(waypoints_of(run_of(0.25, std::vector<double>(10)))),
+            (std::vector<std::int64_t>{4, 8}));
+  EXPECT_EQ(steps_at_seconds(waypoints_of(run_of(0.4, std::vector<double>(7)))),
+            (std::vector<std::int64_t>{2, 5}));
+  EXPECT_EQ(steps_at_seconds(waypoints_of(run_of(2.5, std::vector<double>(3)))),
+            (std::vector<std::int64_t>{0, 0, 1, 1, 2}));
+}
+
 TEST(Waypoints, ATimeMayBeOffByRounding) {
   std::vector<Row> rows = run_of(0.5, std::vector<double>(5));
   rows[2].t_s = std::nextafter(1.0, 2.0);
@@ -43,6 +63,10 @@ TEST(Waypoints, ATimeMayBeOffByRounding) {
   rows[2].t_s = 1.0 + 1e-6;
   rows[4].t_s = 2.0 - 1e-6;
   EXPECT_EQ(steps_at_seconds(waypoints_of(rows)), (std::vector<std::int64_t>{1}));
+}
+
+TEST(Waypoints, EndAfterTenSeconds) {
+  EXPECT_EQ(waypoints_of(run_of(0.5, std::vector<double>(100))).at_seconds.size(), 10u);
 }
 
 TEST(Waypoints, ANanIsNoApex) {
