@@ -136,10 +136,6 @@ def settles_at(rows):
     return anchor[0] if rows[-1][0] - anchor[0] >= 1.0 else None
 
 
-def settles(rows):
-    return settles_at(rows) is not None
-
-
 def spread_px(start):
     """Largest minus smallest x where a fling lands on all displays; None where it does not settle on one."""
     landings = []
@@ -150,12 +146,6 @@ def spread_px(start):
             return None
         landings.append(end[2])
     return max(landings) - min(landings)
-
-
-def moved_px(rate_hz):
-    """How far a sprite still moves up and down in the 20th second after it was dropped from 100 px."""
-    ys = [row[3] for row in play_fling((RIGHT_PX / 2.0, BOTTOM_PX - 100.0, 0.0, 0.0), rate_hz, 20 * rate_hz)]
-    return max(ys[19 * rate_hz:]) - min(ys[19 * rate_hz:])
 
 
 # --- the exact flight

@@ -123,19 +123,14 @@ class Fates(unittest.TestCase):
             "sign: if (number < 0) return -1; -> if (number > 0) return -1;": ("caught", "unit.compare Failed"),
             "sum_to: int sum = 0; -> int sum = 1;": ("caught", "cli.sum Failed")})
 
-    def test_what_never_ends_is_caught(self):
-        fates = self.fates("last; --each")
-        self.assertEqual(list(fates.values()), [("caught", "cli.sum Timeout")], fates)
+    def test_what_never_ends_does_not_compile_or_makes_the_same_code(self):
+        for only, fate in (("last; --each", ("caught", "cli.sum Timeout")), ("sizeof.int. < 1", ("refused", "")),
+                           ("sizeof.int. >= 1", ("equivalent", "same code"))):
+            self.assertEqual(list(self.fates(only).values()), [fate], only)
 
     def test_stopped_it_leaves_nothing(self):
         exit_code, said = self.run_tool("--only", "last; --each", "--test-seconds", "600", is_stopped=True)
         self.assertEqual(exit_code, 128 + signal.SIGTERM, said)
-
-    def test_what_does_not_compile_is_refused(self):
-        self.assertEqual(list(self.fates("sizeof.int. < 1").values()), [("refused", "")])
-
-    def test_what_makes_the_same_code_is_equivalent(self):
-        self.assertEqual(list(self.fates("sizeof.int. >= 1").values()), [("equivalent", "same code")])
 
     def test_a_survivor_is_named_and_fails_the_run(self):
         exit_code, said = self.run_tool("--only", "number <= 0")
