@@ -28,7 +28,6 @@ CHANGED = CORES["GRAVITY_1250.0+REST_THRESHOLD_7.0"]
 
 
 def words_of(text):
-    """The text without blanks."""
     return "".join(text.split())
 
 
@@ -98,7 +97,6 @@ class Answer:
                         f"alone reproduces {constants[0]['scenarios']}")
 
     def hash_of(self, scenario, is_accepted=False):
-        """The state hash of a scenario by the edited core, or the shipped one."""
         with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
             path = pathlib.Path(folder, "unnoticed.json")
             path.write_text(json.dumps(scenario), encoding="utf-8")

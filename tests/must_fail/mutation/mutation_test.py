@@ -144,13 +144,11 @@ class Fates(unittest.TestCase):
         self.assertEqual(exit_code, 0, said)
         self.assertIn("Score: none", said)
 
-    def test_a_test_that_fails_without_a_change_catches_nothing(self):
+    def test_without_a_test_or_with_one_that_fails_without_a_change_nothing_is_tried(self):
+        self.assertEqual(self.run_tool("--tests", "no such test")[0], 3)
         exit_code, said = self.run_tool("--only", "number <= 0", HYRAX_TEST_IS_RED="1")
         self.assertEqual(exit_code, 3, said)
         self.assertIn("tests fail, or take too long, without any change: cli.sum", said)
-
-    def test_without_a_test_nothing_is_tried(self):
-        self.assertEqual(self.run_tool("--tests", "no such test")[0], 3)
 
     def test_what_the_time_limit_leaves_is_not_tried(self):
         exit_code, said = self.run_tool("--minutes", "0", "--count", "3")

@@ -32,11 +32,6 @@ class Unwritable(ProgramTest):
         """No byte, no time stamp and no name has changed."""
         self.assertEqual(self.state_of("."), self.before)
 
-    def bless_fails(self, *says, **options):
-        """`bless` is exit 3 with a message, and changes nothing."""
-        self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", says=says, env=ENVIRONMENT, **options)
-        self.assert_untouched()
-
 
 class Limit(Unwritable):
     """A limit on the size of files is an error of writing, and does not end the process."""
@@ -61,7 +56,9 @@ class Limit(Unwritable):
 
     def test_bless_fails_in_both_files_or_in_none(self):
         for size in (0, 500, 20_000):
-            self.bless_fails("golden/fling.", "cannot be written: File too large", preexec_fn=at_most(size))
+            self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", preexec_fn=at_most(size), env=ENVIRONMENT,
+                        says=("golden/fling.", "cannot be written: File too large"))
+            self.assert_untouched()
 
     def test_where_bless_fails_nothing_is_pruned(self):
         self.write("scenarios/gone.json", fling(name="gone"))

@@ -106,7 +106,7 @@ TEST(PlotSvg, MarksAreDrawnWithinThePlotWithTheTextsThatHaveRoom) {
 }
 
 TEST(PlotSvg, ANarrowOneHasItsTextsInALegendWithTheLookOfTheLongerName) {
-  Plot plot;
+  Plot plot{.x = {.label = "t", .low = 0.0, .high = 10.0}};
   plot.series = {{.name = "half", .look = {.tone = Tone::green}, .x = {1.0, 5.0}, .y = {1.0, 5.0}},
                  {.name = "half step", .look = {.tone = Tone::blue}, .x = {1.0, 5.0}, .y = {2.0, 6.0}}};
   plot.texts = {{5.0, 6.0, "half step: 1 px"}};
