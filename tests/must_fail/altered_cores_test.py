@@ -6,7 +6,7 @@
 
 import unittest
 
-from altered import CONTROLS, ONLY_CONSTANTS, SAME_BITS, StudyControl, altered_cores, changed_steps, run_altered
+from altered import CONTROLS, ONLY_CONSTANTS, SAME_BITS, StudyControl, altered_cores, changed_steps
 from process import succeed
 from program import AGREED, DISAGREED, SOURCE, fling, main
 
@@ -60,11 +60,6 @@ class EveryCore(StudyControl):
         self.assertGreaterEqual(len(cores), 60)
         self.assertEqual(next(iter(cores)), "none")
         self.assertEqual(len(set(cores.values())), len(cores), "two descriptions are the same")
-
-    def test_an_unknown_name_is_refused(self):
-        outcome = run_altered("gravity_sideways", "check")
-        self.assertEqual(outcome.exit_code, 2)
-        self.assertIn("unknown altered core (found gravity_sideways)", outcome.err)
 
     def red(self, core):
         """The invariants of hard-cases that this core breaks, without the expected failures of the scenarios."""
