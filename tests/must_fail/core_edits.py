@@ -52,12 +52,10 @@ def changed(name, old, new, *names):
 
 
 def doubled(name, statement):
-    """A statement twice."""
     return changed(name, statement, f"{statement} {statement}", statement)
 
 
 def constant(name, before, after):
-    """Another value of a constant."""
     return changed(f"{name}_{after}", f"{name} = {before}", f"{name} = {after}", f"{name} {float(before):g} -> {after.removesuffix('.0')}")
 
 
@@ -111,12 +109,10 @@ def when(name, condition, effect="m_vx *= 0.9;"):
 
 
 def at_right(name, condition, effect="m_vx *= 0.9;"):
-    """A statement at the right wall."""
     return changed(name, RIGHT, f"{RIGHT}\n      if ({condition}) {effect}", condition)
 
 
 def at_ground(name, condition, effect="m_vx *= 0.9;"):
-    """A statement at the ground."""
     return changed(name, FRICTION, f"{FRICTION}\n      if ({condition}) {effect}", condition)
 
 
@@ -205,7 +201,6 @@ EQUAL = (
 
 
 def pair(first, second):
-    """Two edits at once."""
     edits = {edit.name: edit for edit in SINGLE + CONDITIONAL}
     one, other = edits[first], edits[second]
     return Edit(f"{first}+{second}", one.replacements + other.replacements, "changed", one.names + other.names)

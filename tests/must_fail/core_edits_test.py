@@ -9,12 +9,13 @@ import copy
 import json
 import math
 import os
+import pathlib
 import re
 import tempfile
 import unittest
 
 from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE, at_ground, when
-from program import AGREED, DISAGREED, PROGRAM, SOURCE, fling, main
+from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
 from process import preloading, succeed
 from traced import SHIPPED, SHIPPED_CORE, traced
 
@@ -27,7 +28,6 @@ CHANGED = CORES["GRAVITY_1250.0+REST_THRESHOLD_7.0"]
 
 
 def words_of(text):
-    """The text without blanks."""
     return "".join(text.split())
 
 
@@ -97,17 +97,15 @@ class Answer:
                         f"alone reproduces {constants[0]['scenarios']}")
 
     def hash_of(self, scenario, is_accepted=False):
-        """The state hash of a scenario by the edited core, or the shipped one."""
         with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-            path = f"{folder}/unnoticed.json"
-            with open(path, "w", encoding="utf-8") as file:
-                json.dump(scenario, file)
+            path = pathlib.Path(folder, "unnoticed.json")
+            path.write_text(json.dumps(scenario), encoding="utf-8")
             arguments = ("run", path, "--json", "-o", folder + "/")
             outcome = succeed(PROGRAM, *arguments, cwd=SOURCE) if is_accepted else self.core.run(*arguments)
             return outcome.json["runs"][0]["state_hash"]
 
 
-class Unnoticed(unittest.TestCase):
+class Unnoticed(ProgramTest):
     """What the text says of a change that no scenario notices."""
 
     def test_it_has_the_headers_constants_the_consequence_a_scenario_and_commands(self):
@@ -124,10 +122,9 @@ class Unnoticed(unittest.TestCase):
         for _, says in differences:
             self.assertRegex(says, r"^(, which changes results: after 5(\.\d+)? s \S+ px apart in this one| either; unnoticed-\w{8} shows it)$")
         write, accept = (re.search(f"  to {what} +hyrax-sim (.*)", outcome.out)[1] for what in ("write them", "accept it"))
-        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-            written = core.run(*write.split()[:-1], folder)
-            self.assertEqual(written.exit_code, DISAGREED, written)
-            self.assertEqual(set(re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)), {path[:-5] for path in os.listdir(folder)})
+        written = core.run(*write.split()[:-1], self.folder)
+        self.assertEqual(written.exit_code, DISAGREED, written)
+        self.assertEqual(set(re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)), {name[:-5] for name in self.names()})
         self.assertIn("core: would be accepted in golden/core\n", core.run(*accept.split(), "--dry-run").out)
 
     def test_a_number_of_the_header_is_not_called_by_the_name_of_a_constant(self):
@@ -155,23 +152,14 @@ class Contacts(unittest.TestCase):
         self.assertRegex(CORES["static_variable"].run("info").out, r"\ncontacts +from the rows\n")
 
 
-class Library(unittest.TestCase):
+class Library(ProgramTest):
     """A library of its own, blessed by cores that are given."""
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="hyrax-test-")
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        os.mkdir(f"{self.folder}/scenarios")
 
     def add(self, name, **members):
         """A scenario; returns its path."""
-        path = f"{self.folder}/scenarios/{name}.json"
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(fling(name=name, **members), file)
-        return path
+        return self.folder / self.write(f"scenarios/{name}.json", fling(name=name, **members))
 
-    def expect(self, core, exit_code, *arguments, **options):
+    def play(self, core, exit_code, *arguments, **options):
         """The outcome of a command with a core."""
         outcome = core.run(*arguments, **options)
         self.assertEqual(outcome.exit_code, exit_code, outcome)
@@ -179,19 +167,19 @@ class Library(unittest.TestCase):
 
     def groups(self, core):
         """{scenario: (operation, detail)} of what `check` says differs."""
-        groups = self.expect(core, DISAGREED, "check", "--json", f"{self.folder}/scenarios").json["groups"]
+        groups = self.play(core, DISAGREED, "check", "--json", f"{self.folder}/scenarios").json["groups"]
         return {os.path.basename(path)[:-5]: (group["operation"], group["detail"]) for group in groups for path in group["scenarios"]}
 
     def test_rows_of_a_long_golden_file_are_restored_by_the_accepted_step(self):
         core = CORES["half_moves"]  # Not the paper's step with its constants.
         path = self.add("long", steps=5000)
-        self.expect(core, AGREED, "bless", path, "--reason", "x")
+        self.play(core, AGREED, "bless", path, "--reason", "x")
         rows = []
         for played, exit_code in ((core, AGREED), (SHIPPED_CORE, DISAGREED)):
-            self.expect(played, exit_code, "run", path, "-o", f"{self.folder}/rows.csv")
-            with open(f"{self.folder}/rows.csv", encoding="utf-8") as file:
-                rows.append([tuple(map(float, line.split(",")[3:7])) for line in file.readlines()[1:]])
-        (result,) = self.expect(SHIPPED_CORE, DISAGREED, "check", path, "--json").json["results"]
+            self.play(played, exit_code, "run", path, "-o", self.folder / "rows.csv")
+            lines = (self.folder / "rows.csv").read_text(encoding="utf-8").splitlines()[1:]
+            rows.append([tuple(map(float, line.split(",")[3:7])) for line in lines])
+        (result,) = self.play(SHIPPED_CORE, DISAGREED, "check", path, "--json").json["results"]
         step = next(step for step, (old, new) in enumerate(zip(*rows)) if old != new)
         first = result["first_divergence"]
         self.assertEqual((first["step"], first["field"], first["expected"]), (step, "x", rows[0][step][0]))
@@ -199,23 +187,22 @@ class Library(unittest.TestCase):
 
     def test_a_step_that_changes_while_its_header_does_not(self):
         path = self.add("a")
-        self.expect(SHIPPED_CORE, AGREED, "bless", path, "--reason", "x")
+        self.play(SHIPPED_CORE, AGREED, "bless", path, "--reason", "x")
         core = copy.copy(CHANGED)
         core.header = SHIPPED_CORE.header
         says = "the core's step changed, its header did not: an included header or a compiler option"
         self.assertEqual(self.groups(core), {"a": ("core", says)})
-        self.assertEqual(self.expect(core, AGREED, "check", "--core", path).out, f"core: changed\n  {says}\n")
+        self.assertEqual(self.play(core, AGREED, "check", "--core", path).out, f"core: changed\n  {says}\n")
 
     def test_another_c_library_whose_pow_gives_other_bits(self):
         core, path = CORES["drag_by_time"], self.add("a")
-        source, library = f"{self.folder}/pow.c", f"{self.folder}/pow.so"
-        with open(source, "w", encoding="utf-8") as file:
-            file.write("double exp(double); double log(double); double pow(double x, double y) { return exp(y * log(x)) * (1 - 1e-15); }")
-        succeed("cc", "-shared", "-fPIC", "-fno-builtin", source, "-o", library, "-lm")
-        self.expect(core, AGREED, "bless", path, "--reason", "x")
-        self.expect(core, AGREED, "check", path)
+        library = self.folder / "pow.so"
+        self.write("pow.c", "double exp(double); double log(double); double pow(double x, double y) { return exp(y * log(x)) * (1 - 1e-15); }")
+        succeed("cc", "-shared", "-fPIC", "-fno-builtin", self.folder / "pow.c", "-o", library, "-lm")
+        self.play(core, AGREED, "bless", path, "--reason", "x")
+        self.play(core, AGREED, "check", path)
         environment = {**os.environ, **preloading(library)}
-        (group,) = self.expect(core, DISAGREED, "check", "--json", path, env=environment).json["groups"]
+        (group,) = self.play(core, DISAGREED, "check", "--json", path, env=environment).json["groups"]
         self.assertEqual(group["operation"], "unknown")
         self.assertRegex(group["detail"], "^the accepted core gives other bits, too: .* the C library, ")
 

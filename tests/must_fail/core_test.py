@@ -1,34 +1,14 @@
 #!/usr/bin/python3
-"""What `check` says of a core by which every scenario differs, and of one by which runs become infinite."""
+"""What `check` says of a core by which runs become infinite."""
 
 from altered import run_altered
-from process import succeed
-from program import DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, ProgramTest, fling, main
+from program import DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
 
-FIELDS = {"t", "dt", "x", "y", "vx", "vy", "contact"}
-FOLDERS = ("scenarios/flings", "scenarios/paper", "scenarios/displays")
 FIRST_FLING = "scenarios/flings/first-fling.json"
-CLASSES = {"rounding", "values", "contacts", "shape"}
 
 
 class ChangedCore(ProgramTest):
     """Each test is one change."""
-
-    def test_every_scenario_with_drag_is_red_by_one_ulp_in_each_step(self):
-        runs = succeed(PROGRAM, "run", *FOLDERS, "--json", "-o", f"{self.folder}/", cwd=SOURCE).json["runs"]
-        concerned = {entry["scenario"] for entry in runs if "drag" in entry["exercised"]}
-        self.assertGreater(len(concerned), 30)
-        outcome = run_altered("update_alone", "check", "--json", *FOLDERS)
-        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
-        document = outcome.json
-        self.assertEqual((document["missing"], document["failed"]), (0, 0))
-        red = {entry["scenario"]: entry for entry in document["results"] if entry["status"] != "agreed"}
-        self.assertEqual(concerned - set(red), set())
-        for entry in red.values():
-            self.assertIn(entry["class"], CLASSES, entry)
-            field = entry["first_divergence"]["field"]
-            self.assertTrue(field in FIELDS or field.startswith("contacts/"), entry)
-            self.assertGreaterEqual(entry["first_divergence"]["step"], 1, entry)
 
     def test_runs_that_become_infinite_come_first_and_are_not_blessed(self):
         of_first = "vx is infinite from step 120 of 600 (2.00 s)"

@@ -102,7 +102,6 @@ class Fuzz(ProgramTest):
         self.assertEqual((failure["steps"], failure["events"]), (1, 1))
 
     def state_hash(self, program, scenario):
-        """What the program computes of a scenario."""
         outcome = run(program, "run", scenario, "--json", "-o", "run.h5", cwd=self.folder)
         return outcome.json["runs"][0]["state_hash"]
 

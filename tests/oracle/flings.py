@@ -151,7 +151,6 @@ class ExactFling:
         return self.fly(t - self.begin_s)
 
     def bounce(self, wall):
-        """Leaves the wall."""
         self.impacts.append(wall)
         if wall in (LEFT, RIGHT):
             self.x, self.vx = (RIGHT_PX if wall == RIGHT else 0.0), -self.vx * self.laws.restitution

@@ -201,7 +201,6 @@ class StateHash:
         self.digests = []
 
     def add(self, dt_s, x, y, vx, vy, contact):
-        """Append one row."""
         ROW.pack_into(self.block, self.used, dt_s, x, y, vx, vy, contact)
         self.used += ROW.size
         if self.used == len(self.block):

@@ -14,7 +14,6 @@ def grid_size(vary):
 
 
 def member_count(sweep):
-    """How many members the sweep has."""
     return sweep.get("members", grid_size(sweep["vary"]))
 
 

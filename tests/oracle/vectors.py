@@ -42,7 +42,6 @@ def jitter_vectors():
 
 
 def times_after(dts_s):
-    """The time after every frame."""
     timeline = clock.Timeline()
     return [timeline.advance(dt_s) for dt_s in dts_s]
 

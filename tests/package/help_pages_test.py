@@ -21,7 +21,6 @@ def help_screens():
 
 
 def options_in(text):
-    """Names that a help text lists."""
     return {name for names in re.findall(r"^  (-\S+)", text, re.MULTILINE) for name in names.split(",")}
 
 

@@ -25,7 +25,6 @@ def core_record(folder):
 
 
 def settings_of(row, folder):
-    """Its CMake settings."""
     yield "CMAKE_BUILD_TYPE=None"  # Adds no flags of its own.
     yield "HYRAX_SIM=OFF"
     yield "HYRAX_REPLAY_CHECK=OFF"  # The matrix compares what is printed.

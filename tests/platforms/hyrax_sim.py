@@ -19,7 +19,6 @@ def check(program, golden, environment, jobs=MANY):
 
 
 def line(name, verdict, is_bad, details=""):
-    """A line of the table."""
     return Result(f"hyrax-sim check, {name}", runs_on="this machine", verdict=verdict, is_bad=is_bad, details=details)
 
 
@@ -33,7 +32,6 @@ def agreement(name, outcome):
 
 
 def lines_of(program, golden, folder):
-    """All lines of hyrax-sim."""
     alone, together = check(program, golden, {}, 1), check(program, golden, {})
     yield agreement("1 thread", alone)
     yield agreement(f"{MANY} threads", together)

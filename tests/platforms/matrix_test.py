@@ -88,22 +88,15 @@ class Rows(unittest.TestCase):
 
         self.assertNotEqual(levels(), levels(GLIBC_TUNABLES=MASKED))
 
-    def hindrance(self, row, in_ci):
-        """The verdict on a row that cannot run, in CI or not."""
-        was, result.IN_CI = result.IN_CI, in_ci
-        self.addCleanup(setattr, result, "IN_CI", was)
-        return result.hindrance_of(row, row.name)
-
-    def test_what_is_missing_is_skipped_and_in_ci_a_failure(self):
-        row = Row("none", needs=(Needs("no-such-compiler", "g++-none"),))
-        self.assertEqual(self.hindrance(row, False).verdict, "skipped: needs g++-none")
-        self.assertFalse(self.hindrance(row, False).is_bad)
-        self.assertTrue(self.hindrance(row, True).is_bad)
-
-    def test_an_unsupported_processor_is_not_a_failure(self):
-        row = Row("none", cpu=("no_such_feature",))
-        self.assertEqual(self.hindrance(row, True).verdict, "not run here: the processor lacks no_such_feature")
-        self.assertFalse(self.hindrance(row, True).is_bad)
+    def test_what_is_missing_is_skipped_and_in_ci_a_failure_but_an_unsupported_processor_is_none(self):
+        self.addCleanup(setattr, result, "IN_CI", result.IN_CI)
+        for row, verdict, is_bad_in_ci in (
+                (Row("none", needs=(Needs("no-such-compiler", "g++-none"),)), "skipped: needs g++-none", True),
+                (Row("none", cpu=("no_such_feature",)), "not run here: the processor lacks no_such_feature", False)):
+            for in_ci in (False, True):
+                result.IN_CI = in_ci
+                hindrance = result.hindrance_of(row, row.name)
+                self.assertEqual((hindrance.verdict, hindrance.is_bad), (verdict, is_bad_in_ci and in_ci))
 
     def test_every_package_is_one_that_the_scripts_install(self):
         setup = (PROJECT / "tools/setup.sh").read_text(encoding="utf-8")

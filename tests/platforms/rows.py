@@ -72,7 +72,6 @@ class Row:
 
     @property
     def folder(self):
-        """The name of its build folder."""
         return "".join(c if c.isalnum() else "-" for c in self.name.lower().replace("+", "p"))
 
 

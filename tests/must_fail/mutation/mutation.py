@@ -44,7 +44,6 @@ def state_of(source):
 
 
 def options():
-    """The options of the command line."""
     here = pathlib.Path(__file__).resolve().parent
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True, help="a build of all tests, by ninja")
@@ -100,7 +99,6 @@ def run(asked):
 
 
 def main():
-    """Returns the exit code."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:
         return run(options())

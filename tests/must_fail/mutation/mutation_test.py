@@ -123,19 +123,14 @@ class Fates(unittest.TestCase):
             "sign: if (number < 0) return -1; -> if (number > 0) return -1;": ("caught", "unit.compare Failed"),
             "sum_to: int sum = 0; -> int sum = 1;": ("caught", "cli.sum Failed")})
 
-    def test_what_never_ends_is_caught(self):
-        fates = self.fates("last; --each")
-        self.assertEqual(list(fates.values()), [("caught", "cli.sum Timeout")], fates)
+    def test_what_never_ends_does_not_compile_or_makes_the_same_code(self):
+        for only, fate in (("last; --each", ("caught", "cli.sum Timeout")), ("sizeof.int. < 1", ("refused", "")),
+                           ("sizeof.int. >= 1", ("equivalent", "same code"))):
+            self.assertEqual(list(self.fates(only).values()), [fate], only)
 
     def test_stopped_it_leaves_nothing(self):
         exit_code, said = self.run_tool("--only", "last; --each", "--test-seconds", "600", is_stopped=True)
         self.assertEqual(exit_code, 128 + signal.SIGTERM, said)
-
-    def test_what_does_not_compile_is_refused(self):
-        self.assertEqual(list(self.fates("sizeof.int. < 1").values()), [("refused", "")])
-
-    def test_what_makes_the_same_code_is_equivalent(self):
-        self.assertEqual(list(self.fates("sizeof.int. >= 1").values()), [("equivalent", "same code")])
 
     def test_a_survivor_is_named_and_fails_the_run(self):
         exit_code, said = self.run_tool("--only", "number <= 0")
@@ -149,13 +144,11 @@ class Fates(unittest.TestCase):
         self.assertEqual(exit_code, 0, said)
         self.assertIn("Score: none", said)
 
-    def test_a_test_that_fails_without_a_change_catches_nothing(self):
+    def test_without_a_test_or_with_one_that_fails_without_a_change_nothing_is_tried(self):
+        self.assertEqual(self.run_tool("--tests", "no such test")[0], 3)
         exit_code, said = self.run_tool("--only", "number <= 0", HYRAX_TEST_IS_RED="1")
         self.assertEqual(exit_code, 3, said)
         self.assertIn("tests fail, or take too long, without any change: cli.sum", said)
-
-    def test_without_a_test_nothing_is_tried(self):
-        self.assertEqual(self.run_tool("--tests", "no such test")[0], 3)
 
     def test_what_the_time_limit_leaves_is_not_tried(self):
         exit_code, said = self.run_tool("--minutes", "0", "--count", "3")

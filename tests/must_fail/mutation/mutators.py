@@ -36,7 +36,6 @@ class Mutant:
     line: int = 1
 
     def text_of(self, original):
-        """The changed file."""
         return original[:self.begin] + self.replacement + original[self.end:]
 
 

@@ -16,7 +16,6 @@ class Reasons(unittest.TestCase):
     mutant = Mutant("a.h", "control", "a -> b")
 
     def faults(self, reason, *verdict):
-        """Those of the mutant with this reason and this verdict."""
         return faults_of({("a.h", "a -> b"): reason} if reason else {}, [self.mutant], {self.mutant: Verdict(*verdict)})
 
     def test_hold_or_are_a_fault(self):
@@ -54,7 +53,6 @@ class Mutators(unittest.TestCase):
     """The mutants of a few lines."""
 
     def names(self, text, kind):
-        """The mutants of a kind."""
         return [mutant.name for mutant in mutants_of("a.h", text) if mutant.kind == kind]
 
     def test_constants(self):

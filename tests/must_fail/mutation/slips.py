@@ -88,5 +88,4 @@ class _Slips(Mutators):
 
 
 def slips_of(path, text, names):
-    """Every slip of a file."""
     return _Slips(path, text, names).all()

@@ -21,7 +21,6 @@ class TwoWriters(ProgramTest):
                 self.whole.append((self.folder / "whole.h5").read_bytes())
 
     def assert_done(self, process):
-        """It ended well."""
         outcome = process.wait()
         self.assertEqual(outcome.exit_code, AGREED, outcome)
 

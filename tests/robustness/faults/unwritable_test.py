@@ -32,25 +32,15 @@ class Unwritable(ProgramTest):
         """No byte, no time stamp and no name has changed."""
         self.assertEqual(self.state_of("."), self.before)
 
-    def bless_fails(self, *says, **options):
-        """`bless` is exit 3 with a message, and changes nothing."""
-        self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", says=says, env=ENVIRONMENT, **options)
-        self.assert_untouched()
-
 
 class Limit(Unwritable):
     """A limit on the size of files is an error of writing, and does not end the process."""
 
-    def test_run_of_few_rows(self):
-        for size in (0, 1, 4096, 20_000):
-            self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", says="fling.h5: cannot be written: File too large",
-                        preexec_fn=at_most(size), env=ENVIRONMENT)
+    def test_run_of_few_and_of_many_rows(self):
+        for size, *many in ((0,), (1,), (4096,), (20_000,), (3_000_000, "--set", "/steps=200000", "--no-skip")):
+            self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", *many, preexec_fn=at_most(size), env=ENVIRONMENT,
+                        says="fling.h5: cannot be written: File too large")
             self.assert_untouched()
-
-    def test_run_of_many_rows(self):
-        self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", "--set", "/steps=200000", "--no-skip",
-                    says="fling.h5: cannot be written: File too large", preexec_fn=at_most(3_000_000), env=ENVIRONMENT)
-        self.assert_untouched()
 
     def test_run_to_csv_but_for_the_last_byte(self):
         self.expect(DISAGREED, "run", "scenarios/fling.json", "-o", "whole.csv")
@@ -66,7 +56,9 @@ class Limit(Unwritable):
 
     def test_bless_fails_in_both_files_or_in_none(self):
         for size in (0, 500, 20_000):
-            self.bless_fails("golden/fling.", "cannot be written: File too large", preexec_fn=at_most(size))
+            self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", preexec_fn=at_most(size), env=ENVIRONMENT,
+                        says=("golden/fling.", "cannot be written: File too large"))
+            self.assert_untouched()
 
     def test_where_bless_fails_nothing_is_pruned(self):
         self.write("scenarios/gone.json", fling(name="gone"))

@@ -17,7 +17,6 @@ TABLE = pathlib.Path(__file__).with_name("verdicts.json")
 
 
 def tokens(pointer):
-    """The reference tokens of a JSON Pointer."""
     return [token.replace("~1", "/").replace("~0", "~") for token in pointer.split("/")[1:]]
 
 

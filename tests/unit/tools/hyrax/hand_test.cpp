@@ -33,9 +33,9 @@ TEST(Hand, IgnoresOlderMoves) {
   EXPECT_EQ(hand.velocity(200 * kMs), (Velocity{500.0, 0.0}));
 }
 
-TEST(Hand, OfAShortFlickGivesTheFlicksVelocity) {
-  const Hold hand = moved_hand({20, 0}, 10, 4);
-  EXPECT_EQ(hand.velocity(40 * kMs), (Velocity{2000.0, 0.0}));
+TEST(Hand, OfAShortFlickOrOfSeldomMessagesGivesTheVelocityOfThese) {
+  EXPECT_EQ(moved_hand({20, 0}, 10, 4).velocity(40 * kMs), (Velocity{2000.0, 0.0}));
+  EXPECT_EQ(moved_hand({40, 0}, 80, 2).velocity(160 * kMs), (Velocity{800.0, 0.0}));
 }
 
 TEST(Hand, HasDraggedForTenMillisecondsAtLeast) {
@@ -45,13 +45,6 @@ TEST(Hand, HasDraggedForTenMillisecondsAtLeast) {
   EXPECT_EQ(hand.velocity(52), (Velocity{100.0, 0.0}));
   hand.move({30, -10}, 51);
   EXPECT_EQ(hand.velocity(51), (Velocity{3000.0, -1000.0}));
-}
-
-TEST(Hand, ReportsMovesOfSeldomMessages) {
-  Hold hand = hand_at({0, 0});
-  hand.move({40, 0}, 80 * kMs);
-  hand.move({80, 0}, 160 * kMs);
-  EXPECT_EQ(hand.velocity(160 * kMs), (Velocity{800.0, 0.0}));
 }
 
 }  // namespace

@@ -72,20 +72,6 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 
 SvgBox window_of(const std::string& svg) { return rectangle_of(part_of(svg, "window"), "[^\"]*"); }
 
-// The points of the path where it was flown.
-std::vector<SvgPoint> path_points(const std::string& svg) {
-  const std::string part = part_of(svg, "path of the centre");
-  const std::regex line("<path d=\"M([^\"]*)\" fill=\"none\" stroke=\"[^\"]*\" stroke-width=\"[^\"]*\" ?/>");
-  const std::regex point("([-0-9.]+),([-0-9.]+)");
-  std::vector<SvgPoint> points;
-  for (std::sregex_iterator found(part.begin(), part.end(), line), end; found != end; ++found) {
-    const std::string places = (*found)[1];
-    for (std::sregex_iterator at(places.begin(), places.end(), point); at != end; ++at)
-      points.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
-  }
-  return points;
-}
-
 Columns dropped_rows(std::int64_t count) {
   Columns rows;
   for (std::int64_t i = 0; i < count; ++i)
@@ -177,8 +163,12 @@ TEST(RunSvg, APathAndAPictureHaveABound) {
     scenario.events.push_back({i, Resize{Size{static_cast<std::int32_t>(1920 - 9 * i), 1080}, std::nullopt}});
     scenario.events.push_back({i, Fling{{900, -100}}});
   }
-  const std::string svg = run_svg(scenario, colourful_rows(100'001), contacts_at_each_wall(1'000));
-  EXPECT_LE(path_points(svg).size(), 2 * kPathPointsMax);
+  const Columns rows = colourful_rows(100'001);
+  const std::string svg = run_svg(scenario, rows, contacts_at_each_wall(1'000));
+  std::size_t points = 0;
+  for (const Stroke& stroke : make_run_scene(scenario, rows, {}, 640.0).path.strokes)
+    points += stroke.points.size();
+  EXPECT_LE(points, 2 * kPathPointsMax);
   EXPECT_NE(svg.find(">path drawn up to "), std::string::npos) << "and says what is missing";
   EXPECT_LT(svg.size(), kSvgBytesMax);
 }

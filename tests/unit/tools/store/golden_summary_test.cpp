@@ -83,18 +83,6 @@ TEST(GoldenSummary, LosesItsChecksumIfAnyBitIsFlipped) {
     }
 }
 
-TEST(GoldenSummary, LosesItsChecksumByALineMoreOrLess) {
-  const std::string text = text_of(some_run(), some_summary(), "x");
-  for (std::size_t line = 0; line < text.size(); line = text.find('\n', line) + 1) {
-    EXPECT_FALSE(has_checksums(text.substr(0, line) + "more\n" + text.substr(line), kContents, kFile))
-        << line;
-    EXPECT_FALSE(
-        has_checksums(text.substr(0, line) + text.substr(text.find('\n', line) + 1), kContents, kFile))
-        << line;
-  }
-  EXPECT_FALSE(has_checksums(text + "more\n", kContents, kFile));
-}
-
 TEST(GoldenSummary, IsKnownByItsFirstLineItsStateHashAndItsLastLine) {
   const std::string text = text_of(some_run(), some_summary(), "x");
   EXPECT_TRUE(is_summary(text));

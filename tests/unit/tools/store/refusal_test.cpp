@@ -169,16 +169,13 @@ TEST_F(Refusal, OfAWallOrAnInputThatIsNone) {
   expect_refused("/events: input 0: its numbers do not fit its kind, grab");
 }
 
-TEST_F(Refusal, OfARunWithHolesAsGoldenFile) {
+TEST_F(Refusal, OfAGoldenFileWithHolesOrRowsOutOfOrder) {
+  set("/trajectory/step", 5, std::int64_t{7});
+  expect_refused_as_golden("/trajectory/step: row 5 is missing or out of order (found 7)");
   Scenario scenario = fling_at(60.0, 100);
   scenario.record_every = 10;
   write_run(path_, scenario);
   expect_refused_as_golden("not written by bless: has no blocks, and 11 rows of 101");
-}
-
-TEST_F(Refusal, OfRowsOutOfOrderInAGoldenFile) {
-  set("/trajectory/step", 5, std::int64_t{7});
-  expect_refused_as_golden("/trajectory/step: row 5 is missing or out of order (found 7)");
 }
 
 // The golden file of a run of three blocks.

@@ -10,6 +10,7 @@ namespace hyrax {
 namespace {
 
 const StudyHead kHead{"some-study", "what was studied"};
+constexpr char kUnreadable[] = "is damaged: cannot be read";
 
 std::vector<Table> some_tables() {
   return {{"first",
@@ -28,15 +29,21 @@ h5::Handle text_type(std::size_t width) {
 
 class StudyTables : public testing::Test {
  protected:
-  // Another column of that name and without values.
-  void replace_column(const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
-                      hid_t creation = H5P_DEFAULT) const {
+  // The tables, with another column of that name and without values.
+  void write_with_column(const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
+                         hid_t creation = H5P_DEFAULT) const {
+    write_study_file(path_, kHead, some_tables());
     const h5::Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
     ASSERT_GE(H5Ldelete(file, name.c_str(), H5P_DEFAULT), 0);
     const h5::Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
     const h5::Handle column(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
                             H5Dclose);
     ASSERT_TRUE(column.is_open());
+  }
+  void expect_refused_with(const std::string& column, hid_t type, const std::vector<hsize_t>& shape,
+                           const std::string& sentence, hid_t creation = H5P_DEFAULT) const {
+    write_with_column(column, type, shape, creation);
+    EXPECT_EQ(refusal(), path_ + ": " + column + ": " + sentence);
   }
   // Why the file is refused; empty if it is not.
   [[nodiscard]] std::string refusal() const {
@@ -90,48 +97,28 @@ TEST_F(StudyTables, WithSomethingMissingAreRefused) {
 }
 
 TEST_F(StudyTables, WithAColumnOfAnotherLengthOrThatIsNoListOrTooLongAreRefused) {
-  const auto with = [&](const char* column, hid_t type, const std::vector<hsize_t>& shape,
-                        const std::string& sentence) {
-    write_study_file(path_, kHead, some_tables());
-    replace_column(column, type, shape);
-    EXPECT_EQ(refusal(), path_ + ": " + column + ": " + sentence);
-  };
   const std::string no_list = "is damaged: must be a list of at most 10000000 values";
-  with("first/rows", H5T_STD_I64LE, {3}, "has another length than error");
-  with("first/error", H5T_IEEE_F64LE, {2, 1}, no_list);
-  with("first/error", H5T_IEEE_F64LE, {10'000'001}, no_list);
+  expect_refused_with("first/rows", H5T_STD_I64LE, {3}, "has another length than error");
+  expect_refused_with("first/error", H5T_IEEE_F64LE, {2, 1}, no_list);
+  expect_refused_with("first/error", H5T_IEEE_F64LE, {10'000'001}, no_list);
 }
 
 TEST_F(StudyTables, WithAColumnWhoseValuesCannotBeReadAreRefused) {
   const h5::Handle elsewhere(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   ASSERT_GE(H5Pset_external(elsewhere, folder_.at("none.bin").c_str(), 0, H5F_UNLIMITED), 0);
-  const h5::Handle text = text_type(3);
-  for (const auto& [name, type] :
-       {std::pair<const char*, hid_t>{"error", H5T_IEEE_F64LE}, {"rows", H5T_STD_I64LE}, {"method", text}}) {
-    write_study_file(path_, kHead, some_tables());
-    replace_column(std::string("first/") + name, type, {2}, elsewhere);
-    EXPECT_EQ(refusal(), path_ + ": first/" + name + ": is damaged: cannot be read");
-  }
-  const h5::Handle of_any_width = text_type(H5T_VARIABLE);
-  for (const hid_t type : {H5T_STD_B8LE, hid_t{of_any_width}}) {
-    write_study_file(path_, kHead, some_tables());
-    replace_column("first/rows", type, {2});
-    EXPECT_EQ(refusal(), path_ + ": first/rows: is damaged: cannot be read");
-  }
+  expect_refused_with("first/error", H5T_IEEE_F64LE, {2}, kUnreadable, elsewhere);
+  expect_refused_with("first/rows", H5T_STD_I64LE, {2}, kUnreadable, elsewhere);
+  expect_refused_with("first/method", text_type(3), {2}, kUnreadable, elsewhere);
+  expect_refused_with("first/rows", H5T_STD_B8LE, {2}, kUnreadable);
+  expect_refused_with("first/rows", text_type(H5T_VARIABLE), {2}, kUnreadable);
 }
 
 TEST_F(StudyTables, WithTextOfMoreThan64MiBInAColumnAreRefused) {
   constexpr std::size_t kMost = 64 << 20;
-  const auto with_texts = [&](std::size_t width, hsize_t rows) {
-    write_study_file(path_, kHead, some_tables());
-    replace_column("empty/text", text_type(width), {rows});
-  };
-  with_texts(kMost / 2 + 1, 1);
+  write_with_column("empty/text", text_type(kMost / 2 + 1), {1});
   EXPECT_EQ(row_count(read_study_file(path_).tables.at(1)), 1u);
-  with_texts(kMost + 1, 1);
-  EXPECT_EQ(refusal(), path_ + ": empty/text: is damaged: cannot be read");
-  with_texts(kMost / 2 + 1, 2);
-  EXPECT_EQ(refusal(), path_ + ": empty/text: is damaged: cannot be read");
+  expect_refused_with("empty/text", text_type(kMost + 1), {1}, kUnreadable);
+  expect_refused_with("empty/text", text_type(kMost / 2 + 1), {2}, kUnreadable);
 }
 
 }  // namespace

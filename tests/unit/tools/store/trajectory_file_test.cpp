@@ -1,6 +1,5 @@
 // What is written into a trajectory file is read from it, bit for bit.
 #include "tools/store/trajectory_file.h"
-#include "sim/core/shipped_core.h"
 #include "tools/store/input_record.h"
 
 #include <gtest/gtest.h>
@@ -17,23 +16,6 @@ class StoredRunFile : public testing::Test {
   const TempFolder folder_;
   const std::string path_ = folder_.at("run.h5");
 };
-
-TEST_F(StoredRunFile, HoldsRowsContactsAndInputsBitForBit) {
-  const Scenario scenario = eventful_fling();
-  const RunSummary summary = write_run(path_, scenario);
-  TraceSink played;
-  static_cast<void>(replay(shipped_core(), scenario, played));
-  const TrajectoryFile file(path_);
-  EXPECT_TRUE(same_rows(rows_of(file), played.rows()));
-  EXPECT_TRUE(same_contacts(file.contacts(), played.contacts()));
-  EXPECT_EQ(file.contacts_total(), static_cast<std::int64_t>(played.contacts().size()));
-  EXPECT_EQ(file.inputs(), inputs_taken(scenario));
-  EXPECT_EQ(file.head().steps, 330);
-  EXPECT_EQ(file.head().physics, "hyrax-physics/1");
-  EXPECT_EQ(file.head().state_hash, hex(summary.state_hash));
-  EXPECT_TRUE(plays_the_same(file.head().scenario, scenario));
-  EXPECT_EQ(file.head().scenario.name, scenario.name);
-}
 
 TEST_F(StoredRunFile, HoldsRowsInTheirOrderWhateverBatchesTheyComeIn) {
   constexpr auto kBatchRows = static_cast<std::int64_t>(RowTable::kBatch);
@@ -58,18 +40,6 @@ TEST_F(StoredRunFile, HoldsRowsInTheirOrderWhateverBatchesTheyComeIn) {
   EXPECT_EQ(in_place, steps + 1);
 }
 
-TEST_F(StoredRunFile, IsTheSameBytesEachTime) {
-  const std::string again = folder_.at("again.h5");
-  for (const std::int64_t steps : {0, 330, 70'000}) {
-    Scenario scenario = eventful_fling();
-    if (steps < 330) scenario.events.clear();
-    scenario.length = steps;
-    write_run(path_, scenario);
-    write_run(again, scenario);
-    EXPECT_TRUE(bytes_of(path_) == bytes_of(again)) << steps;
-  }
-}
-
 // A small file may hold a scenario whose parsing takes more memory than reading a file of that size may take.
 TEST_F(StoredRunFile, IsOpenedHoweverCostlyItsScenario) {
   std::string scenario = R"({"format": "hyrax-scenario/1", "name": "costly",
@@ -83,15 +53,6 @@ TEST_F(StoredRunFile, IsOpenedHoweverCostlyItsScenario) {
     h5::write_attribute(file, "scenario", scenario + "]}}");
   }
   EXPECT_EQ(step_count(TrajectoryFile::open(path_).head().scenario), 1'000'000);
-}
-
-TEST_F(StoredRunFile, DoesNotExistBeforeItIsComplete) {
-  {
-    TrajectoryWriter writer(path_, fling_at(60.0, 10), 10);
-    EXPECT_FALSE(std::filesystem::exists(path_));
-    EXPECT_EQ(folder_.names().size(), 1u);
-  }
-  EXPECT_TRUE(folder_.names().empty()) << "an unfinished part file is left behind";
 }
 
 TEST(InputRecord, ThatNoInputHasIsNone) {
