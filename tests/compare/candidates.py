@@ -46,6 +46,8 @@ REFUSED = {
     "hangs_in_a_small_window": ([(DRAG, DRAG + "    while (screenWidth < 100) screenHeight = *const_cast<volatile int*>"
                                         "(&screenHeight);\n")],
                                 r"takes more than 20 s; ended in scenario [\w/-]+\.json, step \d+"),
+    "divides_by_zero": ([(DRAG, DRAG + "    int none = m_vy > 900.0 ? 0 : 1;\n    asm volatile(\"\" : \"+r\"(none));\n"
+                          "    m_vx += 0.0 * (7 / none);\n")], r"step \d+: SIGFPE"),
     "exits": ([("#include <cmath>\n", "#include <cmath>\n#include <cstdlib>\n"),
                (DRAG, DRAG + "    if (m_x > 900.0) std::exit(0);\n")],
               r"ends the process in scenario [\w/-]+\.json, step \d+$"),

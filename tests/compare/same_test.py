@@ -70,15 +70,28 @@ class SameTest(ProgramTest):
         self.assertEqual((card["step"], card["lacking"]), ({"status": "proved_equal", "why": None, "changes": []}, None))
         self.assertEqual(card["scenarios"], {"count": 4, "same_bits": 4, "rounding": 0, "values": 0, "contacts": 0, "shape": 0,
                                              "cut": 0, "changed": []})
-        self.assertGreater(card["contacts"]["contacts"]["before"], 10)
-        self.assertEqual((card["flings"]["classes"]["same_bits"], card["hard_cases"]["cases"]), (3, 1))
+        self.assertEqual(card["flings"]["classes"]["same_bits"], 3)
+        for key in ("shift_px", "distance_px"):
+            self.assertEqual(card["flings"][key], {"samples": 3, "median": 0, "p10": 0, "p90": 0})
+        contacts = card["contacts"]
+        self.assertEqual([contacts[key] for key in ("scenarios", "moved", "only_before", "only_after")], [0, 0, 0, 0])
+        self.assertGreater(contacts["contacts"]["before"], 10)
+        for line in (card["displays"]["spread_px"], *card["energy"].values(), *(each["distance_px"] for each in card["exact"]),
+                     contacts["contacts"], card["flings"]["settled"]):
+            self.assertEqual(line["before"], line["after"])
+        hard = card["hard_cases"]
+        self.assertEqual((hard["cases"], hard["cases_changed"], hard["random_runs_changed"]["count"]), (1, 0, 0))
+        for line in (hard["general"], hard["listing"]):
+            self.assertEqual(line["cases_broken"], {"before": 0, "after": 0})
+            self.assertEqual([share["count"] for share in line["random_runs_broken"].values()], [0, 0])
+        self.assertEqual((card["claims"]["changed"], card["claims"]["not_measured"], card["claims"]["other_numbers"]), ([], [], 0))
         self.assertEqual(card["recordings"], {"recordings": 2, "moved": []})
         self.assertEqual(card["consequence"], "None: every row has the same bits.")
         self.assertGreater(card["cost"]["step_ns"]["after"]["median"], 0.0)
         said, of_band, of_share = re.search(r"with all digits: (.*?)\. A band is `\{(.*?)\}`, a share\s`\{(.*?)\}`",
                                             " ".join((SOURCE / "sim/card/README.md").read_text(encoding="utf-8").split())).groups()
         self.assertEqual(re.findall(r"`(\w+)`", re.sub(r"\(.*?\)", "", said)), list(card)[list(card).index("step"):])
-        self.assertEqual([of_band, of_share], [", ".join(each) for each in (card["cost"]["ratio"], card["hard_cases"]["random_runs_changed"])])
+        self.assertEqual([of_band, of_share], [", ".join(each) for each in (card["cost"]["ratio"], hard["random_runs_changed"])])
 
     def test_an_accepted_core_that_is_damaged_or_missing_is_named(self):
         self.assertEqual(self.compare("--golden", "golden"),
