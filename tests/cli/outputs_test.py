@@ -98,7 +98,10 @@ class Guarded(ProgramTest):
         os.symlink("two.h5", self.folder / "sub/one.h5")
         self.write("one.json", fling(name="one"))
         self.write("two.json", fling(name="two"))
-        self.assert_refused("run", "one.json", "two.json", "-o", "sub", says="another output of this command")
+        self.write("again.json", fling(name="one"))
+        for command in (("run", "one.json", "two.json", "-o", "sub"), ("run", "one.json", "again.json"),
+                        ("drift", "one.json", "again.json", "--figures", "out")):
+            self.assert_refused(*command, says=("again.json" if "again.json" in command else "sub", "another output of this command"))
 
     def test_a_golden_folder_that_is_a_link(self):
         os.rename(self.folder / "golden", self.folder / "kept")

@@ -186,21 +186,7 @@ class OwnPhysics(InstalledPackage):
         self.assertIn("This program's core is elastic_box, not the paper's step", first_screen)
         self.assertNotIn("\n  drift ", first_screen)
         self.assertIn("\n  sweep ", first_screen)
-
-    def test_run_diff_and_figures_serve_it(self):
-        self.bless("scenarios")
-        self.assertIn("\nphysics: elastic_box\n", (self.folder / "golden/billiard.txt").read_text(encoding="utf-8"))
         self.assertRegex(self.expect(AGREED, "info").out, r"\nphysics +elastic_box\n")
-        text = self.expect(AGREED, "run", "scenarios/billiard.json", "-o", "run.h5", "--figure", "run.svg").out
-        self.assertRegex(text, r"\n  core +elastic_box\n")
-        self.assertRegex(text, r"\n  exercised +left wall, right wall, top, ground\n")
-        self.assertIn("agrees bit for bit with golden/billiard.h5", text)
-        self.assertIn("</svg>", (self.folder / "run.svg").read_text(encoding="utf-8"))
-        self.assertNotIn("energy", self.expect(AGREED, "diff", "golden/billiard.h5", "run.h5").out)
-        self.expect(AGREED, "run", "scenarios/billiard.json", "-o", "75.h5", "--set", "/clock/rate_hz=75")
-        text = self.expect(DISAGREED, "diff", "run.h5", "75.h5", "--figure", "diff.svg").out
-        self.assertNotIn("energy", text)
-        self.expect(AGREED, "shrink", "scenarios/billiard.json", "--fails", "false {}", "-o", "small.json")
 
     def test_the_pre_commit_hook_passes_and_fails_as_check_does(self):
         config = (EXAMPLE / ".pre-commit-config.yaml").read_text(encoding="utf-8")

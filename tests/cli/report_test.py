@@ -34,16 +34,12 @@ class ReportTest(ProgramTest):
 
     def test_refused_it_says_why_in_one_sentence_and_writes_nothing(self):
         self.write("text.h5", "text")
-        self.write("other.json", program.fling(name="other"))
         before = self.state_of(".")
         for exit_code, says, *arguments in (
                 (CANNOT_ACCESS, ("tools/run", "HYRAX_PAGE"), "report", "fling.h5", "-o", "fling.html"),
                 (CANNOT_ACCESS, "HYRAX_PAGE", "run", "fling.json", "-o", "new.h5", "--report", "new.html"),
-                (BAD_INPUT, "-o FILE.html is missing", "report", "fling.h5"),
                 (BAD_INPUT, "allowed: .html", "report", "fling.h5", "-o", "fling.txt"),
                 (BAD_INPUT, "allowed: .html", "run", "fling.json", "-o", "a.h5", "--report", "a.htm"),
-                (BAD_INPUT, "one scenario only", "run", "fling.json", "other.json", "--report", "a.html"),
-                (BAD_INPUT, "CSV", "run", "fling.json", "-o", "a.csv", "--report", "a.html"),
                 (BAD_INPUT, "text.h5: is not an HDF5 file", "report", "text.h5", "-o", "a.html"),
                 (BAD_INPUT, "text.h5: is not an HDF5 file", "report", "fling.h5", "--against", "text.h5", "-o", "a.html"),
                 (CANNOT_ACCESS, "none.h5: cannot be read", "report", "none.h5", "-o", "a.html")):
