@@ -144,6 +144,7 @@ class OwnPhysics(InstalledPackage):
     def test_golden_files_of_another_core_are_refused_by_both(self):
         self.write("scenarios/still.json", program.fling(name="still", steps=0))  # It has the same bits in both.
         self.bless("scenarios")
+        self.assertIn("\nphysics: elastic_box\n", (self.folder / "golden/billiard.txt").read_text(encoding="utf-8"))
         before = self.state_of("golden")
         program.PROGRAM = HYRAX_SIM
         outcome = self.expect(BAD_INPUT, "check")
