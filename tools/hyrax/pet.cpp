@@ -71,7 +71,7 @@ void Pet::reset(std::int64_t ticks) {
 
 void Pet::resume(std::int64_t ticks) {
   is_paused_ = false;
-  last_ticks_ = ticks;
+  skip_time(ticks);
 }
 
 void Pet::move_to(const Desk& desk, std::int64_t ticks) {

@@ -81,11 +81,11 @@ TEST(MeasuredCard, LeavesOutWhatIsNotMeasuredOrNoChange) {
   ComparedCore base = base_core();
   ComparedCore candidate =
       candidate_with([](Constants& constants) { bouncy(constants).ground_friction = 0.95; });
-  Scenario frozen = fling_at(60.0, 50);  // In frames of no time it settles with neither core, nor moves in x.
-  frozen.clock.base = FixedStep{0.0};
-  frozen.start.y_px = 957.0;
+  Scenario still = fling_at(60.0, 50);  // In frames of no time it settles with neither core, nor moves in x.
+  still.clock.base = FixedStep{0.0};
+  still.start.y_px = 957.0;
   std::int64_t now_ns = 0;
-  CardRequest request{.library = {{"recorded/frozen.json", frozen}},
+  CardRequest request{.library = {{"recorded/still.json", still}},
                       .hard = {{"hard/long.json", fling_at(60.0, 2'000'000)}},
                       .flings = 1,
                       .now_ns = [&] { return now_ns += 100'000; },
