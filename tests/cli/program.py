@@ -38,6 +38,9 @@ FLING = {
 ANOTHER_START = {"x_px": 1000, "y_px": 500, "vx_px_per_s": 1200, "vy_px_per_s": -400}
 
 
+needs_page = unittest.skipUnless(os.environ.get("HYRAX_PAGE") == "1", "this program has no page; tools/test --all builds it")
+
+
 def few_threads(allowed, environment=os.environ):
     """The environment in which a program can start only so many threads; ctest gives the path of what sees to it."""
     return {**environment, **preloading(os.environ["HYRAX_FEW_THREADS"]), "HYRAX_THREADS": str(allowed)}

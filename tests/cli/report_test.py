@@ -17,7 +17,7 @@ import h5py
 
 import program
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, needs_page
 from sweep_members import base
 from sweep_program import document
 
@@ -77,14 +77,13 @@ class ReportTest(ProgramTest):
         self.assertEqual(self.state_of("."), before)
 
 
+@needs_page
 class Numbers(ProgramTest):
     """Columns in the page, by the program with it."""
 
     def page_by(self, *arguments, exit_code=AGREED):
-        """The document in page.html, which the command writes; skips where the program was built without the page."""
+        """The document in page.html, which the command writes."""
         outcome = run(os.environ["HYRAX_SIM"], *arguments, cwd=self.folder)
-        if outcome.exit_code == CANNOT_ACCESS and "HYRAX_PAGE" in outcome.err:
-            self.skipTest("this program has no page; tools/test --all builds it")
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         self.assertIn({"report": "written: page.html", "run": "\n  written        page.html", "check": ""}[arguments[0]], outcome.out)
         return json.loads(re.search('id="data">(.*?)</script>', (self.folder / "page.html").read_text(), re.DOTALL)[1])

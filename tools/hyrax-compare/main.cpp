@@ -114,9 +114,9 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
                                "/physics.h",
       .after = has_candidate ? arguments.headers.front() : "sim/physics/physics.h"};
   if (!arguments.report.empty()) {
-    require_page();
     OutputGuard(arguments.headers, arguments.golden)
         .admit_file("hyrax-compare: --report", arguments.report, {".html"});
+    require_page();
   }
   CardRequest request = request_of(arguments);
   const TemporaryFolder folder;
