@@ -54,7 +54,7 @@ FUNCTIONS = (
     ("is_configured build", "", 1, "", []), ("rm build/x/CMakeCache.txt; is_configured build/x", "", 1, "", []), ("project=/other; is_configured build/x", "", 1, "", []),
     ("configure $project/build/x A=ON", "", 0, "", []), ("configure $project/build/x A=OFF B=long", "", 0, r"configure build/x .* s\n", [CMAKE]),
     ("configure $project/build/x A=OFF B=long", "cmake", 8, r"configure build/x .*FAILED \(exit 8\)\n", [CMAKE]),
-    ("forget_other_source build/x; [[ -d build/x ]]", "", 0, "", []), ("project=/other; forget_other_source build/x; [[ ! -e build/x ]]", "", 0, "", []),
+    ("forget_other_source build/x; [[ -d build/x ]]", "", 0, "", []), ("project=/other; configure build/x A=ON; [[ ! -e build/x ]]", "", 0, "configure .*", ["cmake --log-level=WARNING -S /other -B build/x -G Ninja -DA=ON"]),
     ("build build/x page", "", 0, "", ["ninja --quiet -C build/x page"]), ("build build/x", "ninja", 8, "", ["ninja --quiet -C build/x"]),
     ("ninja() { echo ninja: no work to do.; echo warning; }; build build/x", "", 0, "warning\n", []),
     ("build_program build/x", "", 0, "", ["ninja --quiet -C build/x hyrax-sim"]),
@@ -90,8 +90,8 @@ def preset(name, one_build, left_out):
 
 CALLS = (
     ("run", "", 0, "Replaying first-fling; writing first-fling.h5 and", f"{BUILT}, hyrax-sim run PROJECT/scenarios/flings/first-fling.json --figure first-fling.svg"),
-    ("run --yes a.json --report x.html", "hyrax-sim*", 8, "",
-     f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-sim, hyrax-sim run a.json --report x.html"),
+    *((f"run --yes a.json --report{page}", "hyrax-sim*", 8, "", f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, "
+       f"ninja /tools hyrax-sim, hyrax-sim run a.json --report{page}") for page in (" x.html", "=x.html")),
     ("check a.json --golden g", "hyrax-sim*", 8, "", f"{BUILT}, hyrax-sim check a.json --golden g"), ("check", "ninja*", 3, "hyrax-sim could not be built", BUILT),
     ("run a.json", "unwritable hyrax-sim*", 8, "running the existing hyrax-sim without building it", "hyrax-sim run a.json"),
     *((script, "unwritable", 3, "build/tools: cannot be written; change its permissions, or", "") for script in ("check", "compare", "test")),
@@ -111,7 +111,7 @@ CALLS = (
 )
 
 # The lists of packages that each needs, of which others are parts.
-NEEDED = {"run": "to_build", "run --yes a.json --report x.html": "for_page to_build", "compare my.h --report x.html": "for_page", "test": "to_build to_test",
+NEEDED = {"run": "to_build", **dict.fromkeys(("run --yes a.json --report x.html", "run --yes a.json --report=x.html"), "for_page to_build"), "compare my.h --report x.html": "for_page", "test": "to_build to_test",
           "test --all --yes -R unit": "for_all for_clusters for_page for_platforms for_wine to_browse to_build to_test",
           "test --nightly": "for_all for_clusters for_page for_platforms for_wine to_browse to_build to_install to_package to_test", "package deb": "to_build to_package", "package --page deb": "for_page to_build to_package"}
 

@@ -48,6 +48,16 @@ TEST(Needs, DoNotIncludeAPartThatMovesThePathByTheToleranceItself) {
   EXPECT_EQ(need_of({.is_same_bits = false, .path_px = std::nextafter(1.0, 2.0)}, 1.0), Need::needed);
 }
 
+TEST(Needs, TheDistanceAtTheEndIsZeroWherePathsMeetAgain) {
+  Scenario scenario = scenario_named("flings/first-fling");
+  scenario.events = {{std::int64_t{40}, Fling{{900.0, 0.0}}},
+                     {std::int64_t{80}, Stop{}},
+                     {std::int64_t{80}, Place{{500.0, 300.0}}}};
+  const PathDifference difference = part_of(needs_of(scenario), "fling, frame 40").difference;
+  EXPECT_GT(difference.path_px, 100.0);
+  EXPECT_EQ(difference.end_px, 0.0);
+}
+
 // At 1000 px/s the rows of one step number are up to 30 px apart, at equal times what drag does in more or
 // fewer frames.
 TEST(Needs, JitterIsJudgedAtEqualTimes) {

@@ -70,6 +70,7 @@ TEST(RunScene, OfRunsAreThoseApproved) {
                             {40, Place{{300.0, 100.0}}},
                             {50, Fling{{9.0, 10.0}}}});
   fast.start_velocity = {60'000.0, -700.0};
+  fast.sprite = {90, 128};
   Scenario wide = fling_at(60.0, 60);  // Not finite at the end; more windows than are drawn.
   wide.window = {9000, 200};
   for (std::int64_t frame = 1; frame < 30; ++frame)
