@@ -12,7 +12,7 @@ class ChangedCore(ProgramTest):
 
     def test_runs_that_become_infinite_come_first_and_are_not_blessed(self):
         of_first = "vx is infinite from step 120 of 600 (2.00 s)"
-        for options, wanted in (((), f"1 of 1 scenario becomes non-finite: {of_first}.\n"), (("--verbose",), f"  not finite {of_first}\n"),
+        for options, wanted in (((), f"1 of 1 scenario becomes non-finite: {of_first}.\n"), ((), "core: changed\n"), (("--verbose",), f"  not finite {of_first}\n"),
                                 (("--annotate", "github"), f"::{of_first}; expect finite")):
             outcome = run_altered("bounce_explodes", "check", *options, FIRST_FLING)
             self.assertEqual(outcome.exit_code, DISAGREED)

@@ -43,7 +43,7 @@ DifferenceGroup changed_golden_files(const std::vector<const PairVerdict*>& scen
   return make_group({CauseKind::golden, detail}, scenarios);
 }
 
-// Of the scenarios of one golden folder.
+// Of the scenarios of one golden folder. Runs that become non-finite have a group of their own.
 void add_groups(const std::vector<const PairVerdict*>& scenarios, CoreCheck& core,
                 std::vector<DifferenceGroup>& groups) {
   std::vector<DifferingRun> runs;
@@ -56,10 +56,10 @@ void add_groups(const std::vector<const PairVerdict*>& scenarios, CoreCheck& cor
   for (const CauseGroup& group : group_by_cause(runs, core.base())) {
     std::vector<const PairVerdict*> members;
     for (const std::size_t run : group.runs) {
-      members.push_back(scenarios[run]);
+      if (non_finite_text(*scenarios[run]).empty()) members.push_back(scenarios[run]);
       if (group.cause.kind == CauseKind::core) core_runs.push_back(&runs[run].fresh);
     }
-    groups.push_back(make_group(group.cause, std::move(members)));
+    if (!members.empty()) groups.push_back(make_group(group.cause, std::move(members)));
   }
   core.take_core_runs(core_runs);
 }
@@ -78,10 +78,9 @@ std::vector<DifferenceGroup> group_by_cause(const std::vector<const PairVerdict*
   for (const PairVerdict* const scenario : scenarios) {
     if (!scenario->runs)
       damaged.push_back(scenario);
-    else if (!non_finite_text(*scenario).empty())
-      non_finite.push_back(scenario);
     else
       played[scenario->golden_folder].push_back(scenario);
+    if (!non_finite_text(*scenario).empty()) non_finite.push_back(scenario);
   }
   std::vector<DifferenceGroup> groups;
   if (!non_finite.empty()) {
