@@ -247,8 +247,8 @@ class WallFinder {
       if (!meets_fewer(other, path, wall) || !leads_to(other, path)) continue;
       const int walls = static_cast<int>(contacts_[other].size());
       const std::tuple<int, int, int> rank = {is_early ? -walls : walls,
-                                              depths_[magnitude(paths[other].members[2])],
-                                              outcomes_alike(paths[other], paths[path])};
+                                              outcomes_alike(paths[other], paths[path]),
+                                              depths_[magnitude(paths[other].members[2])]};
       if (best && !(best_rank < rank)) continue;
       best = other;
       best_rank = rank;

@@ -180,6 +180,16 @@ struct SnapsToTheLeft {
     meet_walls(b, f);
   }
 };
+struct ShelfInside {
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    if (b.y > 300.0 && b.y < 320.0 && b.x < 300.0) {
+      b.y = 300.0;
+      b.vy = -b.vy * 0.6;
+    }
+    meet_walls(b, f);
+  }
+};
 
 struct SpeedLimit {
   void operator()(auto& b, const auto& f) const {
@@ -255,8 +265,8 @@ struct AllInside {
 template <class Core>
 class ContactsOf : public testing::Test {};
 using Cores = testing::Types<OtherFlight, ExactFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBound,
-                             NeverNegativeBounds, SnapsToTheLeft, SpeedLimit, Verlet, WallsFirst, ByItsMiddle,
-                             RightFirst, ByTheRoomLeft, AllInside>;
+                             NeverNegativeBounds, SnapsToTheLeft, ShelfInside, SpeedLimit, Verlet, WallsFirst,
+                             ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
 TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {
