@@ -15,7 +15,7 @@ void complete_by_step(Core& core) {
   // Then the kernel's own contacts, those of the paper's step with the constants of its class, are right.
   const bool is_listing =
       core.constants && core.shape.constants && same_bits(*core.constants, *core.shape.constants);
-  if (!is_paper_model(core.name)) core.constants = core.shape.constants;
+  if (!is_paper_model(core.name) || !core.constants) core.constants = core.shape.constants;
   if (is_listing) return;
   core.kernel = std::make_shared<const ContactKernel>(core.kernel, step ? make_step_program(*step) : nullptr,
                                                       core.constants);

@@ -23,7 +23,7 @@ struct Core {
   /// Whether its step is the paper's with constants of its own, by that text.
   StepShape shape = {};
   /// By which its runs are measured as the paper's model: those of a class of that name, whatever its step,
-  /// or of another core of the same shape. Nothing: they cannot be.
+  /// or of another core, or class with other names, of the same shape. Nothing: they cannot be.
   std::optional<Constants> constants = {};
   std::shared_ptr<const Kernel> kernel = {};
 

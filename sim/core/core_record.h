@@ -8,7 +8,7 @@ namespace hyrax {
 struct Core;
 
 /// Gives a core what its recorded step tells: its shape, its contacts, and the constants of one that is not
-/// named as the paper's model.
+/// named as the paper's model, or whose class has none of their names.
 void complete_by_step(Core& core);
 
 /// Written by tools/cmake/record_core.cmake, from the header that a program compiles.

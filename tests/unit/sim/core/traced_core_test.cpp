@@ -37,6 +37,14 @@ TEST(ContactKernel, TellsTheContactsOfTheCoreByItsTracedStepAndByRowsThatAreTheP
   }
 }
 
+TEST(CompleteByStep, FindsTheConstantsThatTheClassGivesOtherNames) {
+  Core core = shipped_core();
+  core.constants.reset();
+  complete_by_step(core);
+  ASSERT_TRUE(core.constants);
+  EXPECT_TRUE(same_bits(*core.constants, shipped_core().constants.value()));
+}
+
 // A spin, which no row shows, turns it.
 struct SpinningBody : recording::Body {
   recording::Real spin = 3.0;
