@@ -148,11 +148,12 @@ std::optional<double> number_of(std::string_view token) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const std::string_view suffix(end, static_cast<std::size_t>(digits.data() + digits.size() - end));
-  if (error != std::errc() || !(suffix.empty() || suffix == "f" || suffix == "F")) return std::nullopt;
-  return value;
+  const bool is_float = suffix == "f" || suffix == "F";
+  if (error != std::errc() || !(suffix.empty() || is_float)) return std::nullopt;
+  return is_float ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
-// `... NAME = NUMBER ;`, the number perhaps with a sign.
+// `... NAME = NUMBER ;`, the number perhaps with a sign; its value as the type has it.
 std::optional<HeaderConstant> constant_of(const HeaderStatement& statement) {
   const auto& tokens = statement.tokens;
   const bool is_constant = std::ranges::any_of(
@@ -163,8 +164,10 @@ std::optional<HeaderConstant> constant_of(const HeaderStatement& statement) {
   const bool is_negative = next != tokens.end() && *next == "-";
   if (is_negative) ++next;
   if (next == tokens.end() || next + 1 == tokens.end() || *(next + 1) != ";") return std::nullopt;
-  const std::optional<double> value = number_of(*next);
+  std::optional<double> value = number_of(*next);
   if (!value) return std::nullopt;
+  if (std::find(tokens.begin(), equals, "float") != equals)
+    value = static_cast<double>(static_cast<float>(*value));
   return HeaderConstant{std::string(*(equals - 1)), is_negative ? -*value : *value};
 }
 

@@ -45,6 +45,11 @@ TEST(HeaderConstants, AreReadWithTheirSigns) {
   EXPECT_EQ(constants[1].value, -0.5);
 }
 
+TEST(HeaderConstants, OfAFloatAreTheFloatsValue) {
+  for (const char* const text : {"const double G = 0.1f;", "const float G = 0.1;", "const float G = 0.1F;"})
+    EXPECT_EQ(header_constants(text).at(0).value, static_cast<double>(0.1F)) << text;
+}
+
 TEST(HeaderChanges, CommentsBlanksAndLineEndsAreNone) {
   EXPECT_TRUE(header_changes(kHeader, kHeader).empty());
   EXPECT_TRUE(header_changes(kHeader, with("// A core.", "/* Another\n text; */ // with words")).empty());
