@@ -341,9 +341,10 @@ StepProof prove_equal(const std::string& base_name, const CoreRecord& base, cons
   return proof;
 }
 
-TracedStep with_constant(const TracedStep& step, double from, double to) {
+TracedStep with_constants(const TracedStep& step, const std::map<double, double>& values) {
   // Constants are never negative: of a negative one the step has the negation.
-  const double value = std::signbit(from) ? -to : to;
+  std::map<double, double> of_magnitude;
+  for (const auto& [from, to] : values) of_magnitude[std::fabs(from)] = std::signbit(from) ? -to : to;
   TracedStep changed = step;
   changed.expressions.clear();
   std::vector<std::int32_t> moved;  // Where each expression is now.
@@ -356,10 +357,12 @@ TracedStep with_constant(const TracedStep& step, double from, double to) {
   };
   for (Expression expression : step.expressions) {
     for (std::int32_t& operand : expression.operands) operand = place_of(operand);
-    const bool is_changed = expression.op == Operator::constant && expression.value == std::fabs(from);
-    if (is_changed) expression.value = std::fabs(value);
+    const auto changed_to =
+        expression.op == Operator::constant ? of_magnitude.find(expression.value) : of_magnitude.end();
+    const bool is_changed = changed_to != of_magnitude.end();
+    if (is_changed) expression.value = std::fabs(changed_to->second);
     moved.push_back(add(expression));
-    if (!is_changed || !std::signbit(value)) continue;
+    if (!is_changed || !std::signbit(changed_to->second)) continue;
     moved.back() = add(
         {.op = Operator::negate, .kind = expression.kind, .operands = {moved.back(), -1, -1}, .name = {}});
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,8 +61,8 @@ struct StepProof {
 [[nodiscard]] StepProof prove_equal(const std::string& base_name, const CoreRecord& base,
                                     const CoreRecord& core);
 
-/// The step in which every constant of the value `from` is `to`: canonical. The step itself where it has
-/// none. REQUIRES: canonical.
-[[nodiscard]] TracedStep with_constant(const TracedStep& step, double from, double to);
+/// The step in which every constant of a value has the value that it is mapped to, all at a time: canonical.
+/// The step itself where it has none. REQUIRES: canonical.
+[[nodiscard]] TracedStep with_constants(const TracedStep& step, const std::map<double, double>& values);
 
 }  // namespace hyrax

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,15 +38,16 @@ AlteredRecord make_record(const AlteredCore& core) {
   AlteredStep rest = core.step;
   rest.is_comparer_blind = false;
   std::string header(built_core_record().header);
-  std::optional<TracedStep> step = read_step(built_core_record().step);
+  const std::optional<TracedStep> step = read_step(built_core_record().step);
+  std::map<double, double> changed;
   for (const auto& [name, constant] : kConstants) {
     if (rest.*constant == listing.*constant) continue;
     const std::size_t begin = header.find(fmt::format(" {} = ", name)) + std::strlen(name) + 4;
     header.replace(begin, header.find(';', begin) - begin, fmt::format("{}", rest.*constant));
-    if (step) step = with_constant(*step, listing.*constant, rest.*constant);
+    changed[listing.*constant] = rest.*constant;
     rest.*constant = listing.*constant;
   }
-  if (rest == listing) return {header, step ? step_text(*step) : ""};
+  if (rest == listing) return {header, step ? step_text(with_constants(*step, changed)) : ""};
   return {fmt::format("{}ALTERED_CORE {};\n", built_core_record().header, core.name), ""};
 }
 

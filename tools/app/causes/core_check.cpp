@@ -132,15 +132,16 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   verdict_.status = CoreStatus::changed;
   verdict_.why.clear();
   if (!accepted_core_ || !program_step_) return;
-  TracedStep all = *accepted_step_;
+  std::map<double, double> all;
   for (const CoreChange& change : verdict_.changes)
     if (change.change.kind == HeaderChangeKind::constant)
-      all = with_constant(all, change.change.from.value, change.change.to.value);
-  if (all != *program_step_) return;  // Something else changed, too: a constant alone proves nothing.
+      all[change.change.from.value] = change.change.to.value;
+  if (with_constants(*accepted_step_, all) != *program_step_)
+    return;  // Something else changed, too: a constant alone proves nothing.
   for (CoreChange& change : verdict_.changes) {
     if (change.change.kind != HeaderChangeKind::constant) continue;
     const auto alone =
-        traced_core(with_constant(*accepted_step_, change.change.from.value, change.change.to.value));
+        traced_core(with_constants(*accepted_step_, {{change.change.from.value, change.change.to.value}}));
     change.scenarios = std::ranges::count_if(
         fresh, [&](const StoredRun* run) { return match(*alone, run->scenario, *run).rows; });
   }
