@@ -120,6 +120,7 @@ class WallFinder {
   explicit WallFinder(const TracedStep& step) : step_(step), meanings_(step) {
     for (std::size_t index = 0; index < step.comparisons.size(); ++index)
       walls_.push_back(wall_of(step.comparisons[index]));
+    leave_out_old_positions();
     for (const StepPath& path : step.paths_of(CoreFunction::update)) {
       contacts_.push_back(contacts_of(path));
       evaluated_.push_back(evaluated_by(step, path));
@@ -161,6 +162,18 @@ class WallFinder {
 
  private:
   [[nodiscard]] const Meaning& meaning(std::int32_t expression) const { return meanings_.of(expression); }
+
+  // Where a wall is asked for the new position, it is not met by the one before the step.
+  void leave_out_old_positions() {
+    const auto is_old = [&](const WallComparison& wall) {
+      return step_.expressions[static_cast<std::size_t>(wall.position)].op == Operator::argument;
+    };
+    std::set<Wall> asked;
+    for (const auto& wall : walls_)
+      if (wall && !is_old(*wall)) asked.insert(wall->wall);
+    for (auto& wall : walls_)
+      if (wall && is_old(*wall) && asked.contains(wall->wall)) wall.reset();
+  }
 
   // Whether a position is compared with 0 as with a lower bound, by the same relation: `position < 0` beside
   // `0 < position`. Beside `0 <= position` it asks the same.

@@ -191,6 +191,16 @@ struct ShelfInside {
   }
 };
 
+// Rubs where it lay before the step.
+struct FrictionOfTheRowBefore {
+  void operator()(auto& b, const auto& f) const {
+    if (b.y >= bottom_of(f)) b.vx = b.vx * 0.8;
+    fly(b, f);
+    meet_x(b, f);
+    if (b.y > bottom_of(f)) turn_y(b, Wall::ground, bottom_of(f), -b.vy * 0.6);
+  }
+};
+
 struct SpeedLimit {
   void operator()(auto& b, const auto& f) const {
     fall(b, f.dt);
@@ -264,9 +274,10 @@ struct AllInside {
 };
 template <class Core>
 class ContactsOf : public testing::Test {};
-using Cores = testing::Types<OtherFlight, ExactFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBound,
-                             NeverNegativeBounds, SnapsToTheLeft, ShelfInside, SpeedLimit, Verlet, WallsFirst,
-                             ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside>;
+using Cores =
+    testing::Types<OtherFlight, ExactFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBound,
+                   NeverNegativeBounds, SnapsToTheLeft, ShelfInside, FrictionOfTheRowBefore,
+                   SpeedLimit, Verlet, WallsFirst, ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
 TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {
