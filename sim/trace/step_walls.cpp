@@ -257,7 +257,7 @@ class WallFinder {
     std::optional<std::size_t> best;
     std::tuple<int, int, int> best_rank;
     for (std::size_t other = 0; other < paths.size(); ++other) {
-      if (!meets_fewer(other, path, wall) || !leads_to(other, path)) continue;
+      if (!meets_fewer(other, path, wall) || !leads_to(other, path) || is_of_nan(paths[other])) continue;
       const int walls = static_cast<int>(contacts_[other].size());
       const std::tuple<int, int, int> rank = {is_early ? -walls : walls,
                                               outcomes_alike(paths[other], paths[path]),
@@ -278,6 +278,14 @@ class WallFinder {
           asked && asked->wall == wall)
         positions.insert(asked->position);
     return positions.size() == 1;
+  }
+
+  // Whether a number is not equal to itself.
+  [[nodiscard]] bool is_of_nan(const StepPath& path) const {
+    return std::any_of(path.outcomes.begin(), path.outcomes.end(), [&](const StepOutcome& outcome) {
+      const StepComparison& asked = step_.comparisons[static_cast<std::size_t>(outcome.comparison)];
+      return asked.relation == Relation::equal && asked.left == asked.right && !outcome.holds;
+    });
   }
 
   // Whether the velocities at the end of `other` are calculated on `path`.

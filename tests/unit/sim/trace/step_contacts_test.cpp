@@ -200,6 +200,18 @@ struct FrictionOfTheRowBefore {
     if (b.y > bottom_of(f)) turn_y(b, Wall::ground, bottom_of(f), -b.vy * 0.6);
   }
 };
+struct Clamped {
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    auto inside = b.x;
+    if (b.x < 0.0)
+      inside = 0.0;
+    else if (b.x > right_of(f))
+      inside = right_of(f);
+    if (!(inside == b.x)) turn_x(b, b.x < 0.0 ? Wall::left : Wall::right, inside, -b.vx * 0.6);
+    meet_y(b, f);
+  }
+};
 
 struct SpeedLimit {
   void operator()(auto& b, const auto& f) const {
@@ -276,7 +288,7 @@ template <class Core>
 class ContactsOf : public testing::Test {};
 using Cores =
     testing::Types<OtherFlight, ExactFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBound,
-                   NeverNegativeBounds, SnapsToTheLeft, ShelfInside, FrictionOfTheRowBefore,
+                   NeverNegativeBounds, SnapsToTheLeft, ShelfInside, FrictionOfTheRowBefore, Clamped,
                    SpeedLimit, Verlet, WallsFirst, ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
