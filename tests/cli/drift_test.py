@@ -77,7 +77,7 @@ class Files(DriftTest):
         with h5py.File(self.folder / "fling.h5", "r+") as file:
             file.attrs["physics"] = "box/1"
             file.attrs["constants"] = [1250, *file.attrs["constants"][1:]]
-        first = self.drift("fling.h5", "--reference", "closed")[0]["arcs"][0]
+        first = self.expect(DISAGREED, "drift", "fling.h5", "--reference", "closed", "--json").json["runs"][0]["arcs"][0]
         fallen_px = sum(50 / 60 ** 2 * 0.999 ** (1 + frame) * (35 - frame) for frame in range(35))
         self.assertEqual(first["last_step"], 35)
         self.assertAlmostEqual(first["implementation_px"], fallen_px, delta=1e-9)

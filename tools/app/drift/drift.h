@@ -74,7 +74,8 @@ class DriftRecorder {
 /// ERRORS: Failure(cannot_access), Failure(bad_input) as TrajectoryFile::open's.
 [[nodiscard]] DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options = {});
 
-/// How a measurement ends: a fault of the reference is an internal error.
+/// How a measurement ends: a fault of the reference is an internal error; a run that is not finite, or not
+/// the listing's, disagrees.
 [[nodiscard]] ExitCode drift_exit_code(const DriftSummary& summary);
 
 /// Time of one physics::update on this machine in ns, over the scenario's first frames without its events:

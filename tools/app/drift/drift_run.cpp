@@ -196,7 +196,8 @@ std::optional<GslOptions> gsl_options(const ReferenceRequest& request, const std
 
 ExitCode drift_exit_code(const DriftSummary& summary) {
   if (summary.reference_faults > 0) return ExitCode::program_fault;
-  return summary.non_finite_step ? ExitCode::disagreed : ExitCode::agreed;
+  const bool holds = !summary.non_finite_step && summary.differing_steps == 0;
+  return holds ? ExitCode::agreed : ExitCode::disagreed;
 }
 
 }  // namespace hyrax
