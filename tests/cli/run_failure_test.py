@@ -60,9 +60,9 @@ class UnwritableOutput(ProgramTest):
                                      "echo exit $code, left: $(ls -A disk); done")
         self.assertEqual(done.out, 3 * "exit 3, left:\n", done.err)
         for says in ("long.csv: cannot be written: No space left on device",
-                     "long.h5: cannot be written: its rows need 10.8 MiB (found 4.0 MiB free); "
+                     "long.h5: cannot be written: its rows need at least 10.8 MiB (found 4.0 MiB free); "
                      "record fewer with /record/every",
-                     "endless.csv: cannot be written: its rows need "):
+                     "endless.csv: cannot be written: its rows need at least "):
             self.assertIn(f"disk/{says}", done.err)
 
     def test_a_picture_that_cannot_be_written_is_a_failure_of_its_run(self):

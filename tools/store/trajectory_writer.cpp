@@ -30,8 +30,8 @@ std::uint64_t require_disk_space(const std::string& path, std::int64_t rows, std
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   const std::filesystem::space_info space = std::filesystem::space(folder, error);
   if (!error && bytes > space.available)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be written: its rows need " + size_text(bytes) +
-                                               " (found " + size_text(space.available) +
+    throw Failure(ExitCode::cannot_access, path + ": cannot be written: its rows need at least " +
+                                               size_text(bytes) + " (found " + size_text(space.available) +
                                                " free); record fewer with /record/every");
   return bytes;
 }

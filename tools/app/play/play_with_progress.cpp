@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "sim/result/number_text.h"
 #include "tools/app/command_line/progress.h"
 
 namespace hyrax {
@@ -35,9 +36,9 @@ std::string title_of(const Scenario& scenario, std::int64_t steps, double simula
   if (const auto* step = std::get_if<FixedStep>(&scenario.clock.base))
     clock = fmt::format("at dt {} s", step->dt_s);
   const std::int64_t scripted = step_count(scenario);
-  return fmt::format("{}: {}{} steps, {:.6g} s {}{}", scenario.name, steps,
-                     steps == scripted ? "" : fmt::format(" of {}", scripted), simulated_s, clock,
-                     scenario.clock.jitter ? ", jittered" : "");
+  return fmt::format("{}: {}{}, {:.6g} s {}{}", scenario.name,
+                     steps == scripted ? "" : fmt::format("{} of ", steps), plain_counted(scripted, "step"),
+                     simulated_s, clock, scenario.clock.jitter ? ", jittered" : "");
 }
 
 }  // namespace hyrax

@@ -111,7 +111,9 @@ void print_motion(const Core& core, const RunSummary& summary) {
   if (summary.at_rest_since_s)
     print_text("  settled        since {:.6g} s\n", *summary.at_rest_since_s);
   else
-    print_text("  not settled    moved within the last 1 s\n");
+    print_text("  not settled    {}\n", summary.simulated_s < RestAnchor::kLeastRest_s
+                                            ? "the run is shorter than 1 s"
+                                            : "moved within the last 1 s");
 }
 
 void print_details(const RunSummary& summary) {
