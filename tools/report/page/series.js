@@ -103,7 +103,7 @@ function driftCharts({ rows, causes, contactErrors: contacts }) {
   };
   return [...charts,
     { id: 'contact-time', title: 'Contact time error', unit: 'ms', decimals: 3, range: aroundZero, series: [point('late by', 'vermilion', 'time_error', 1000)] },
-    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, range: padded, series: [point('speed after / before', 'purple', 'effective_restitution', 1)] }];
+    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, range: padded, series: [point('speed after / at the true impact', 'purple', 'effective_restitution', 1)] }];
 }
 
 const exponent = value => String(value).replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).replace('-', '⁻');

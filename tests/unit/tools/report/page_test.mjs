@@ -37,7 +37,7 @@ test('charts have these series, units and values', () => {
     ['drift: Energy drift by cause, px of height .2', drift('gravity', 'blue', 'gravity'), drift('drag', 'green', 'drag'), drift('lift', 'vermilion', 'lift'),
       drift('late bounce', 'purple', 'bounce'), drift('all', 'ink dashed', 'sum')],
     ['contact-time: Contact time error, ms .3', ['late by vermilion points', [null, null, 1, null, null]]],
-    ['contact-restitution: Effective restitution,  .4', ['speed after / before purple points', [null, null, 0.5, 0.625, null]]],
+    ['contact-restitution: Effective restitution,  .4', ['speed after / at the true impact purple points', [null, null, 0.5, 0.625, null]]],
     ['dt: Frame time, ms .3', ['dt blue steps', [null, 250, 250, 500, 500]]],
   ]);
 });
