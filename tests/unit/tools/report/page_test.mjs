@@ -48,6 +48,13 @@ test('errors with the drag of 60 Hz are one line', () => {
   assert.deepEqual(errorNames([0, 2e-3, 3.00001]), ['model', 'truncation', 'implementation']);
 });
 
+test('a run of another clock is compared at the same times', () => {
+  const other = { t: [0, 0.5001, 0.9, 1.2, 1.999, 2.6], dt: [0, 0.25, 0.1, 0.3, 0.5, 0.5], x: [0, 3, 5, 7, 9, 11], y: [0, 14, 20, 22, 30, 40], vx: [1, 2, 3, 4, 5, 6], vy: [7, 8, 9, 10, 11, 12] };
+  const shown = series.shownAt(rows, other);
+  assert.deepEqual(shown, { step: [0, 2, 4, 6], t: [0, 0.5, 1, 2], x: [0, 3, 5, 9], y: [0, 14, 20, 30], vx: [1, 2, 3, 5], vy: [7, 8, 9, 11] });
+  assert.deepEqual(series.distancesFrom(shown, rows), [0, 4, 1, 0, null]);
+});
+
 test('another run is drawn dashed, with its distance', () => {
   const other = { label: 'golden', name: 'golden file', rows: { step: [2, 4, 5, 8], x: [3, 2, 0, 12], y: [10, 23, 0, 40], vx: [1, 2, 3, 4], vy: [5, 6, 7, 8] } };
   other.distances = series.distancesFrom(other.rows, rows);
