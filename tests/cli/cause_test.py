@@ -13,7 +13,7 @@ import h5py
 import numpy
 import xxhash
 
-from check_program import CheckTest
+from check_program import THIRD, CheckTest
 from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling, main
 
@@ -262,6 +262,12 @@ class Documents(CauseTest):
         self.assertEqual([checked["golden file"], checked["this program"]],
                          [compared[f"{os.path.basename(name)}.h5"], compared["now.h5"]])
         self.assertNotEqual(checked["golden file"], checked["this program"])
+
+    def test_the_time_of_the_largest_distance_is_the_golden_run_s_as_in_the_picture(self):
+        self.write("scenarios/third.json", fling(name="third", start=THIRD, clock={"rate_hz": 75}))
+        step, at_s = re.search(r"px at step (\d+), ([\d.]+) s", self.expect(DISAGREED, "check").out).groups()
+        with h5py.File(self.folder / "golden/third.h5") as golden:
+            self.assertAlmostEqual(float(at_s), golden["trajectory/t"][int(step)], delta=0.001)
 
     def test_a_picture_that_cannot_be_drawn_changes_no_verdict(self):
         (self.folder / "check-1.svg").mkdir()

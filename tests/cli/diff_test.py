@@ -103,16 +103,17 @@ class Diff(ProgramTest):
         self.write("slide.json", fling(name="slide", start=rest, window={"width_px": 10**6, "height_px": 10**6},
                                        clock={"dt_s": 0.5}, steps=8))
         self.expect(AGREED, "run", "slide.json", "-o", "a.h5")
-        self.expect(AGREED, "run", "slide.json", "-o", "b.h5", "--set", "/clock/dt_s=0.25", "--set", "/steps=16")
-        largest = 0.0
-        with h5py.File(self.folder / "a.h5") as a, h5py.File(self.folder / "b.h5") as b:
-            rows_a, rows_b = ({name: file[f"trajectory/{name}"][:] for name in "txy"} for file in (a, b))
-            for row, at_s in enumerate(rows_b["t"]):
-                shown = int(numpy.flatnonzero(rows_a["t"] <= at_s)[-1])
-                distance = numpy.hypot(rows_a["x"][shown] - rows_b["x"][row], rows_a["y"][shown] - rows_b["y"][row])
-                largest = max(largest, distance)
-        text = self.text()
-        self.assertRegex(text, rf"  apart      at most {largest:.3g} px, at step \d+ \(.* s\); rows of the same time\n")
+        for dt_s, steps in ((0.25, 16), (0.501, 8)):
+            self.expect(AGREED, "run", "slide.json", "-o", "b.h5", "--set", f"/clock/dt_s={dt_s}", "--set", f"/steps={steps}")
+            largest = 0.0
+            with h5py.File(self.folder / "a.h5") as a, h5py.File(self.folder / "b.h5") as b:
+                rows_a, rows_b = ({name: file[f"trajectory/{name}"][:] for name in "txy"} for file in (a, b))
+                for row, at_s in enumerate(rows_b["t"]):
+                    shown = int(numpy.flatnonzero(rows_a["t"] <= at_s)[-1])
+                    distance = numpy.hypot(rows_a["x"][shown] - rows_b["x"][row], rows_a["y"][shown] - rows_b["y"][row])
+                    largest = max(largest, distance)
+            text = self.text()
+            self.assertRegex(text, rf"  apart      at most {largest:.3g} px, at step \d+ \(.* s\); rows of the same time\n")
 
     def test_a_figure_shows_both_paths_and_their_distance(self):
         self.change("trajectory/x", 100, lambda value: value + 0.25)

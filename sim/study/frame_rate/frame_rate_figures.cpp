@@ -23,9 +23,10 @@ Figure landing_figure(const FrameRateStudy& study) {
   Plot plot{.x = rate_axis(study), .y = {.label = "x where it settles, px"}};
   Figure figure{
       .title = "One fling, many displays",
-      .subtitle = fmt::format("Where the same fling settles; frame-rate independence {:.0f} by the "
+      .subtitle = fmt::format("Where it settles; frame-rate independence of {} flings {:.0f} by the "
                               "paper's step, {:.0f} by time (100: the same place at every rate)",
-                              study.scores[0].score, study.scores[kDisplayClockNames.size()].score)};
+                              study.scores[0].spreads_px.samples, study.scores[0].score,
+                              study.scores[kDisplayClockNames.size()].score)};
   constexpr std::array<Look, kDisplayClockNames.size()> kLooks = {
       Look{.form = Form::line_and_points},
       Look{.form = Form::points, .marker = Marker::ring, .marker_size = 0.9},

@@ -57,7 +57,9 @@ struct RateEnds {
     return std::accumulate(flings.begin(), flings.end(), std::int64_t{0});
   }
   [[nodiscard]] Share share(FinalState state) const { return {count(state), total()}; }
-  [[nodiscard]] double percent(FinalState state) const { return 100.0 * share(state).part(); }
+  [[nodiscard]] double percent(FinalState state) const {
+    return 100.0 * static_cast<double>(count(state)) / static_cast<double>(total());
+  }
 };
 /// @param flings the same at each rate. REQUIRES: at least one.
 [[nodiscard]] std::vector<RateEnds> rest_map(const Core& core, const std::vector<double>& rates_hz,

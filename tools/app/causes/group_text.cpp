@@ -37,11 +37,11 @@ std::string_view class_text(DifferenceClass difference) {
   return "";
 }
 
-// "6.833 s", where the row is kept; a run of blocks keeps no times.
+// "6.833 s", of the golden run as in the picture; a run of blocks keeps no times.
 std::string time_text(const PairVerdict& scenario) {
   if (!scenario.runs) return "";
   const auto step = static_cast<std::size_t>(scenario.comparison.largest->step);
-  const auto& t_s = scenario.runs->fresh.rows.t_s;
+  const auto& t_s = scenario.runs->golden.rows.t_s;
   return step < t_s.size() ? fmt::format(", {:.4g} s", t_s[step]) : "";
 }
 

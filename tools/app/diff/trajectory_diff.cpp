@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "sim/trajectory/run_summary.h"
 #include "tools/files/scenario_changes.h"
@@ -19,10 +18,6 @@ class RowCursor {
   [[nodiscard]] Row row() const { return batch_.row(at_); }
   void next() {
     if (++at_ == batch_.size()) load(first_ + static_cast<std::int64_t>(batch_.size()));
-  }
-  /// t in s of the row; of none, later than any.
-  [[nodiscard]] double t_s() const {
-    return is_done() ? std::numeric_limits<double>::infinity() : batch_.t_s[at_];
   }
 
  private:
@@ -59,7 +54,9 @@ std::optional<std::int64_t> walk_by_step(const TrajectoryFile& a, const Trajecto
   return lone_step;
 }
 
-// What both runs show at every time at which one of them changes, to the end of the shorter one.
+// What both runs show at every time at which one of them changes, to the end of the shorter one. Rows less
+// than half the shorter of their frames apart are of the same time: sums of other frames round, and clocks
+// are slightly off.
 template <class Visit>
 void walk_by_time(const TrajectoryFile& a, const TrajectoryFile& b, const Visit& visit) {
   RowCursor left(a);
@@ -67,15 +64,16 @@ void walk_by_time(const TrajectoryFile& a, const TrajectoryFile& b, const Visit&
   Row row_a = left.row();
   Row row_b = right.row();
   while (!left.is_done() && !right.is_done()) {
-    const double left_s = left.t_s();
-    const double right_s = right.t_s();
+    const Row next_a = left.row();
+    const Row next_b = right.row();
+    const double same_s = std::max(0.0, 0.5 * std::min(next_a.dt_s, next_b.dt_s));
     // A time that is not a number is not later than any.
-    if (!(left_s > right_s)) {
-      row_a = left.row();
+    if (!(next_a.t_s > next_b.t_s + same_s)) {
+      row_a = next_a;
       left.next();
     }
-    if (!(right_s > left_s)) {
-      row_b = right.row();
+    if (!(next_b.t_s > next_a.t_s + same_s)) {
+      row_b = next_b;
       right.next();
     }
     visit(row_a, row_b);

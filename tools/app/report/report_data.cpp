@@ -148,6 +148,7 @@ Json comparison_json(const TrajectoryDiff& difference, const std::string& agains
                       {"shape", comparison.shape},
                       {"first_divergence", divergence_json(comparison.first)},
                       {"max_px", max_px_json(comparison)},
+                      {"is_by_time", difference.is_by_time},
                       {"contacts_moved", comparison.contacts.total()},
                       {"rows_compared", difference.rows_compared}};
 }

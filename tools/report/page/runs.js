@@ -10,7 +10,7 @@ import { firstOf, fixed, rounded } from './numbers.js';
 import { followLook, Painter, wallColors } from './painter.js';
 import { Player, showReadouts } from './player.js';
 import { placeAt, replay, sizesOf } from './replay.js';
-import { distancesFrom } from './series.js';
+import { distancesFrom, shownAt } from './series.js';
 import { verdictOf } from './verdict.js';
 
 const worst = { agrees: 0, none: 1, differs: 2 };
@@ -83,7 +83,7 @@ function otherOf(result) {
   const { run, outcome, file } = result;
   if (report.against && !run.golden.agrees) {
     const rows = rowsOf(report.against);
-    if (rows.step.length > 1) return { label: 'golden', name: 'golden file', rows };
+    if (rows.step.length > 1) return { label: 'golden', name: 'golden file', rows: run.golden.is_by_time ? shownAt(result.rows, rows) : rows };
   }
   return outcome === 'differs' && file.step.length > 1 ? { label: 'file', name: 'file', rows: file } : null;
 }

@@ -86,6 +86,16 @@ function distanceChart({ other }) {
     { name: 'distance', color: 'vermilion', values: other.distances.map(px => (px > 0 ? px : null)) }] }];
 }
 
+/** What a run of another clock shows at the times of these rows, with their steps, to the end of the shorter run; as in
+ * `diff`, rows less than half the shorter of their frames apart are of the same time. */
+export function shownAt({ step, t, dt }, other) {
+  const last = other.t.length - 1, shown = [];
+  const isLater = (row, i) => other.t[row] > t[i] + 0.5 * Math.min(dt[i], other.dt[row]);
+  const isPast = i => t[i] > other.t[last] + 0.5 * Math.min(dt[i], other.dt[last]);
+  for (let i = 0, row = 0; i < t.length && !isPast(i); shown[i++] = row) while (row < last && !isLater(row + 1, i)) ++row;
+  return { ...Object.fromEntries(['x', 'y', 'vx', 'vy'].map(name => [name, shown.map(row => other[name][row])])), step: step.slice(0, shown.length), t: t.slice(0, shown.length) };
+}
+
 /** Of each row its distance from the row of the same step of another run; null where that has none. */
 export function distancesFrom(other, rows) {
   const [x, y] = [other.x, other.y].map(values => spread(rows, other.step, values, null));
@@ -103,7 +113,7 @@ function driftCharts({ rows, causes, contactErrors: contacts }) {
   };
   return [...charts,
     { id: 'contact-time', title: 'Contact time error', unit: 'ms', decimals: 3, range: aroundZero, series: [point('late by', 'vermilion', 'time_error', 1000)] },
-    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, range: padded, series: [point('speed after / before', 'purple', 'effective_restitution', 1)] }];
+    { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, range: padded, series: [point('speed after / at the true impact', 'purple', 'effective_restitution', 1)] }];
 }
 
 const exponent = value => String(value).replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).replace('-', '⁻');

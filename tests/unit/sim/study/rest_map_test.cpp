@@ -50,6 +50,10 @@ TEST(RestMap, CountsTheFinalStatesThatTheBoundariesDoNotAllow) {
     EXPECT_FALSE(boundary.agrees()) << boundary.name;
 }
 
+TEST(RestMap, PercentIsRoundedOnce) {
+  EXPECT_EQ((RateEnds{.rate_hz = 60.0, .flings = {0, 85, 115, 0}}).percent(FinalState::residual_speed), 57.5);
+}
+
 TEST(RestVerdict, SaysWhatMovesAndWhatIsBroken) {
   RateEnds ends{.rate_hz = 60.0, .flings = {1, 0, 0, 2}, .unforeseen = 2};
   const Verdict verdict =

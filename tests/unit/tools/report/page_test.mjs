@@ -37,7 +37,7 @@ test('charts have these series, units and values', () => {
     ['drift: Energy drift by cause, px of height .2', drift('gravity', 'blue', 'gravity'), drift('drag', 'green', 'drag'), drift('lift', 'vermilion', 'lift'),
       drift('late bounce', 'purple', 'bounce'), drift('all', 'ink dashed', 'sum')],
     ['contact-time: Contact time error, ms .3', ['late by vermilion points', [null, null, 1, null, null]]],
-    ['contact-restitution: Effective restitution,  .4', ['speed after / before purple points', [null, null, 0.5, 0.625, null]]],
+    ['contact-restitution: Effective restitution,  .4', ['speed after / at the true impact purple points', [null, null, 0.5, 0.625, null]]],
     ['dt: Frame time, ms .3', ['dt blue steps', [null, 250, 250, 500, 500]]],
   ]);
 });
@@ -46,6 +46,13 @@ test('errors with the drag of 60 Hz are one line', () => {
   const errorNames = model => series.chartsOf({ ...result, errors: { ...errors, model } }, sizes).find(({ id }) => id === 'errors').series.map(({ name }) => name);
   assert.deepEqual(errorNames([0, 2e-3, 3]), ['model and truncation', 'implementation']);
   assert.deepEqual(errorNames([0, 2e-3, 3.00001]), ['model', 'truncation', 'implementation']);
+});
+
+test('a run of another clock is compared at the same times', () => {
+  const other = { t: [0, 0.5001, 0.9, 1.2, 1.999, 2.6], dt: [0, 0.25, 0.1, 0.3, 0.5, 0.5], x: [0, 3, 5, 7, 9, 11], y: [0, 14, 20, 22, 30, 40], vx: [1, 2, 3, 4, 5, 6], vy: [7, 8, 9, 10, 11, 12] };
+  const shown = series.shownAt(rows, other);
+  assert.deepEqual(shown, { step: [0, 2, 4, 6], t: [0, 0.5, 1, 2], x: [0, 3, 5, 9], y: [0, 14, 20, 30], vx: [1, 2, 3, 5], vy: [7, 8, 9, 11] });
+  assert.deepEqual(series.distancesFrom(shown, rows), [0, 4, 1, 0, null]);
 });
 
 test('another run is drawn dashed, with its distance', () => {
