@@ -98,7 +98,10 @@ class Search {
       const State a = {owner.x(), owner.y(), owner.vx(), owner.vy()};
       const State b = {other.x(), other.y(), other.vx(), other.vy()};
       if (!is_finite(a) && !is_finite(b)) break;
-      if (same_bits(a, b)) continue;
+      if (same_bits(a, b)) {
+        is_evaluated &= !are_further_alike(owner, other);
+        continue;
+      }
       if (!is_evaluated) break;
       result_.found = input;
       result_.frames = frame;
