@@ -267,6 +267,7 @@ DifferenceSearch StepPair::search(std::size_t difference, std::uint64_t seed, st
   const std::size_t owner = wanted.is_in_accepted ? 0 : 1;
   return search_difference({.owner = data_->programs[owner].get(),
                             .other = data_->programs[1 - owner].get(),
+                            .is_in_accepted = wanted.is_in_accepted,
                             .is_on_path = data_->on_paths[difference],
                             .comparison = wanted.is_comparison ? wanted.index : -1},
                            seed, steps_max);

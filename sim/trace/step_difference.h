@@ -36,6 +36,7 @@ struct DifferenceSearch {
 struct SearchTarget {
   const StepProgram* owner = nullptr;  ///< Of the step that has it.
   const StepProgram* other = nullptr;
+  bool is_in_accepted = false;        ///< The owner is the accepted step.
   std::vector<bool> is_on_path = {};  ///< By path of the owner's update: whether it evaluates the difference.
   std::int32_t comparison = -1;       ///< In the owner; -1: the difference is no comparison.
 };

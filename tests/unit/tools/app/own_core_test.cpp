@@ -153,7 +153,7 @@ TracedStep counting(double factor, double pull = 1.0) {
   return canonical(recording::record_of<CountingBody<kFirst>>([=](auto& body, const recording::Frame& frame) {
     body.steps = body.steps + recording::Real(1.0);
     if (body.steps > 3.0) body.vx = body.vx * recording::Real(factor);
-    body.vy = body.vy + recording::Real(pull) * frame.dt;
+    body.vy = body.vy + recording::Real(pull);
     body.x = body.x + body.vx * frame.dt;
   }));
 }
