@@ -4,39 +4,41 @@
 #include <functional>
 
 #include "sim/core/core.h"
-#include "sim/trace/step_player.h"
+#include "sim/core/traced_kernel.h"
 
 namespace hyrax {
 
 /// Passes on every step that is computed: a replay skips those that repeat.
-class WatchedKernel final : public KernelOver {
+class WatchedKernel final : public TracedKernel {
  public:
-  using OnStep = std::function<void(const StepInput&)>;
+  /// @param bodies of the traced steps, before the step; they are left as it makes them.
+  using OnStep = std::function<void(const StepInput&, std::span<TracedBody> bodies)>;
 
-  WatchedKernel(std::shared_ptr<const Kernel> kernel, OnStep on_step)
-      : KernelOver(std::move(kernel)), on_step_(std::move(on_step)) {}
+  WatchedKernel(std::shared_ptr<const Kernel> kernel, std::vector<std::shared_ptr<const StepProgram>> steps,
+                OnStep on_step)
+      : TracedKernel(std::move(kernel), std::move(steps)), on_step_(std::move(on_step)) {}
 
-  void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
-            StretchLog& log) const override {
-    StepInput step{{body.state, stretch.window, stretch.sprite, stretch.is_held}, 0.0};
-    std::size_t row = rows.size();
-    KernelOver::play(stretch, body, rest, rows, log);
-    if (stretch.is_held) return;
-    for (; row < rows.size(); ++row) {
+ private:
+  void tell(const Stretch& stretch, const State& from, std::span<TracedBody> bodies, std::size_t first_row,
+            RowBlock& rows, StretchLog&) const override {
+    StepInput step{{from, stretch.window, stretch.sprite, stretch.is_held}, 0.0};
+    for (std::size_t row = first_row; row < rows.size(); ++row) {
       const Row after = rows.row(row);
       step.dt_s = after.dt_s;
-      on_step_(step);
+      for (TracedBody& body : bodies) body.set_row(step.world.state);
+      on_step_(step, bodies);
       step.world.state = state_of(after);
     }
   }
 
- private:
   OnStep on_step_;
 };
 
-/// The core, each step of its replays passed on.
-[[nodiscard]] inline Core watched(Core core, WatchedKernel::OnStep on_step) {
-  core.kernel = std::make_shared<const WatchedKernel>(std::move(core.kernel), std::move(on_step));
+/// The core, each step of its replays passed on, with bodies of the traced steps.
+[[nodiscard]] inline Core watched(Core core, std::vector<std::shared_ptr<const StepProgram>> steps,
+                                  WatchedKernel::OnStep on_step) {
+  core.kernel =
+      std::make_shared<const WatchedKernel>(std::move(core.kernel), std::move(steps), std::move(on_step));
   return core;
 }
 

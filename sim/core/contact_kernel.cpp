@@ -1,14 +1,10 @@
 #include "sim/core/contact_kernel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "sim/motion/step.h"
-#include "sim/scenario/apply.h"
-#include "sim/trace/step_program.h"
 
 namespace hyrax {
 namespace {
@@ -44,9 +40,7 @@ void tell_by_step(const Stretch& stretch, const State& start, TracedBody& traced
   tell_contacts(
       stretch, start, first_row, rows, log,
       [&](const State& from, double dt_s, const State&) {
-        const std::array<double, kMembersOfRows> state = {from.x_px, from.y_px, from.vx_px_per_s,
-                                                          from.vy_px_per_s};
-        std::copy(state.begin(), state.end(), traced.members().begin());
+        traced.set_row(from);
         before = traced;
         traced.update(dt_s, stretch.window.width_px, stretch.window.height_px, stretch.sprite.width_px,
                       stretch.sprite.height_px);
@@ -110,61 +104,12 @@ std::uint8_t contact_of_rows(const Bounds& bounds, const State& before, double d
   return with_rest_bit(static_cast<std::uint8_t>(in_x | in_y), after);
 }
 
-// Of further members the traced step's own go on behind the object of the core.
-bool ContactKernel::keeps_members() const { return step_ && step_->step().members.size() > kMembersOfRows; }
-
-TracedBody ContactKernel::take_traced(CoreBody& body) const {
-  TracedBody traced(*step_, body.state);
-  if (!keeps_members()) return traced;
-  TracedBody kept = traced;
-  const std::span<std::byte> bytes = std::as_writable_bytes(kept.members());
-  if (body.object.size() < bytes.size()) return traced;
-  const auto begin = body.object.end() - std::ssize(bytes);
-  std::copy(begin, body.object.end(), bytes.begin());
-  body.object.erase(begin, body.object.end());
-  return same_bits({kept.x(), kept.y(), kept.vx(), kept.vy()}, body.state) ? kept : traced;
-}
-
-void ContactKernel::keep_traced(TracedBody& traced, std::vector<std::byte>& object) const {
-  if (!keeps_members()) return;
-  const std::span<const std::byte> bytes = std::as_bytes(traced.members());
-  object.insert(object.end(), bytes.begin(), bytes.end());
-}
-
-void ContactKernel::play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
-                         StretchLog& log) const {
-  const State from = body.state;
-  std::optional<TracedBody> traced;
-  if (step_) traced = take_traced(body);
-  CoreBody anchor;
-  Stretch played = stretch;
-  if (stretch.anchor != nullptr && keeps_members()) {
-    anchor = *stretch.anchor;
-    static_cast<void>(take_traced(anchor));
-    played.anchor = &anchor;
-  }
-  const std::size_t first_row = rows.size();
-  KernelOver::play(played, body, rest, rows, log);
-  if (!stretch.is_held && traced)
-    tell_by_step(stretch, from, *traced, first_row, rows, log);
-  else if (!stretch.is_held)
+void ContactKernel::tell(const Stretch& stretch, const State& from, std::span<TracedBody> bodies,
+                         std::size_t first_row, RowBlock& rows, StretchLog& log) const {
+  if (!bodies.empty())
+    tell_by_step(stretch, from, bodies.front(), first_row, rows, log);
+  else
     tell_by_rows(stretch, from, constants_, first_row, rows, log);
-  if (traced) keep_traced(*traced, body.object);
-}
-
-void ContactKernel::apply(const Action& action, Keyframe& now) const {
-  if (!keeps_members()) return KernelOver::apply(action, now);
-  struct Body : TracedBody {
-    Size window;
-    Size sprite;
-    bool is_held;
-  };
-  CoreBody body{state_of(now.row), std::move(now.core_object)};
-  Body traced{take_traced(body), now.window, now.sprite, now.is_held};
-  now.core_object = std::move(body.object);
-  hyrax::apply(action, traced);
-  KernelOver::apply(action, now);
-  keep_traced(traced, now.core_object);
 }
 
 }  // namespace hyrax

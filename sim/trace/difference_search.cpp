@@ -98,11 +98,14 @@ class Search {
       const State a = {owner.x(), owner.y(), owner.vx(), owner.vy()};
       const State b = {other.x(), other.y(), other.vx(), other.vy()};
       if (!is_finite(a) && !is_finite(b)) break;
-      if (same_bits(a, b)) continue;
-      if (!is_evaluated) break;
-      result_.found = input;
-      result_.frames = frame;
-      break;
+      if (is_evaluated && !same_bits(a, b)) {
+        result_.found = input;
+        result_.frames = frame;
+        break;
+      }
+      is_evaluated &= !are_further_alike(owner, other);
+      // It goes on from the accepted step's row, as a library is played: other differences may change rows.
+      (target_.is_in_accepted ? other : owner).set_row(target_.is_in_accepted ? a : b);
     }
     return is_done();
   }

@@ -85,16 +85,20 @@ Side make_side(const TracedStep& step, SharedNumbers& shared) {
   return side;
 }
 
-// Where a row of both results differs; which NaN arose is no difference.
+// Which NaN arose is no difference.
+bool is_same(double p, double q) { return same_bits(p, q) || (std::isnan(p) && std::isnan(q)); }
+
+// Where a row of both results differs.
 bool differs(const TracedBody& a, const TracedBody& b) {
-  const auto is_other = [](double p, double q) {
-    return !same_bits(p, q) && !(std::isnan(p) && std::isnan(q));
-  };
-  return is_other(a.x(), b.x()) || is_other(a.y(), b.y()) || is_other(a.vx(), b.vx()) ||
-         is_other(a.vy(), b.vy());
+  return !(is_same(a.x(), b.x()) && is_same(a.y(), b.y()) && is_same(a.vx(), b.vx()) &&
+           is_same(a.vy(), b.vy()));
 }
 
 }  // namespace
+
+bool are_further_alike(TracedBody& a, TracedBody& b) {
+  return std::ranges::equal(a.further_members(), b.further_members(), is_same);
+}
 
 struct StepPair::Data {
   Data(const TracedStep& accepted, const TracedStep& current, const NumberNames& number_names)
@@ -222,7 +226,7 @@ struct StepPair::Data {
   }
 
   NumberNames names;
-  std::array<std::shared_ptr<const StepProgram>, 2> programs;
+  std::vector<std::shared_ptr<const StepProgram>> programs;
   bool are_setters_equal = false;
   std::array<Side, 2> sides;
   std::vector<StepDifference> differences;
@@ -236,19 +240,25 @@ StepPair::~StepPair() = default;
 const std::vector<StepDifference>& StepPair::differences() const { return data_->differences; }
 bool StepPair::are_setters_equal() const { return data_->are_setters_equal; }
 
-bool StepPair::notice(const StepInput& input, std::vector<bool>& noticed) const {
-  assert(noticed.size() == differences().size());
-  if (!data_->is_playable()) return false;
-  TracedBody a(*data_->programs[0], input.world.state);
-  TracedBody b(*data_->programs[1], input.world.state);
+const std::vector<std::shared_ptr<const StepProgram>>& StepPair::programs() const { return data_->programs; }
+
+bool StepPair::notice(const StepInput& input, std::span<TracedBody> bodies, std::vector<bool>& evaluated,
+                      std::vector<bool>& noticed) const {
+  assert(noticed.size() == differences().size() && evaluated.size() == noticed.size());
+  if (bodies.size() < 2) return false;
+  TracedBody& a = bodies[0];
+  TracedBody& b = bodies[1];
   a.update(input);
   b.update(input);
-  if (!differs(a, b)) return false;
+  const bool is_other_row = differs(a, b);
+  const bool is_over = are_further_alike(a, b);
   for (std::size_t index = 0; index < noticed.size(); ++index) {
     const std::int32_t path = differences()[index].is_in_accepted ? a.path() : b.path();
-    if (data_->on_paths[index][static_cast<std::size_t>(path)]) noticed[index] = true;
+    if (data_->on_paths[index][static_cast<std::size_t>(path)]) evaluated[index] = true;
+    if (is_other_row && evaluated[index]) noticed[index] = true;
+    if (is_over) evaluated[index] = false;
   }
-  return true;
+  return is_other_row;
 }
 
 DifferenceSearch StepPair::search(std::size_t difference, std::uint64_t seed, std::int64_t steps_max) const {
@@ -257,6 +267,7 @@ DifferenceSearch StepPair::search(std::size_t difference, std::uint64_t seed, st
   const std::size_t owner = wanted.is_in_accepted ? 0 : 1;
   return search_difference({.owner = data_->programs[owner].get(),
                             .other = data_->programs[1 - owner].get(),
+                            .is_in_accepted = wanted.is_in_accepted,
                             .is_on_path = data_->on_paths[difference],
                             .comparison = wanted.is_comparison ? wanted.index : -1},
                            seed, steps_max);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct StepDifference {
 
 /// What was found by trying steps.
 struct DifferenceSearch {
-  /// From here both steps differ in a bit while the difference is evaluated.
+  /// From here both steps differ in a bit while the difference is evaluated, or further members have not been
+  /// alike since it was.
   std::optional<StepInput> found;
   /// After so many frames of found->dt_s; more than 1 only where there are further members.
   std::int64_t frames = 1;
@@ -34,9 +36,13 @@ struct DifferenceSearch {
 struct SearchTarget {
   const StepProgram* owner = nullptr;  ///< Of the step that has it.
   const StepProgram* other = nullptr;
+  bool is_in_accepted = false;        ///< The owner is the accepted step.
   std::vector<bool> is_on_path = {};  ///< By path of the owner's update: whether it evaluates the difference.
   std::int32_t comparison = -1;       ///< In the owner; -1: the difference is no comparison.
 };
+
+/// Whether the further members of both are alike; which NaN arose is no difference.
+[[nodiscard]] bool are_further_alike(TracedBody& a, TracedBody& b);
 
 /// As StepPair::search.
 [[nodiscard]] DifferenceSearch search_difference(const SearchTarget& target, std::uint64_t seed,
@@ -56,9 +62,14 @@ class StepPair {
   [[nodiscard]] const std::vector<StepDifference>& differences() const;
   [[nodiscard]] bool are_setters_equal() const;
 
-  /// Takes both steps once from `input`. Marks in `noticed` (one a difference) those that are evaluated while
-  /// both results differ in a bit. Returns whether they differ.
-  bool notice(const StepInput& input, std::vector<bool>& noticed) const;
+  /// What plays the accepted step and the current one; null: not playable.
+  [[nodiscard]] const std::vector<std::shared_ptr<const StepProgram>>& programs() const;
+
+  /// Takes both steps once; `bodies` are theirs, of one row. Marks in `evaluated` (one a difference) those
+  /// that are evaluated, and if both rows differ in a bit then also in `noticed` all that were since further
+  /// members were last alike. Returns whether the rows differ.
+  bool notice(const StepInput& input, std::span<TracedBody> bodies, std::vector<bool>& evaluated,
+              std::vector<bool>& noticed) const;
 
   /// Looks for a step that shows the difference: states within the limits of scenarios (start 1e12, windows
   /// 1,000,000 px, dt 0 .. 1e9 s), real display sizes and rates first, then both sides of the conditions

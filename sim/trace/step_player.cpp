@@ -1,5 +1,6 @@
 #include "sim/trace/step_player.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/trace/step_program.h"
@@ -26,6 +27,11 @@ void TracedBody::update(const StepInput& input) {
 }
 
 std::span<double> TracedBody::members() { return std::span(members_).first(program_->step().members.size()); }
+
+void TracedBody::set_row(const State& row) {
+  const std::array<double, 4> state = {row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s};
+  std::copy(state.begin(), state.end(), members_.begin());
+}
 
 void TracedBody::setPos(double x_px, double y_px) {
   program_->run(CoreFunction::set_position, members_, {x_px, y_px});

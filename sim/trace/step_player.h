@@ -44,6 +44,9 @@ class TracedBody {
   [[nodiscard]] double vy() const { return members_[3]; }
   /// All members of the step, the further ones too.
   [[nodiscard]] std::span<double> members();
+  [[nodiscard]] std::span<double> further_members() { return members().subspan(4); }
+  /// Sets those that a row shows; further ones stay as they are.
+  void set_row(const State& row);
 
   /// Index in paths_of(CoreFunction::update) of the last update; -1: none yet.
   [[nodiscard]] std::int32_t path() const { return path_; }

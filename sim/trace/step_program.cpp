@@ -219,12 +219,6 @@ std::int32_t StepProgram::run(CoreFunction function, std::span<double> members,
   }
 }
 
-std::int32_t StepProgram::path_taken(const StepInput& input) const {
-  TracedBody body(*this, input.world.state);
-  body.update(input);
-  return body.path();
-}
-
 void StepProgram::evaluate(std::span<const double> members, const StepArguments& arguments,
                            std::vector<double>& values) const {
   values.resize(step_.expressions.size());

@@ -49,9 +49,6 @@ class StepProgram {
   /// Calls a function: `members` become what its path makes of them. Returns the index of that path.
   std::int32_t run(CoreFunction function, std::span<double> members, const StepArguments& arguments) const;
 
-  /// The path of update that a step from here takes. Further members are as the constructor makes them.
-  [[nodiscard]] std::int32_t path_taken(const StepInput& input) const;
-
   /// Calculates every expression that update may need, by index; the others are 0 or of no meaning.
   void evaluate(std::span<const double> members, const StepArguments& arguments,
                 std::vector<double>& values) const;

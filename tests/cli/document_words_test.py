@@ -93,7 +93,7 @@ WORDS = {
         ("tools/hyrax-sim/check.cpp", "your step changed in a way (that no scenario notices)"),
         ("tests/cli/own_shapes_test.py", "names (the first expression that is not the paper's):"),
         ("tools/hyrax-replay/help.txt", "compares the state (hash) of every row with (the one in the) golden file's (summary)",
-         "compares the (hash) of each scenario with (the one in the) (summary) of its golden file"), (WALLS, "`diff` hold (x, y, vx, vy) only"),
+         "compares the (hash) of each scenario with (the one in the) (summary) of its golden file"), ("sim/core/traced_kernel.h", "`diff` hold (x, y, vx, vy) only"),
         (WALLS, r"the velocity before the step \((after) its (inputs)\)", "before the state (after) the (inputs) of the frame"),
         ("tests/unit/tools/app/own_core.txt", r"`run` prints `(from the rows)`\."),
         (WALLS, r"in a contact with the (ground) with (vy) = 0\.", r"set where the (ground) was met and (vy) is 0\."),

@@ -207,9 +207,13 @@ void leave_out_unneeded(const Core& core, ScenarioNeeds& needs, const Script& sc
   needs.without_all_unneeded = difference_without(core, script, complete, left_out);
 }
 
-void count_paths(const Core& core, ScenarioNeeds& needs, const Scenario& scenario, const StepProgram& step) {
-  Replay run(watched(core, [&](const StepInput& input) { needs.paths_taken.insert(step.path_taken(input)); }),
-             scenario);
+void count_paths(const Core& core, ScenarioNeeds& needs, const Scenario& scenario,
+                 const std::shared_ptr<const StepProgram>& step) {
+  const auto note = [&](const StepInput& input, std::span<TracedBody> bodies) {
+    bodies.front().update(input);
+    needs.paths_taken.insert(bodies.front().path());
+  };
+  Replay run(watched(core, {step}, note), scenario);
   run.play_to(needs.steps);
   static_cast<void>(run.finish());
 }
@@ -252,7 +256,7 @@ ScenarioNeeds study_needs(const Core& core, const Scenario& scenario, const Need
     part.need = need_of(part.difference, options.within_px);
   }
   leave_out_unneeded(core, needs, script, complete, options.within_px);
-  if (options.core_step) count_paths(core, needs, scenario, *options.core_step);
+  if (options.core_step) count_paths(core, needs, scenario, options.core_step);
   take_times(core, needs, script, options.cost, now_ns);
   if (!options.rates_hz.empty()) find_methods(core, needs, scenario, options, now_ns);
   return needs;

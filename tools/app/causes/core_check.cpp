@@ -148,22 +148,27 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
 }
 
 void CoreCheck::judge_differences(const std::string& scenarios_folder) {
-  const bool is_open = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
-  if (!is_open || !accepted_core_ || !program_step_) return;
+  const bool is_judged = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
+  if (!is_judged || !accepted_core_ || !program_step_) return;
   const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
   const CorePair cores{pair, *accepted_core_, core_};
   std::vector<bool> noticed(pair.differences().size());
+  bool& is_noticed = verdict_.is_noticed;
   std::vector<Failure> unlisted;
   for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
-      if (std::ranges::find(noticed, false) == noticed.end()) break;
-      notice(cores, load_scenario(path), noticed);
+      const bool is_open = std::ranges::find(noticed, false) != noticed.end();
+      if (!is_open && (is_noticed || pair.are_setters_equal())) break;
+      const Scenario scenario = load_scenario(path);
+      notice(cores, scenario, noticed);
+      if (!pair.are_setters_equal()) is_noticed = is_noticed || differs(cores, scenario);
     } catch (const Failure&) {  // Whoever checks it reports it.
     }
   verdict_.unnoticed = search_unnoticed(cores, noticed);
   const bool is_shown = std::ranges::any_of(
       verdict_.unnoticed, [](const UnnoticedDifference& one) { return one.scenario.has_value(); });
   if (is_shown) verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);
-  if (is_shown || std::ranges::find(noticed, true) != noticed.end()) verdict_.status = CoreStatus::changed;
+  is_noticed = is_noticed || std::ranges::find(noticed, true) != noticed.end();
+  if (is_shown || is_noticed) verdict_.status = CoreStatus::changed;
   if (verdict_.status == CoreStatus::changed)
     verdict_.why.clear();
   else if (!verdict_.unnoticed.empty())
@@ -226,7 +231,8 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
   const auto& [accept, write_unnoticed] = verdict.commands;
   if (!printed.empty() && !write_unnoticed.empty())
     text += fmt::format("  to write {}   {}\n", printed.size() == 1 ? "it  " : "them", write_unnoticed);
-  const bool is_acceptable = !printed.empty() || (scenarios_agree && verdict.status == CoreStatus::changed);
+  const bool is_acceptable =
+      scenarios_agree ? verdict.status == CoreStatus::changed : !printed.empty() && !verdict.is_noticed;
   if (is_acceptable && !accept.empty()) text += fmt::format("  to accept it    {}\n", accept);
   return text;
 }

@@ -36,6 +36,9 @@ struct CorePair {
   const Core& program;
 };
 
+/// Whether the cores give the scenario other rows.
+[[nodiscard]] bool differs(const CorePair& cores, const Scenario& scenario);
+
 /// Marks in `noticed` (one a difference) those that a row of the scenario shows, played by the accepted core.
 void notice(const CorePair& cores, const Scenario& scenario, std::vector<bool>& noticed);
 
@@ -65,6 +68,7 @@ struct CoreVerdict {
   std::vector<CoreChange> changes;
   std::optional<std::int64_t> paths;   ///< Of update; nothing where the program's step is not complete.
   std::set<std::int32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
+  bool is_noticed = false;             ///< A scenario of the library shows a difference.
   std::vector<UnnoticedDifference> unnoticed;
   CoreCommands commands;
   ExitCode exit_code = ExitCode::agreed;

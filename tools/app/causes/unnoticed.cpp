@@ -57,10 +57,6 @@ std::string consequence_of(const CorePair& cores, Scenario scenario) {
                      rounded(is_of_speed ? apart_px_per_s : apart_px, 3), is_of_speed ? "px/s" : "px");
 }
 
-bool differs(const CorePair& cores, const Scenario& scenario) {
-  return play(cores.accepted, scenario).state_hash != play(cores.program, scenario).state_hash;
-}
-
 // By difference: whether the scenario shows it.
 std::vector<bool> shown_by(const CorePair& cores, const Scenario& scenario) {
   std::vector<bool> shown(cores.steps.differences().size());
@@ -70,11 +66,17 @@ std::vector<bool> shown_by(const CorePair& cores, const Scenario& scenario) {
 
 }  // namespace
 
+bool differs(const CorePair& cores, const Scenario& scenario) {
+  return play(cores.accepted, scenario).state_hash != play(cores.program, scenario).state_hash;
+}
+
 void notice(const CorePair& cores, const Scenario& scenario, std::vector<bool>& noticed) {
-  const Core accepted = watched(cores.accepted, [&](const StepInput& input) {
-    if (std::ranges::find(noticed, false) != noticed.end()) cores.steps.notice(input, noticed);
-  });
-  static_cast<void>(play(accepted, scenario));
+  std::vector<bool> evaluated(noticed.size());
+  const auto take = [&](const StepInput& input, std::span<TracedBody> bodies) {
+    if (std::ranges::find(noticed, false) != noticed.end())
+      cores.steps.notice(input, bodies, evaluated, noticed);
+  };
+  static_cast<void>(play(watched(cores.accepted, cores.steps.programs(), take), scenario));
 }
 
 std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const std::vector<bool>& noticed) {
@@ -90,9 +92,8 @@ std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const s
           cores.steps.search(index, kSearchSeed, ++searched > kSearchedMax ? 0 : kSearchSteps);
       difference.steps_tried = search.steps_tried;
       if (search.found) {
-        // What further members hold is not in a row: there a difference is all that is known.
         const auto shows = [&](const Scenario& scenario) {
-          return differs(cores, scenario) && (search.frames > 1 || shown_by(cores, scenario)[index]);
+          return differs(cores, scenario) && shown_by(cores, scenario)[index];
         };
         Scenario scenario =
             shrink(cores.program, scenario_of(search), shows, {.trials_max = kShrinkTrials}).scenario;

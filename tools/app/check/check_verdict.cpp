@@ -24,9 +24,11 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
   require_measurable(core, verdict.path, scenario);
   verdict.golden = golden_place(verdict.path, options.golden_folder);
   const bool has_golden = verdict.has_golden = verdict.golden && has_golden_file(*verdict.golden);
-  const Core watched_core = watched(core, [&](const StepInput& input) {
-    verdict.paths_taken.insert(options.watched_step->path_taken(input));
-  });
+  const Core watched_core =
+      watched(core, {options.watched_step}, [&](const StepInput& input, std::span<TracedBody> bodies) {
+        bodies.front().update(input);
+        verdict.paths_taken.insert(bodies.front().path());
+      });
   const Core& playing = options.watched_step ? watched_core : core;
   auto pair = has_golden ? compare_with_pair(core, scenario, *verdict.golden, options.reads_golden, playing)
                          : PairComparison{.summary = play(playing, scenario)};

@@ -247,14 +247,51 @@ TEST(StepDifferences, OfSettersAreApart) {
   EXPECT_FALSE(pair.are_setters_equal());
 }
 
+std::vector<TracedBody> bodies_of(const StepPair& pair, const State& start) {
+  std::vector<TracedBody> bodies;
+  for (const auto& program : pair.programs()) bodies.emplace_back(*program, start);
+  return bodies;
+}
+
+bool notice(const StepPair& pair, const StepInput& input, std::vector<bool>& noticed) {
+  std::vector<TracedBody> bodies = bodies_of(pair, input.world.state);
+  std::vector<bool> evaluated(noticed.size());
+  return pair.notice(input, bodies, evaluated, noticed);
+}
+
 TEST(StepDifferences, AreNoticedOnlyWhereTheyAreEvaluated) {
   const StepPair pair(canonical(record_listing()), edited([](Listing& l) { l.friction = 0.81; }));
   std::vector<bool> noticed(pair.differences().size());
-  EXPECT_FALSE(pair.notice({{{100, 100, 300, 0}, {1000, 1000}, {64, 64}}, 0.01}, noticed));
+  EXPECT_FALSE(notice(pair, {{{100, 100, 300, 0}, {1000, 1000}, {64, 64}}, 0.01}, noticed));
   EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), 0);
-  EXPECT_TRUE(pair.notice({{{100, 936, 300, 0}, {1000, 1000}, {64, 64}}, 0.01}, noticed));
+  EXPECT_TRUE(notice(pair, {{{100, 936, 300, 0}, {1000, 1000}, {64, 64}}, 0.01}, noticed));
   // Of the four not those of a contact with a wall as well.
   EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), 2);
+}
+
+// A fifth member that counts steps, and slows the body down after some.
+struct CountingBody : Body {
+  Whole steps;
+};
+TracedStep counting(int steps_max, int counts = 1) {
+  return canonical(record_of<CountingBody>([=](CountingBody& body, const Frame& frame) {
+    Listing()(body, frame);
+    if (body.steps > steps_max) body.vx *= 0.5;
+    body.steps += counts;
+  }));
+}
+
+TEST(StepDifferences, AreNoticedWhereWhatFurtherMembersHoldShowsThem) {
+  const StepInput input{{{100, 100, 300, 0}, {1000, 1000}, {64, 64}}, 0.01};
+  for (const auto& [current, shown_by] : {std::pair(counting(5), 5), std::pair(counting(3, 2), 3)}) {
+    const StepPair pair(counting(3), current);
+    std::vector<TracedBody> bodies = bodies_of(pair, input.world.state);
+    std::vector<bool> evaluated(pair.differences().size()), noticed = evaluated;
+    for (int step = 1; step <= shown_by; ++step) {
+      EXPECT_EQ(pair.notice(input, bodies, evaluated, noticed), step == shown_by);
+      EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), step == shown_by ? 2 : 0);
+    }
+  }
 }
 
 // What is a difference of the step and none of any result.
@@ -273,7 +310,7 @@ TEST(StepSearch, FindsAStepForEveryConditionalChange) {
       const DifferenceSearch search = pair.search(index, 1, 100'000);
       ASSERT_TRUE(search.found) << change.name << ": " << pair.differences()[index].text;
       EXPECT_EQ(search.frames, 1);
-      EXPECT_TRUE(pair.notice(*search.found, noticed)) << change.name;
+      EXPECT_TRUE(notice(pair, *search.found, noticed)) << change.name;
       EXPECT_TRUE(noticed[index]) << change.name;
     }
   }
@@ -307,18 +344,6 @@ TEST(StepSearch, TriesTheSameStepsForTheSameSeed) {
   ASSERT_TRUE(a.found && b.found);
   EXPECT_EQ(a.steps_tried, b.steps_tried);
   EXPECT_TRUE(same_bits(a.found->world.state, b.found->world.state));
-}
-
-// A fifth member that counts steps, and slows the body down after some.
-struct CountingBody : Body {
-  Whole steps;
-};
-TracedStep counting(int steps_max) {
-  return canonical(record_of<CountingBody>([=](CountingBody& body, const Frame& frame) {
-    Listing()(body, frame);
-    if (body.steps > steps_max) body.vx *= 0.5;
-    ++body.steps;
-  }));
 }
 
 TEST(StepSearch, PlaysFlingsWhereThereAreFurtherMembers) {

@@ -3,15 +3,21 @@
 
 #include <regex>
 
+#include "sim/cause/watched_core.h"
 #include "sim/core/shipped_core.h"
+#include "sim/core/traced_core.h"
+#include "sim/trace/step_program.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
+#include "tests/unit/sim/trace/recording.h"
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/app/causes/core_check.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/paper_model.h"
+#include "tools/app/expect/judged_run.h"
 #include "tools/app/runs/scenario_run.h"
+#include "tools/files/scenario_writer.h"
 
 namespace hyrax {
 namespace {
@@ -135,6 +141,70 @@ std::string verdicts() {
 TEST(OwnCore, TextsAreThoseApproved) {
   expect_approved("tests/unit/tools/app/own_core.txt",
                   run_texts() + refusals() + of_another_class() + damages() + verdicts());
+}
+
+// Falls, counts its steps, and becomes slower after the third.
+template <int kFirst>
+struct CountingBody : recording::Body {
+  recording::Real steps = kFirst;
+};
+template <int kFirst = 0>
+TracedStep counting(double factor, double pull = 1.0) {
+  return canonical(recording::record_of<CountingBody<kFirst>>([=](auto& body, const recording::Frame& frame) {
+    body.steps = body.steps + recording::Real(1.0);
+    if (body.steps > 3.0) body.vx = body.vx * recording::Real(factor);
+    body.vy = body.vy + recording::Real(pull);
+    body.x = body.x + body.vx * frame.dt;
+  }));
+}
+
+// The verdict on the step, against an accepted counting(0.5) and a library of one scenario.
+CoreVerdict verdict_on(const TracedStep& step, const Scenario& scenario) {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder.at("scenarios"));
+  write_bytes(folder.at("scenarios/fling.json"), scenario_file_text(scenario));
+  write_accepted_core(folder.at("golden"), {.model = std::string(shipped_core().name),
+                                            .header = "",
+                                            .step = step_text(counting(0.5)),
+                                            .why_incomplete = "",
+                                            .agreeing_cores = {},
+                                            .reason = "x"});
+  Core core = *traced_core(step);
+  const std::string text = step_text(step);
+  core.record.step = text;
+  CoreCheck check(core, folder.at("golden"), {"accept it", "write them"});
+  check.judge_differences(folder.at("scenarios"));
+  return check.verdict();
+}
+
+TEST(CoreCheck, SeesWhatFurtherMembersHoldInTheScenariosOfTheLibrary) {
+  for (const TracedStep& step : {counting(0.25), counting<2>(0.5)}) {
+    const CoreVerdict verdict = verdict_on(step, fling_at(60.0, 9));
+    EXPECT_EQ(verdict.status, CoreStatus::changed) << verdict.why;
+    EXPECT_TRUE(verdict.is_noticed && verdict.unnoticed.empty());
+  }
+}
+
+TEST(CoreCheck, ShowsWhatIsUnnoticedByAScenarioThatEvaluatesItBesideAnotherDifference) {
+  const CoreVerdict verdict = verdict_on(counting(0.25, 2.0), fling_at(60.0, 3));
+  ASSERT_FALSE(verdict.unnoticed.empty());
+  for (const UnnoticedDifference& unnoticed : verdict.unnoticed) {
+    ASSERT_TRUE(unnoticed.scenario) << unnoticed.text;
+    EXPECT_GE(std::get<std::int64_t>(unnoticed.scenario->length), 4) << unnoticed.text;
+  }
+  EXPECT_TRUE(verdict.is_noticed);
+  EXPECT_EQ(core_text(verdict).find("accept it"), std::string::npos);
+}
+
+TEST(WatchedCore, TakesThePathsThatFurtherMembersDecide) {
+  const TracedStep step = counting(0.5);
+  std::set<std::int32_t> paths;
+  const auto note = [&](const StepInput& input, std::span<TracedBody> bodies) {
+    bodies.front().update(input);
+    paths.insert(bodies.front().path());
+  };
+  static_cast<void>(play(watched(*traced_core(step), {make_step_program(step)}, note), fling_at(60.0, 9)));
+  EXPECT_EQ(paths.size(), 2U);
 }
 
 }  // namespace
