@@ -1,12 +1,17 @@
-// A header's change is said in its own words, and layout is none.
+// A header's change is said in its own words, and layout is none; a traced step with another constant is that
+// of a header with it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "sim/cause/header_change.h"
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
+#include "sim/core/traced_core.h"
+#include "sim/replay/replay.h"
 #include "sim/trace/step_text.h"
+#include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
 namespace {
@@ -210,6 +215,31 @@ TEST(StepProof, LeavesOutComparisonsThatDecideNothing) {
       now{.step = shipped_core().record.step};
   EXPECT_TRUE(prove_equal("base.h", of_earlier, now).is_equal);
   EXPECT_FALSE(prove_equal("base.h", of_half, now).is_equal);
+}
+
+TracedStep shipped_step() { return read_step(shipped_core().record.step).value(); }
+
+Digest hash_of(const Core& core) { return replay(core, eventful_fling()).state_hash; }
+
+TEST(WithConstant, PlaysAsTheListingWithThatConstant) {
+  for (const double gravity : {1250.0, -1200.0, 0.0, -0.0}) {
+    Constants constants = shipped_core().constants.value();
+    constants.gravity_px_per_s2 = gravity;
+    const std::optional<Core> core = traced_core(with_constant(shipped_step(), 1200.0, gravity));
+    ASSERT_TRUE(core);
+    EXPECT_EQ(hash_of(*core), hash_of(listing_core(constants))) << gravity;
+  }
+}
+
+TEST(WithConstant, IsCanonicalAndGoesBack) {
+  const TracedStep step = shipped_step();
+  for (const double gravity : {1250.0, -1200.0}) {
+    const TracedStep changed = with_constant(step, 1200.0, gravity);
+    EXPECT_NE(changed, step);
+    EXPECT_EQ(read_step(step_text(changed)), changed);
+    EXPECT_EQ(with_constant(changed, gravity, 1200.0), step);
+  }
+  EXPECT_EQ(with_constant(step, 1201.0, 1250.0), step);
 }
 
 }  // namespace

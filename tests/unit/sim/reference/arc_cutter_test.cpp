@@ -78,15 +78,6 @@ TEST(ArcCutter, BeginsAnArcAfterTheInputsOfTheNextFrame) {
   EXPECT_EQ(start.y_px, 8000.0);
 }
 
-TEST(ArcCutter, AppliesInputsOfTheFirstFrameToTheStart) {
-  Scenario scenario = open_sky({300.0, -500.0}, 60.0, 30);
-  scenario.events.push_back({std::int64_t{0}, Stop{}});
-  const Cut c = cut(scenario);
-  ASSERT_EQ(c.arcs.size(), 1u);
-  EXPECT_EQ(c.arcs[0].start.row.vx_px_per_s, 0.0);
-  EXPECT_EQ(c.skipped_arcs, 0);
-}
-
 TEST(ArcCutter, FollowsTheSizesInForce) {
   const Cut c = cut(interrupted_by(Resize{Size{900'000, 800'000}, std::nullopt}));
   ASSERT_EQ(c.arcs.size(), 2u);
@@ -105,19 +96,22 @@ TEST(ArcCutter, ReportsAnInputOnTheRowBeforeAClamp) {
 }
 
 TEST(ArcCutter, SkipsArcsOfFewerThanTwoSteps) {
-  Scenario scenario = open_sky({300.0, -500.0}, 60.0, 12);
-  scenario.events.push_back({std::int64_t{1}, Stop{}});   // One step before it.
-  scenario.events.push_back({std::int64_t{3}, Stop{}});   // Two.
-  scenario.events.push_back({std::int64_t{11}, Stop{}});  // One after it.
-  const Cut c = cut(scenario);
-  EXPECT_EQ(c.arcs.size(), 2u);
-  EXPECT_EQ(c.skipped_arcs, 2);
-}
-
-TEST(ArcCutter, FindsNothingInARunWithoutFrames) {
-  const Cut c = cut(open_sky({300.0, -500.0}, 60.0, 0));
-  EXPECT_TRUE(c.arcs.empty());
-  EXPECT_EQ(c.skipped_arcs, 0);
+  const struct {
+    std::int64_t steps;
+    std::vector<std::int64_t> stops;
+    std::size_t arcs;
+    std::int64_t skipped_arcs;
+  } cases[] = {{12, {1, 3, 11}, 2, 2},  // One step before the first stop, then two, and one after the last.
+               {30, {0}, 1, 0},         // It is the start that is stopped.
+               {0, {}, 0, 0}};
+  for (const auto& [steps, stops, arcs, skipped_arcs] : cases) {
+    Scenario scenario = open_sky({300.0, -500.0}, 60.0, steps);
+    for (const std::int64_t frame : stops) scenario.events.push_back({frame, Stop{}});
+    const Cut c = cut(scenario);
+    ASSERT_EQ(c.arcs.size(), arcs) << steps;
+    EXPECT_EQ(c.skipped_arcs, skipped_arcs) << steps;
+    EXPECT_TRUE(arcs != 1 || c.arcs[0].start.row.vx_px_per_s == 0.0);
+  }
 }
 
 TEST(ArcCutter, StopsBeforeARowThatIsNotFiniteOrThatNoScenarioHas) {

@@ -1,10 +1,13 @@
 #include "sim/reference/drift_meter.h"
-#include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 
+#include "sim/core/shipped_core.h"
+#include "sim/reference/largest.h"
 #include "sim/reference/margin.h"
 #include "tests/unit/sim/reference/test_run.h"
 
@@ -92,6 +95,29 @@ TEST(DriftMeter, NeedsNoRowsOfPeriodsWithoutAnArc) {
     EXPECT_EQ(margin.margin().half_width, of_all.margin().half_width) << rate_hz;
     EXPECT_EQ(margin.margin().nearest->step, of_all.margin().nearest->step) << rate_hz;
   }
+}
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+double largest(std::initializer_list<double> differences) {
+  LargestDistance distance;
+  for (const double dx : differences) distance.add(dx, 0.0);
+  return distance.value();
+}
+
+TEST(Largest, IsNanOnceOneIs) {
+  EXPECT_EQ(larger(1.0, 2.0), 2.0);
+  EXPECT_EQ(larger(2.0, 1.0), 2.0);
+  EXPECT_EQ(largest({1.0, -3.0, 2.0}), 3.0);
+  for (const double value : {larger(kNaN, 1.0), larger(1.0, kNaN), largest({kNaN, 1.0}),
+                             largest({1.0, kNaN, 1e200, 0.0}), distance(0.0, kNaN)})
+    EXPECT_TRUE(std::isnan(value));
+}
+
+TEST(LargestDistance, NeitherVanishesNorRunsOver) {
+  EXPECT_DOUBLE_EQ(distance(3e-170, 4e-170), 5e-170 * 0.0);
+  EXPECT_DOUBLE_EQ(distance(3e-150, 4e-150), 5e-150);
+  EXPECT_DOUBLE_EQ(distance(3e200, 4e200), 5e200);
 }
 
 }  // namespace

@@ -54,17 +54,15 @@ void expect_resumable_everywhere(const Scenario& scenario) {
   }
 }
 
-TEST(ResumedReplay, ContinuesWithTheSameBitsFromEveryRow) { expect_resumable_everywhere(eventful_fling()); }
-
-TEST(ResumedReplay, ContinuesFromARestThatRepeats) { expect_resumable_everywhere(fling_at(240.0, 1500)); }
-
-TEST(ResumedReplay, ContinuesFromARecordedTrace) {
-  Scenario scenario = fling_at(60.0, 0);
+// Also of a rest that repeats, and of a recorded trace.
+TEST(ResumedReplay, ContinuesWithTheSameBitsFromEveryRow) {
+  Scenario traced = fling_at(60.0, 0);
   RecordedSteps trace;
   for (int frame = 0; frame < 200; ++frame) trace.dt_s.push_back(frame % 7 == 0 ? 0.0333 : 0.0167);
-  scenario.clock.base = trace;
-  scenario.length = {};
-  expect_resumable_everywhere(scenario);
+  traced.clock.base = trace;
+  traced.length = {};
+  for (const Scenario& scenario : {eventful_fling(), fling_at(240.0, 1500), traced})
+    expect_resumable_everywhere(scenario);
 }
 
 TEST(ResumedReplay, MakesEveryBlockAgainFromItsKeyframe) {
@@ -119,12 +117,20 @@ void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::in
 
 TEST(ReplayInPieces, GivesTheSameRun) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) expect_same_in_pieces(eventful_fling(), seed, 9);
-}
-
-TEST(ReplayInPieces, GivesTheSameRunWhereItRepeats) {
-  for (const std::int64_t piece_max : {2, 50, 3000, 30'000})
-    for (std::uint64_t seed = 0; seed < 5; ++seed)
+  Scenario non_finite = fling_at(1e-9, 50, {{std::int64_t{30}, Fling{{1.0, 1.0}}}});
+  non_finite.start_velocity = {1e12, 1e12};
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    expect_same_in_pieces(non_finite, seed, 5);
+    for (const std::int64_t piece_max : {2, 50, 3000, 30'000})  // It repeats.
       expect_same_in_pieces(fling_at(60.0, 30'000), seed, piece_max);
+  }
+  // A sprite wider than its window touches both walls in turn forever: the list of contacts fills up within
+  // a piece, and later ones begin with a full list.
+  Scenario knocking = fling_at(60.0, kContactsRecordedMax + 20'000);
+  knocking.window = {100, 1080};
+  expect_same_in_pieces(knocking, 1, 7'000, {.rows_every = 0, .contacts = true});
+  // Computes a period once however long it repeats.
+  expect_same_in_pieces(fling_at(60.0, 100'000'000), 1, 1 << 21, {});
 }
 
 TEST(ReplayInPieces, GivesTheSameRunInRandomFlings) {
@@ -136,25 +142,6 @@ TEST(ReplayInPieces, GivesTheSameRunInRandomFlings) {
         .rows_every = std::array{0, 1, 7}[seed % 3], .contacts = true, .blocks = seed % 2 == 0};
     expect_same_in_pieces(scenario, seed, piece_max, wants, seed % 5 != 0);
   }
-}
-
-TEST(ReplayInPieces, GivesTheSameRunWhereItBecomesNonFinite) {
-  Scenario scenario = fling_at(1e-9, 50, {{std::int64_t{30}, Fling{{1.0, 1.0}}}});
-  scenario.start_velocity = {1e12, 1e12};
-  for (std::uint64_t seed = 0; seed < 5; ++seed) expect_same_in_pieces(scenario, seed, 5);
-}
-
-TEST(ReplayInPieces, GivesTheSameContactsWhereTheListIsFull) {
-  // A sprite wider than its window touches both walls in turn forever.
-  Scenario scenario = fling_at(60.0, kContactsRecordedMax + 20'000);
-  scenario.window = {100, 1080};
-  // It fills up within a piece, and later ones begin with a full list.
-  expect_same_in_pieces(scenario, 1, 7'000, {.rows_every = 0, .contacts = true});
-}
-
-TEST(ReplayInPieces, ComputesAPeriodOnceHoweverLongItRepeats) {
-  const Scenario scenario = fling_at(60.0, 100'000'000);
-  expect_same_in_pieces(scenario, 1, 1 << 21, {});
 }
 
 }  // namespace
