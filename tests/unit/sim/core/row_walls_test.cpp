@@ -47,11 +47,9 @@ TEST(RowWalls, AreMetOnOrPastABoundOrWhereTheVelocityTurnsAwayWithinReach) {
   };
   for (const auto& [before, after, contact] : cases)
     EXPECT_EQ(contact_of_rows(kBounds, before, kDt_s, after), contact) << after.x_px << ", " << after.y_px;
-}
-
-TEST(RowWalls, OfTwoAtTheSamePlaceAreTheLeftAndTheTop) {
   EXPECT_EQ(contact_of_rows({0.0, -20.0}, kInside, kDt_s, {0.0, -10.0, 1.0, 1.0}),
-            bit(Wall::left) | bit(Wall::top));
+            bit(Wall::left) | bit(Wall::top))
+      << "of two at the same place";
 }
 
 // Gravity, and walls that reflect the path.

@@ -8,6 +8,8 @@
 namespace hyrax {
 namespace {
 
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
 Waypoints waypoints_of(const std::vector<Row>& rows) {
   WaypointMeter meter(static_cast<std::int64_t>(rows.size()) - 1);
   for (const Row& row : rows) {
@@ -38,21 +40,20 @@ std::vector<std::int64_t> steps_at_seconds(const Waypoints& waypoints) {
 TEST(Waypoints, TheApexIsTheFirstOfTheHighestRows) {
   EXPECT_EQ(waypoints_of(run_of(0.25, {5.0, 3.0, 4.0, 3.0, 9.0})).apex.step, 1);
   EXPECT_EQ(waypoints_of(run_of(0.25, {1.0, 3.0})).apex.step, 0);
-}
-
-TEST(Waypoints, OfARunOfNoFramesAreItsStart) {
-  const Waypoints waypoints = waypoints_of(run_of(0.25, {5.0}));
-  EXPECT_EQ(waypoints.apex.y_px, 5.0);
-  EXPECT_TRUE(waypoints.at_seconds.empty());
+  EXPECT_EQ(waypoints_of(run_of(0.25, {5.0})).apex.y_px, 5.0) << "a run of no frames";
+  EXPECT_EQ(waypoints_of(run_of(0.25, {5.0, kNan, 4.0})).apex.step, 2) << "a NaN is none";
 }
 
 TEST(Waypoints, ARowIsShownUntilTheNext) {
-  EXPECT_EQ(steps_at_seconds(waypoints_of(run_of(0.25, std::vector<double>(10)))),
-            (std::vector<std::int64_t>{4, 8}));
-  EXPECT_EQ(steps_at_seconds(waypoints_of(run_of(0.4, std::vector<double>(7)))),
-            (std::vector<std::int64_t>{2, 5}));
-  EXPECT_EQ(steps_at_seconds(waypoints_of(run_of(2.5, std::vector<double>(3)))),
-            (std::vector<std::int64_t>{0, 0, 1, 1, 2}));
+  const auto steps_of = [](double dt_s, std::size_t rows) {
+    return steps_at_seconds(waypoints_of(run_of(dt_s, std::vector<double>(rows))));
+  };
+  using Steps = std::vector<std::int64_t>;
+  EXPECT_EQ(steps_of(0.25, 1), Steps());
+  EXPECT_EQ(steps_of(0.25, 10), (Steps{4, 8}));
+  EXPECT_EQ(steps_of(0.4, 7), (Steps{2, 5}));
+  EXPECT_EQ(steps_of(2.5, 3), (Steps{0, 0, 1, 1, 2}));
+  EXPECT_EQ(steps_of(0.5, 100).size(), 10u) << "they end after ten seconds";
 }
 
 TEST(Waypoints, ATimeMayBeOffByRounding) {
@@ -63,15 +64,6 @@ TEST(Waypoints, ATimeMayBeOffByRounding) {
   rows[2].t_s = 1.0 + 1e-6;
   rows[4].t_s = 2.0 - 1e-6;
   EXPECT_EQ(steps_at_seconds(waypoints_of(rows)), (std::vector<std::int64_t>{1}));
-}
-
-TEST(Waypoints, EndAfterTenSeconds) {
-  EXPECT_EQ(waypoints_of(run_of(0.5, std::vector<double>(100))).at_seconds.size(), 10u);
-}
-
-TEST(Waypoints, ANanIsNoApex) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(waypoints_of(run_of(0.25, {5.0, nan, 4.0})).apex.step, 2);
 }
 
 }  // namespace
