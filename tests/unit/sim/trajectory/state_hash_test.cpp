@@ -55,10 +55,6 @@ std::string state_hash(const std::vector<Row>& rows) {
   return hex(hash.value());
 }
 
-const std::vector<Row> kTwoRows = {
-    {.dt_s = 0.0, .x_px = 300.0, .y_px = 500.0, .vx_px_per_s = 2400.0, .vy_px_per_s = -700.0},
-    {.dt_s = 0.1, .x_px = 0.0, .y_px = 440.0, .vx_px_per_s = -2.0, .vy_px_per_s = 1.5, .contact = 9}};
-
 TEST(StateHash, AndTheBlockDigestsThatItIsMadeOfAreThePublishedOnes) {
   for (const Json& entry : vectors("state_hash")) {
     const std::vector<Row> rows = rows_of(entry);
@@ -68,18 +64,6 @@ TEST(StateHash, AndTheBlockDigestsThatItIsMadeOfAreThePublishedOnes) {
     ASSERT_EQ(digests.size(), published.size()) << text_of(entry, "name");
     for (std::size_t block = 0; block < digests.size(); ++block)
       EXPECT_EQ(hex(digests[block]), *published[block].get<std::string>()) << text_of(entry, "name");
-  }
-}
-
-TEST(StateHash, OfARepeatedBlockIsTheHashOfAllItsRows) {
-  const Digest block = block_digests(kTwoRows).front();
-  for (const std::int64_t count :
-       {std::int64_t{1}, std::int64_t{2}, std::int64_t{4096}, std::int64_t{10'000}}) {
-    StateHash at_once;
-    StateHash one_by_one;
-    at_once.add(block, count);
-    for (std::int64_t added = 0; added < count; ++added) one_by_one.add(block);
-    EXPECT_EQ(at_once.value(), one_by_one.value()) << count;
   }
 }
 

@@ -1,15 +1,34 @@
-// One fling on several displays.
+// What breaks the gates of studies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "sim/core/shipped_core.h"
+#include "sim/study/bounces/bounces.h"
 #include "sim/study/frame_rate/frame_rate.h"
 
 namespace hyrax {
 namespace {
+
+TEST(BouncesResult, ARuleIsBrokenByExactImpactsThatLoseEnergy) {
+  const KeptEnergy paper{BounceMethod::paper, 60.0, 0, 500.0, 0.5, 0.4},
+      euler{BounceMethod::explicit_euler, 60.0, 0, 500.0, 1.5, 1.7},
+      exact{BounceMethod::exact, 0.0, 0, 500.0, 1.0, 1.0 + 1e-10};
+  EXPECT_TRUE(bounces_result({paper, euler, exact}).verdict.broken.empty());
+  for (double KeptEnergy::*const part : {&KeptEnergy::minute, &KeptEnergy::ten_minutes})
+    for (const auto& [kept, change] :
+         {std::pair(1.0 - 1e-8, "-1e-08"), {1.0 + 1e-8, "1e-08"}, {std::nan(""), "nan"}}) {
+      KeptEnergy changed = exact;
+      changed.number = 7;
+      changed.*part = kept;
+      EXPECT_EQ(bounces_result({paper, euler, exact, changed}).verdict.broken,
+                std::vector<std::string>{std::string("exact impacts: throw 7 changes its energy by ") +
+                                         change + " of it, more than 1e-09"});
+    }
+}
 
 TEST(FrameRate, TheGateBreaksByAnotherCoreAndByAMethodThatIsNoSteadier) {
   FrameRateStudy study = study_frame_rate(shipped_core(), {24.0, 144.0}, 30);
