@@ -152,20 +152,6 @@ TEST(Margin, IsNotLimitedByAnEdgeThatTheStartDoesNotMove) {
   EXPECT_GT(*margin_of(scenario).half_width, 1.0);
 }
 
-TEST(Margin, OfAKnifeEdgeIsTiny) {
-  // Aimed so that a later row just misses the right wall, by 1e-9 px.
-  Scenario scenario = fling();
-  const Columns rows = rows_of(scenario);
-  std::size_t touch = 0;
-  while (!touches(rows.contact[touch], Wall::right)) ++touch;
-  const double short_of_wall_px = 1792.0 - rows.x_px[touch - 1];
-  scenario.start.x_px += short_of_wall_px - 1e-9;
-  const Margin margin = margin_of(scenario);
-  EXPECT_LT(*margin.half_width, 1e-9);
-  EXPECT_EQ(margin.nearest->decision, Decision::right);
-  EXPECT_GT(*margin_of(fling()).half_width, 1e-3);  // Where it came from is robust.
-}
-
 // The wall clamps what comes out beyond it after rounding: half a unit in the last place of 1792.
 TEST(Margin, OnTheEdgeItselfIsARounding) {
   Scenario scenario = fling();

@@ -24,18 +24,11 @@ Keyframe stop_at(const Scenario& scenario, std::int64_t step) {
   return run.keyframe();
 }
 
-std::vector<Row> rows_after(const std::vector<Row>& rows, std::int64_t step) {
-  std::vector<Row> after;
-  for (const Row& row : rows)
-    if (row.step > step) after.push_back(row);
-  return after;
-}
-
-std::vector<Contact> contacts_after(const std::vector<Contact>& contacts, std::int64_t step) {
-  std::vector<Contact> after;
-  for (const Contact& contact : contacts)
-    if (contact.step > step) after.push_back(contact);
-  return after;
+// The rows or contacts of later steps.
+template <class Element>
+std::vector<Element> after(std::vector<Element> elements, std::int64_t step) {
+  std::erase_if(elements, [&](const Element& element) { return element.step <= step; });
+  return elements;
 }
 
 void expect_resumable_everywhere(const Scenario& scenario) {
@@ -47,9 +40,8 @@ void expect_resumable_everywhere(const Scenario& scenario) {
     Replay resumed(shipped_core(), scenario, keyframe, trace);
     resumed.play_to(resumed.steps());
     const RunSummary summary = resumed.finish();
-    ASSERT_TRUE(same_rows(trace.rows(), rows_after(whole.trace.rows(), step))) << "from " << step;
-    ASSERT_TRUE(same_contacts(trace.contacts(), contacts_after(whole.trace.contacts(), step)))
-        << "from " << step;
+    ASSERT_TRUE(same_rows(trace.rows(), after(whole.trace.rows(), step))) << "from " << step;
+    ASSERT_TRUE(same_contacts(trace.contacts(), after(whole.trace.contacts(), step))) << "from " << step;
     ASSERT_TRUE(same_row(summary.final, whole.summary.final)) << "from " << step;
   }
 }

@@ -143,13 +143,9 @@ TEST(NeedsStudy, OfSeveralInputsOfAKindTheMostNeededCounts) {
 TEST(NeedsStudy, ManyScenesHaveACoverageTableAndOneFigure) {
   const Result result = studied(std::vector<std::string>(5, "flings/first-fling"));
   EXPECT_EQ(row_count(result.tables[3]), 0u);
-  const Table& coverage = std::get<Table>(result.verdict.text[1]);
-  EXPECT_EQ(row_count(coverage), coverage_columns().size());
-  EXPECT_EQ(std::get<std::vector<std::int64_t>>(coverage.columns[2].values)[0], 5) << "need gravity";
   ASSERT_EQ(result.figures.size(), 1u);
   expect_approved("tests/unit/sim/study/approved/needs-of-many.txt",
                   described(result.verdict) + described(result.tables[1]) + described(result.figures[0]));
-  EXPECT_EQ(std::get<Grid>(result.figures[0].body).rows.size(), 5u);
   EXPECT_EQ(studied(std::vector<std::string>(4, "flings/first-fling")).figures.size(), 4u);
 }
 
