@@ -308,8 +308,7 @@ TracedStep counting(int steps_max) {
 TEST(StepSearch, PlaysFlingsWhereThereAreFurtherMembers) {
   const TracedStep a = counting(100);
   const std::optional<TracedStep> read = read_step(step_text(a));
-  ASSERT_TRUE(read);
-  const StepPair pair(*read, counting(200));
+  const StepPair pair(read.value(), counting(200));
   ASSERT_EQ(pair.differences().size(), 2u);
   const DifferenceSearch search = pair.search(0, 1, 20'000);
   ASSERT_TRUE(search.found);
