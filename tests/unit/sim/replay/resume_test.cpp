@@ -57,26 +57,6 @@ TEST(ResumedReplay, ContinuesWithTheSameBitsFromEveryRow) {
     expect_resumable_everywhere(scenario);
 }
 
-TEST(ResumedReplay, MakesEveryBlockAgainFromItsKeyframe) {
-  Scenario jittered = fling_at(60.0, 20'000, {{std::int64_t{9000}, Fling{{300.0, -900.0}}}});
-  jittered.clock.jitter = Jitter{Jitter::Kind::normal, 0.001, 3};
-  for (const Scenario& scenario : {jittered, fling_at(60.0, 60'000)}) {
-    const Played whole(scenario);
-    // Of the second, blocks that repeat are skipped.
-    EXPECT_EQ(whole.summary.steps_computed < whole.summary.steps, !scenario.clock.jitter);
-    EXPECT_GE(whole.trace.keyframes().size(), 3u);
-    for (const Keyframe& keyframe : whole.trace.keyframes()) {
-      TraceSink trace;
-      Replay resumed(shipped_core(), scenario, keyframe, trace, {.skips_repetition = false});
-      resumed.play_to(std::min(keyframe.row.step + 4095, resumed.steps()));
-      resumed.finish();
-      ASSERT_EQ(trace.blocks().size(), 1u);
-      EXPECT_EQ(trace.blocks()[0], whole.trace.blocks()[static_cast<std::size_t>(keyframe.row.step / 4096)]);
-      EXPECT_TRUE(same_row(keyframe.row, whole.trace.rows()[static_cast<std::size_t>(keyframe.row.step)]));
-    }
-  }
-}
-
 TEST(ResumedReplay, CountsNoContactThatWasCountedBefore) {
   // At rest on the ground at 240 Hz: one contact that does not end.
   const Scenario scenario = fling_at(240.0, 4000);
