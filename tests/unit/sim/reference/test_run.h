@@ -17,12 +17,19 @@ namespace hyrax {
 
 /// Collects the results of a DriftMeter.
 struct Measured : DriftSink {
+  explicit Measured(bool wants_all_rows = false) : wants_rows_(wants_all_rows) {}
+  [[nodiscard]] bool wants_rows() const override { return wants_rows_; }
+  void row(const RowErrors& row) override { rows.push_back(row); }
   void arc(const ArcErrors& arc) override { arcs.push_back(arc); }
   void contact(const ImpactErrors& contact) override { contacts.push_back(contact); }
 
+  std::vector<RowErrors> rows;
   std::vector<ArcErrors> arcs;
   std::vector<ImpactErrors> contacts;
   DriftSummary summary;
+
+ private:
+  bool wants_rows_;
 };
 
 inline std::vector<Input> inputs_of(const Scenario& scenario) {
