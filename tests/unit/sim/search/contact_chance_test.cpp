@@ -1,8 +1,15 @@
-// The chance that contacts change, where it is known exactly; that of a whole run is in tests/cli/outputs.md.
+// The chance that contacts change: where it is known exactly, and against plain sampling by another
+// generator.
 #include "sim/search/contact_chance.h"
 #include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "sim/replay/replay.h"
+#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 namespace {
@@ -39,6 +46,31 @@ TEST(ContactChance, HoldsTheExactChanceAsOftenAsItSays) {
     EXPECT_GE(holds, 180) << "of 200, margin " << margin_px;
     EXPECT_LT(half_as_wide_holds, 160) << "of 200, margin " << margin_px;
   }
+}
+
+TEST(ContactChance, IsThatOfPlainSampling) {
+  const auto contacts_of = [](const Scenario& scenario) {
+    TraceSink trace;
+    (void)replay(shipped_core(), scenario, trace);
+    std::vector<int> walls;
+    for (const Row& row : trace.rows()) walls.push_back(row.contact & ~kRestBit);
+    return walls;
+  };
+  const Scenario scenario = falling(300.0, 120.0, {2400.0, -700.0}, 400);
+  const auto contacts = contacts_of(scenario);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<> offset(-1.0, 1.0);
+  Share changed;
+  for (; changed.of < 2000; ++changed.of) {
+    Scenario moved = scenario;
+    moved.start = {scenario.start.x_px + offset(random), scenario.start.y_px + offset(random)};
+    changed.count += contacts_of(moved) == contacts ? 0 : 1;
+  }
+  const ContactChance chance = contact_chance(shipped_core(), scenario, 0.0, 3, 2000);
+  EXPECT_GT(chance.chance(), 0.05);
+  EXPECT_LT(chance.chance(), 0.95);
+  EXPECT_LE(chance.low(), changed.high());
+  EXPECT_GE(chance.high(), changed.low());
 }
 
 TEST(ContactChance, OfALongRunIsThatOfItsFirstSteps) {
