@@ -1,12 +1,17 @@
-// A header's change is said in its own words, and layout is none.
+// A header's change is said in its own words, and layout is none; a traced step with another constant is that
+// of a header with it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "sim/cause/header_change.h"
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
+#include "sim/core/traced_core.h"
+#include "sim/replay/replay.h"
 #include "sim/trace/step_text.h"
+#include "tests/unit/sim/replay/some_flings.h"
 
 namespace hyrax {
 namespace {
@@ -80,30 +85,37 @@ TEST(HeaderChanges, OfAConstantHasNameAndBothValues) {
 }
 
 TEST(HeaderChanges, OfAStatementHasItsTextsAndLine) {
-  const HeaderChange altered = only_change(with("m_vx *= DRAG;", "m_vx *= 2 * DRAG;"));
-  EXPECT_EQ(altered.kind, HeaderChangeKind::altered);
-  EXPECT_EQ(altered.detail, "m_vx *= DRAG; -> m_vx *= 2 * DRAG;");
-  EXPECT_EQ(altered.line, 8);
-  const HeaderChange removed = only_change(with("m_vx *= DRAG;", ""));
-  EXPECT_EQ(removed.kind, HeaderChangeKind::removed);
-  EXPECT_EQ(removed.detail, "m_vx *= DRAG;");
-  EXPECT_EQ(removed.line, 8);
-  const HeaderChange added = only_change(with("m_vx *= DRAG;", "m_vx *= DRAG;\n    m_vx *= DRAG;"));
-  EXPECT_EQ(added.kind, HeaderChangeKind::added);
-  EXPECT_EQ(added.line, 9);
-  EXPECT_EQ(change_text(altered), "line 8    altered: m_vx *= DRAG; -> m_vx *= 2 * DRAG;");
-  EXPECT_EQ(change_text(removed), "line 8    removed: m_vx *= DRAG;");
-  const HeaderChange quoted = only_change(with("m_vx *= DRAG;", "if (m_vx < 0.0)   m_vx = -m_vx*( DRAG);"));
-  EXPECT_EQ(quoted.detail, "m_vx *= DRAG; -> if (m_vx < 0.0) m_vx = -m_vx*( DRAG);");
+  const std::string drag = "m_vx *= DRAG;";
+  const struct {
+    std::string from, to, text;
+  } cases[] = {{drag, "m_vx *= 2 * DRAG;", "line 8    altered: m_vx *= DRAG; -> m_vx *= 2 * DRAG;"},
+               {drag, "", "line 8    removed: m_vx *= DRAG;"},
+               {drag, drag + "\n    " + drag, "line 9    added: m_vx *= DRAG;"},
+               {drag, "if (m_vx < 0.0)   m_vx = -m_vx*( DRAG);",
+                "line 8    altered: m_vx *= DRAG; -> if (m_vx < 0.0) m_vx = -m_vx*( DRAG);"},
+               // A loop is one statement.
+               {drag, "for (int i = 0; i < 2; ++i) m_vx *= DRAG;",
+                "line 8    altered: m_vx *= DRAG; -> for (int i = 0; i < 2; ++i) m_vx *= DRAG;"},
+               // A constant of the same value, or given by an expression.
+               {"= 1200.0", "= 1.2e3",
+                "line 4    altered: static constexpr double GRAVITY = 1200.0; -> static constexpr double "
+                "GRAVITY = 1.2e3;"},
+               {"= 1200.0", "= 2.0 * 600.0",
+                "line 4    altered: static constexpr double GRAVITY = 1200.0; -> static constexpr double "
+                "GRAVITY = 2.0 * 600.0;"}};
+  for (const auto& [from, to, text] : cases) EXPECT_EQ(change_text(only_change(with(from, to))), text);
 }
 
-TEST(HeaderChanges, ALoopIsOneStatementAndALambdaInACallIsNot) {
-  EXPECT_EQ(only_change(with("m_vx *= DRAG;", "for (int i = 0; i < 2; ++i) m_vx *= DRAG;")).detail,
-            "m_vx *= DRAG; -> for (int i = 0; i < 2; ++i) m_vx *= DRAG;");
+TEST(HeaderChanges, ALambdaInACallAndAnAccessSpecifierAreStatements) {
   const std::string called = with("m_vx *= DRAG;", "each([](double& v) { v *= DRAG; v += 1; });");
   EXPECT_EQ(
       header_changes(called, with("m_vx *= DRAG;", "each([](double& v) { v *= DRAG; v += 2; });"))[0].detail,
       "v += 1; -> v += 2;");
+  const std::vector<HeaderChange> changes =
+      header_changes(with("class physics {", "class physics {\n public:"),
+                     with("class physics {", "class physics {\n private:"));
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].detail, "public: -> private:");
 }
 
 // The lines of the changes, in their order.
@@ -150,19 +162,6 @@ TEST(HeaderLiterals, AreTheNumbersThatAreNotThoseOfConstants) {
             (std::vector{1200.0, 0.5, 0.0, 0.0}));
 }
 
-TEST(HeaderChanges, AnAccessSpecifierIsNoPartOfWhatFollows) {
-  const std::string labelled = with("class physics {", "class physics {\n public:");
-  const std::vector<HeaderChange> changes =
-      header_changes(labelled, with("class physics {", "class physics {\n private:"));
-  ASSERT_EQ(changes.size(), 1u);
-  EXPECT_EQ(changes[0].detail, "public: -> private:");
-}
-
-TEST(HeaderChanges, AConstantOfTheSameValueOrGivenByAnExpressionIsAltered) {
-  for (const char* const value : {"1.2e3", "2.0 * 600.0"})
-    EXPECT_EQ(only_change(with("1200.0", value)).kind, HeaderChangeKind::altered) << value;
-}
-
 TEST(HeaderChanges, OfUnclosedTextsEnd) {
   for (const char* const text : {"/* open", "\"open", "'", "#define", "a\\", "1e", "/"})
     EXPECT_FALSE(header_changes(kHeader, text).empty()) << text;
@@ -188,10 +187,8 @@ TEST(ChangesSentence, NamesConstantsThenLinesAndWhichHeaderALineIsOf) {
 }
 
 TEST(StepProof, NeedsTwoCompleteStepsOfTheSameText) {
-  const CoreRecord one{.header = "a", .step = "one", .why_incomplete = ""};
-  const CoreRecord same{.header = "b", .step = "one", .why_incomplete = ""};
-  const CoreRecord other{.header = "a", .step = "other", .why_incomplete = ""};
-  const CoreRecord incomplete{.header = "a", .step = "", .why_incomplete = "many paths"};
+  const CoreRecord one{.header = "a", .step = "one"}, same{.header = "b", .step = "one"},
+      other{.header = "a", .step = "other"}, incomplete{.header = "a", .why_incomplete = "many paths"};
   EXPECT_TRUE(prove_equal("base.h", one, same).is_equal);
   EXPECT_FALSE(prove_equal("base.h", one, other).is_equal);
   EXPECT_TRUE(prove_equal("base.h", one, other).is_complete);
@@ -215,6 +212,33 @@ TEST(StepProof, LeavesOutComparisonsThatDecideNothing) {
       now{.step = shipped_core().record.step};
   EXPECT_TRUE(prove_equal("base.h", of_earlier, now).is_equal);
   EXPECT_FALSE(prove_equal("base.h", of_half, now).is_equal);
+}
+
+TracedStep shipped_step() { return read_step(shipped_core().record.step).value(); }
+
+Digest hash_of(const Core& core) { return replay(core, eventful_fling()).state_hash; }
+
+TEST(WithConstants, PlaysAsTheListingWithThatConstant) {
+  for (const double gravity : {1250.0, -1200.0, 0.0, -0.0}) {
+    Constants constants = shipped_core().constants.value();
+    constants.gravity_px_per_s2 = gravity;
+    const std::optional<Core> core = traced_core(with_constants(shipped_step(), {{1200.0, gravity}}));
+    EXPECT_EQ(hash_of(core.value()), hash_of(listing_core(constants))) << gravity;
+  }
+}
+
+TEST(WithConstants, IsCanonicalAndGoesBack) {
+  const TracedStep step = shipped_step();
+  for (const double gravity : {1250.0, -1200.0}) {
+    const TracedStep changed = with_constants(step, {{1200.0, gravity}});
+    EXPECT_NE(changed, step);
+    EXPECT_EQ(read_step(step_text(changed)), changed);
+    EXPECT_EQ(with_constants(changed, {{gravity, 1200.0}}), step);
+  }
+  EXPECT_EQ(with_constants(step, {{1201.0, 1250.0}}), step);
+  const TracedStep swapped = with_constants(step, {{0.6, 0.8}, {0.8, 0.6}});
+  EXPECT_NE(swapped, step);
+  EXPECT_EQ(with_constants(swapped, {{0.6, 0.8}, {0.8, 0.6}}), step);
 }
 
 }  // namespace

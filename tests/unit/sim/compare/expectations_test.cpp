@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sstream>
 
 namespace hyrax {
 namespace {
@@ -20,15 +21,19 @@ RunSummary some_summary() {
   return summary;
 }
 
-void expect_verdict(const Expect& expect, const RunSummary& summary, const std::string& rule,
-                    const std::string& wanted, const decltype(Expectation::measured)& measured, bool holds) {
-  SCOPED_TRACE(rule + ": " + wanted);
-  const std::vector<Expectation> verdicts = judge(expect, summary);
-  ASSERT_EQ(verdicts.size(), 1u);
-  EXPECT_EQ(verdicts[0].rule, rule);
-  EXPECT_EQ(verdicts[0].wanted, wanted);
-  EXPECT_EQ(verdicts[0].measured, measured);
-  EXPECT_EQ(verdicts[0].holds, holds);
+std::ostream& operator<<(std::ostream& out, std::monostate) { return out << "nothing"; }
+
+// Such as "final_x_px: 0 .. 1070, found 1069.25: holds", each in a line.
+std::string judged(const Expect& expect, const RunSummary& summary,
+                   const std::optional<RunErrors>& errors = {}) {
+  std::ostringstream text;
+  text << std::boolalpha;
+  for (const Expectation& each : judge(expect, summary, errors)) {
+    text << each.rule << ": " << each.wanted << ", found ";
+    std::visit([&](const auto& measured) { text << measured; }, each.measured);
+    text << (each.holds ? ": holds\n" : ": broken\n");
+  }
+  return text.str();
 }
 
 TEST(Judge, SaysOfEachRuleWhetherItHoldsBothBoundsIncluded) {
@@ -37,81 +42,72 @@ TEST(Judge, SaysOfEachRuleWhetherItHoldsBothBoundsIncluded) {
   bad.out_of_bounds_step = 12;
   bad.non_finite_step = 3;
   bad.at_rest_since_s.reset();
-  expect_verdict({.in_bounds = true}, good, "in_bounds", "true", true, true);
-  expect_verdict({.in_bounds = true}, bad, "in_bounds", "true", false, false);
-  expect_verdict({.in_bounds = false}, good, "in_bounds", "false", true, false);
-  expect_verdict({.in_bounds = false}, bad, "in_bounds", "false", false, true);
-  expect_verdict({.finite = true}, good, "finite", "true", true, true);
-  expect_verdict({.finite = true}, bad, "finite", "true", false, false);
-  expect_verdict({.finite = false}, bad, "finite", "false", false, true);
-  expect_verdict({.final_x_px = Interval{1069.25, 1069.25}}, good, "final_x_px", "1069.25", 1069.25, true);
-  expect_verdict({.final_x_px = Interval{1069.25, 2000.0}}, good, "final_x_px", "1069.25 .. 2000", 1069.25,
-                 true);
-  expect_verdict({.final_x_px = Interval{0.0, 1069.25}}, good, "final_x_px", "0 .. 1069.25", 1069.25, true);
-  expect_verdict({.final_x_px = Interval{1069.26, 2000.0}}, good, "final_x_px", "1069.26 .. 2000", 1069.25,
-                 false);
-  expect_verdict({.final_x_px = Interval{0.0, 1069.24}}, good, "final_x_px", "0 .. 1069.24", 1069.25, false);
-  expect_verdict({.final_y_px = Interval{-kInfinity, 592.0}}, good, "final_y_px", "at most 592", 592.0, true);
-  expect_verdict({.final_y_px = Interval{-kInfinity, 591.0}}, good, "final_y_px", "at most 591", 592.0,
-                 false);
-  expect_verdict({.at_rest_since_s = Interval{8.0, 8.5}}, good, "at_rest_since_s", "8 .. 8.5", 8.25, true);
-  expect_verdict({.at_rest_since_s = Interval{-kInfinity, 8.0}}, good, "at_rest_since_s", "at most 8", 8.25,
-                 false);
-  expect_verdict({.at_rest_since_s = Interval{0.0, 1e300}}, bad, "at_rest_since_s", "0 .. 1e+300",
-                 std::monostate{}, false);
   const std::string hash = hex(good.state_hash), other_hash = hash.substr(1) + "1";
-  expect_verdict({.state_hash = hash}, good, "state_hash", hash, hash, true);
-  expect_verdict({.state_hash = other_hash}, good, "state_hash", other_hash, hash, false);
+  const struct {
+    Expect expect;
+    const RunSummary& summary;
+    std::string verdict;
+  } cases[] = {
+      {{.in_bounds = true}, good, "in_bounds: true, found true: holds"},
+      {{.in_bounds = true}, bad, "in_bounds: true, found false: broken"},
+      {{.in_bounds = false}, good, "in_bounds: false, found true: broken"},
+      {{.in_bounds = false}, bad, "in_bounds: false, found false: holds"},
+      {{.finite = true}, good, "finite: true, found true: holds"},
+      {{.finite = true}, bad, "finite: true, found false: broken"},
+      {{.finite = false}, bad, "finite: false, found false: holds"},
+      {{.final_x_px = Interval{1069.25, 1069.25}}, good, "final_x_px: 1069.25, found 1069.25: holds"},
+      {{.final_x_px = Interval{1069.25, 2e3}}, good, "final_x_px: 1069.25 .. 2000, found 1069.25: holds"},
+      {{.final_x_px = Interval{0.0, 1069.25}}, good, "final_x_px: 0 .. 1069.25, found 1069.25: holds"},
+      {{.final_x_px = Interval{1069.26, 2e3}}, good, "final_x_px: 1069.26 .. 2000, found 1069.25: broken"},
+      {{.final_x_px = Interval{0.0, 1069.24}}, good, "final_x_px: 0 .. 1069.24, found 1069.25: broken"},
+      {{.final_y_px = Interval{-kInfinity, 592.0}}, good, "final_y_px: at most 592, found 592: holds"},
+      {{.final_y_px = Interval{-kInfinity, 591.0}}, good, "final_y_px: at most 591, found 592: broken"},
+      {{.at_rest_since_s = Interval{8.0, 8.5}}, good, "at_rest_since_s: 8 .. 8.5, found 8.25: holds"},
+      {{.at_rest_since_s = Interval{-kInfinity, 8.0}},
+       good,
+       "at_rest_since_s: at most 8, found 8.25: broken"},
+      {{.at_rest_since_s = Interval{0.0, 1e300}},
+       bad,
+       "at_rest_since_s: 0 .. 1e+300, found nothing: broken"}};
+  for (const auto& [expect, summary, verdict] : cases) EXPECT_EQ(judged(expect, summary), verdict + "\n");
+  EXPECT_EQ(judged({.state_hash = hash}, good), "state_hash: " + hash + ", found " + hash + ": holds\n");
+  EXPECT_EQ(judged({.state_hash = other_hash}, good),
+            "state_hash: " + other_hash + ", found " + hash + ": broken\n");
 }
 
-TEST(Judge, CountsTheContactsOfEachWall) {
+TEST(Judge, CountsTheContactsOfEachWallAndKeepsTheOrderOfTheFormat) {
   Expect expect;
-  expect.contacts.left = Interval{1, 1};
-  expect.contacts.right = Interval{2, 4};
-  expect.contacts.top = Interval{1, 1};
-  expect.contacts.ground = Interval{22, 30};
-  const std::vector<Expectation> verdicts = judge(expect, some_summary());
-  ASSERT_EQ(verdicts.size(), 4u);
-  const std::string rules[] = {"contacts/left", "contacts/right", "contacts/top", "contacts/ground"};
-  const bool holds[] = {true, true, false, false};
-  const double measured[] = {1, 3, 0, 21};
-  for (std::size_t wall = 0; wall < 4; ++wall) {
-    EXPECT_EQ(verdicts[wall].rule, rules[wall]);
-    EXPECT_EQ(verdicts[wall].holds, holds[wall]) << rules[wall];
-    EXPECT_EQ(std::get<double>(verdicts[wall].measured), measured[wall]) << rules[wall];
-  }
+  expect.state_hash = std::string(32, '0');
+  expect.contacts = {Interval{1, 1}, Interval{2, 4}, Interval{1, 1}, Interval{22, 30}};
+  expect.at_rest_since_s = Interval{0, 1};
+  expect.finite = true;
+  expect.in_bounds = true;
+  expect.final_y_px = Interval{0, 1};
+  EXPECT_EQ(judged(expect, some_summary()),
+            "in_bounds: true, found true: holds\n"
+            "finite: true, found true: holds\n"
+            "final_y_px: 0 .. 1, found 592: broken\n"
+            "at_rest_since_s: 0 .. 1, found 8.25: broken\n"
+            "contacts/left: 1, found 1: holds\n"
+            "contacts/right: 2 .. 4, found 3: holds\n"
+            "contacts/top: 1, found 0: broken\n"
+            "contacts/ground: 22 .. 30, found 21: broken\n"
+            "state_hash: " +
+                *expect.state_hash + ", found " + hex(some_summary().state_hash) + ": broken\n");
 }
 
 TEST(Judge, JudgesErrorsOnlyWhereTheyWereMeasured) {
   const Expect expect{.implementation_px_max = 1e-9, .truncation_px_max = 10.0, .energy_drift_rel_max = 0.01};
   EXPECT_TRUE(bounds_errors(expect));
-  EXPECT_TRUE(judge(expect, some_summary()).empty());
+  EXPECT_EQ(judged(expect, some_summary()), "");
   const RunErrors errors{.implementation_px = 1e-9, .truncation_px = 10.5, .energy_drift_rel = 0.001};
-  const std::vector<Expectation> verdicts = judge(expect, some_summary(), errors);
-  ASSERT_EQ(verdicts.size(), 3u);
-  EXPECT_TRUE(verdicts[0].holds);
-  EXPECT_FALSE(verdicts[1].holds);
-  EXPECT_TRUE(verdicts[2].holds);
-  const std::string rules[] = {"implementation_px_max", "truncation_px_max", "energy_drift_rel_max"};
-  for (std::size_t index = 0; index < 3; ++index) EXPECT_EQ(verdicts[index].rule, rules[index]);
-  EXPECT_EQ(verdicts[1].wanted, "at most 10");
-  EXPECT_EQ(std::get<double>(verdicts[1].measured), 10.5);
-  EXPECT_FALSE(judge(expect, some_summary(), RunErrors{})[0].holds);  // Without an arc.
+  EXPECT_EQ(judged(expect, some_summary(), errors),
+            "implementation_px_max: at most 1e-09, found 1e-09: holds\n"
+            "truncation_px_max: at most 10, found 10.5: broken\n"
+            "energy_drift_rel_max: at most 0.01, found 0.001: holds\n");
   const RunErrors unknown{.implementation_px = std::numeric_limits<double>::quiet_NaN()};
-  EXPECT_FALSE(judge({.implementation_px_max = 1e300}, some_summary(), unknown).front().holds);
-}
-
-TEST(Judge, KeepsTheOrderOfTheFormat) {
-  Expect expect;
-  expect.state_hash = std::string(32, '0');
-  expect.contacts.ground = Interval{0, 0};
-  expect.at_rest_since_s = Interval{0, 1};
-  expect.finite = true;
-  expect.in_bounds = true;
-  expect.final_y_px = Interval{0, 1};
-  std::string rules;
-  for (const Expectation& expectation : judge(expect, some_summary())) rules += expectation.rule + " ";
-  EXPECT_EQ(rules, "in_bounds finite final_y_px at_rest_since_s contacts/ground state_hash ");
+  EXPECT_FALSE(judge({.implementation_px_max = 1e300}, some_summary(), RunErrors{})[0].holds) << "no arc";
+  EXPECT_FALSE(judge({.implementation_px_max = 1e300}, some_summary(), unknown)[0].holds);
 }
 
 }  // namespace

@@ -20,11 +20,6 @@ inline const std::map<std::string_view, double Row::*> kFaultyFields = {
     {"t", &Row::t_s},  {"dt", &Row::dt_s},        {"x", &Row::x_px},
     {"y", &Row::y_px}, {"vx", &Row::vx_px_per_s}, {"vy", &Row::vy_px_per_s}};
 
-/// The class of that fault.
-inline DifferenceClass class_of_fault(std::string_view field) {
-  return field == "contact" ? DifferenceClass::contacts : DifferenceClass::rounding;
-}
-
 /// The row with one field one ulp up, or one wall more or less in its contact byte.
 inline Row with_fault(Row row, std::string_view field) {
   if (field == "contact")
@@ -33,6 +28,20 @@ inline Row with_fault(Row row, std::string_view field) {
     row.*kFaultyFields.at(field) =
         std::nextafter(row.*kFaultyFields.at(field), std::numeric_limits<double>::infinity());
   return row;
+}
+
+/// Such as "rounding, first x at 5, 1 ulps": the class, and what differs first.
+inline std::string said(const Comparison& comparison) {
+  std::string text = comparison.agrees ? "agrees" : std::string(name_of(comparison.difference.value()));
+  if (!comparison.first) return text;
+  text += ", first " + std::string(comparison.first->field) + " at " + std::to_string(comparison.first->step);
+  return comparison.first->ulps ? text + ", " + std::to_string(*comparison.first->ulps) + " ulps" : text;
+}
+
+/// Of that fault in a row.
+inline std::string said_of_fault(std::int64_t step, std::string_view field) {
+  const std::string place = ", first " + std::string(field) + " at " + std::to_string(step);
+  return field == "contact" ? "contacts" + place : "rounding" + place + ", 1 ulps";
 }
 
 /// A change of one row of a run before it reaches a sink.

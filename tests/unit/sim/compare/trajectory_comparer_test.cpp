@@ -74,97 +74,76 @@ Row row_at(std::int64_t step, double x_px, std::uint8_t contact = 0) {
   return {.step = step, .t_s = 0.25 * static_cast<double>(step), .x_px = x_px, .contact = contact};
 }
 
+// After rows 1, 2 and so on, of these x.
+TrajectoryComparer compared(const Tolerance& tolerance, const std::vector<std::pair<double, double>>& xs_px) {
+  TrajectoryComparer comparer(tolerance);
+  for (std::int64_t step = 1; const auto& [a, b] : xs_px) {
+    comparer.compare(row_at(step, a), row_at(step, b));
+    ++step;
+  }
+  return comparer;
+}
+
 TEST(TrajectoryComparer, ReportsTheFirstAndTheWorstWithinTheToleranceToo) {
-  TrajectoryComparer comparer({});
-  comparer.compare(row_at(0, 1.0), row_at(0, 1.0));
-  EXPECT_FALSE(comparer.first());
-  for (const auto& none : comparer.worst()) EXPECT_FALSE(none);
-  comparer.compare(row_at(1, 1.0), row_at(1, 1.5));
-  comparer.compare(row_at(2, 1.0), row_at(2, 4.0));
-  comparer.compare(row_at(3, 1.0), row_at(3, 2.0));
-  ASSERT_TRUE(comparer.first());
-  EXPECT_EQ(comparer.first()->step, 1);
-  EXPECT_EQ(comparer.first()->field, "x");
-  EXPECT_EQ(comparer.first()->expected, 1.0);
-  EXPECT_EQ(comparer.first()->actual, 1.5);
-  const auto& worst = comparer.worst()[2];
-  ASSERT_TRUE(worst);
-  EXPECT_EQ(worst->step, 2);
-  EXPECT_EQ(worst->abs(), 3.0);
-  TrajectoryComparer tolerant({.abs = 1.0});
-  tolerant.compare(row_at(5, 1.0), row_at(5, 1.5));
+  const TrajectoryComparer same = compared({}, {{1.0, 1.0}});
+  EXPECT_FALSE(same.first());
+  for (const auto& none : same.worst()) EXPECT_FALSE(none);
+  const TrajectoryComparer exact = compared({}, {{1.0, 1.0}, {1.0, 1.5}, {1.0, 4.0}, {1.0, 2.0}});
+  EXPECT_EQ(exact.first().value().step, 2);
+  EXPECT_EQ(exact.first()->field, "x");
+  EXPECT_EQ(exact.first()->expected, 1.0);
+  EXPECT_EQ(exact.first()->actual, 1.5);
+  EXPECT_EQ(exact.worst()[2].value().step, 3);
+  EXPECT_EQ(exact.worst()[2]->abs(), 3.0);
+  const TrajectoryComparer tolerant = compared({.abs = 1.0}, {{1.0, 1.5}});
   EXPECT_FALSE(tolerant.first());
-  ASSERT_TRUE(tolerant.worst()[2]);
-  EXPECT_EQ(tolerant.worst()[2]->abs(), 0.5);
+  EXPECT_EQ(tolerant.worst()[2].value().abs(), 0.5);
 }
 
-TEST(TrajectoryComparer, RanksNanAsTheWorst) {
-  TrajectoryComparer comparer({.abs = 1e9});
-  comparer.compare(row_at(1, 1.0), row_at(1, 1e6));
-  comparer.compare(row_at(2, kNan), row_at(2, kNan));
-  ASSERT_TRUE(comparer.first());
-  EXPECT_EQ(comparer.first()->step, 2);
-  comparer.compare(row_at(3, kInfinity), row_at(3, 1.0));
-  comparer.compare(row_at(4, 1.0), row_at(4, 1.5));
-  comparer.compare(row_at(5, kNan), row_at(5, 1.0));
-  EXPECT_EQ(comparer.worst()[2]->step, 2);
-  EXPECT_TRUE(std::isnan(comparer.worst()[2]->abs()));
-}
-
-TEST(TrajectoryComparer, RanksInfinityAboveAnyNumber) {
-  TrajectoryComparer comparer({});
-  comparer.compare(row_at(1, 1.0), row_at(1, -kInfinity));
-  comparer.compare(row_at(2, 1.0), row_at(2, 1e300));
-  comparer.compare(row_at(3, kInfinity), row_at(3, 1.0));
-  EXPECT_EQ(comparer.worst()[2]->step, 1);
-  EXPECT_EQ(comparer.worst()[2]->abs(), kInfinity);
+TEST(TrajectoryComparer, RanksNanAsTheWorstAndInfinityAboveAnyNumber) {
+  const TrajectoryComparer nan =
+      compared({.abs = 1e9}, {{1.0, 1e6}, {kNan, kNan}, {kInfinity, 1.0}, {1.0, 1.5}, {kNan, 1.0}});
+  EXPECT_EQ(nan.first().value().step, 2);
+  EXPECT_EQ(nan.worst()[2]->step, 2);
+  EXPECT_TRUE(std::isnan(nan.worst()[2]->abs()));
+  const TrajectoryComparer infinite = compared({}, {{1.0, -kInfinity}, {1.0, 1e300}, {kInfinity, 1.0}});
+  EXPECT_EQ(infinite.worst()[2]->step, 1);
+  EXPECT_EQ(infinite.worst()[2]->abs(), kInfinity);
 }
 
 TEST(TrajectoryComparer, AcceptsNoOtherContactByte) {
   TrajectoryComparer comparer({.abs = 100.0});
   comparer.compare(row_at(4, 1.0, 0), row_at(4, 1.0, 1));
-  ASSERT_TRUE(comparer.first());
-  EXPECT_EQ(comparer.first()->field, "contact");
+  EXPECT_EQ(comparer.first().value().field, "contact");
   EXPECT_EQ(comparer.first()->ulps, std::nullopt);
 }
 
+TrajectoryComparer compared(const Tolerance& tolerance, const Contact& a, const Contact& b) {
+  TrajectoryComparer comparer(tolerance);
+  comparer.compare(std::vector{a}, std::vector{b});
+  return comparer;
+}
+
 Contact contact_at(std::int64_t step, double overshoot_px) {
-  Contact contact;
-  contact.step = contact.last_step = step;
-  contact.overshoot_px = overshoot_px;
-  return contact;
+  return {.step = step, .last_step = step, .overshoot_px = overshoot_px};
 }
 
 TEST(TrajectoryComparer, ComparesContactsWithinTheTolerance) {
-  TrajectoryComparer near({.abs = 0.1});
-  near.compare(std::vector{contact_at(9, 1.0)}, std::vector{contact_at(9, 1.05)});
-  EXPECT_FALSE(near.first());
-  TrajectoryComparer far({.abs = 0.01});
-  far.compare(std::vector{contact_at(9, 1.0)}, std::vector{contact_at(9, 1.05)});
-  ASSERT_TRUE(far.first());
-  EXPECT_EQ(far.first()->field, "contacts/overshoot");
+  EXPECT_FALSE(compared({.abs = 0.1}, contact_at(9, 1.0), contact_at(9, 1.05)).first());
+  const TrajectoryComparer far = compared({.abs = 0.01}, contact_at(9, 1.0), contact_at(9, 1.05));
+  EXPECT_EQ(far.first().value().field, "contacts/overshoot");
   EXPECT_EQ(far.first()->step, 9);
+  // Moved ones differ at any tolerance.
+  EXPECT_EQ(compared({.abs = 1e9}, contact_at(9, 1.0), contact_at(10, 1.0)).contacts().moved.size(), 1u);
 }
 
 TEST(TrajectoryComparer, AcceptsAnOvershootThatNeitherRunKnows) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  TrajectoryComparer both({});
-  both.compare(std::vector{contact_at(9, kUnknown)}, std::vector{contact_at(9, kUnknown)});
-  EXPECT_FALSE(both.first());
-  TrajectoryComparer one({});
-  one.compare(std::vector{contact_at(9, kUnknown)}, std::vector{contact_at(9, 1.0)});
-  EXPECT_TRUE(one.first());
-  std::vector lost = {contact_at(9, kUnknown)};
-  lost.front().x_px = kUnknown;
-  TrajectoryComparer other({});
-  other.compare(lost, lost);
-  EXPECT_TRUE(other.first());
-}
-
-TEST(TrajectoryComparer, ReportsMovedContactsAtAnyTolerance) {
-  TrajectoryComparer comparer({.abs = 1e9});
-  comparer.compare(std::vector{contact_at(9, 1.0)}, std::vector{contact_at(10, 1.0)});
-  EXPECT_EQ(comparer.contacts().moved.size(), 1u);
+  const Contact unknown = contact_at(9, kNan);
+  EXPECT_FALSE(compared({}, unknown, unknown).first());
+  EXPECT_TRUE(compared({}, unknown, contact_at(9, 1.0)).first());
+  Contact lost = unknown;
+  lost.x_px = kNan;
+  EXPECT_TRUE(compared({}, lost, lost).first());
 }
 
 }  // namespace

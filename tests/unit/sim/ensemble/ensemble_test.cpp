@@ -85,14 +85,17 @@ void expect_same_in_all_details(const Sweep& sweep, const std::string& note) {
   expect_same(sweep, note, {kAllButTheHash, kFinalOnly, kWithoutExtremes});
 }
 
-TEST(Ensemble, EqualsTheReplayAtEveryEndOfABlock) {
+TEST(Ensemble, EqualsTheReplayAtEveryEndOfABlockAtEveryRateAndInLongRuns) {
+  const auto expect_same_at = [](double rate_hz, std::int64_t steps, std::int64_t members) {
+    expect_same_in_all_details(sweep_over(fling_at(rate_hz, steps), members),
+                               std::to_string(steps) + " steps at " + std::to_string(rate_hz) + " Hz");
+  };
   for (const std::int64_t steps : {0, 1, 2, 3, 47, 48, 49, 50, 95, 96, 97, 144, 145, 600, 601})
-    expect_same_in_all_details(sweep_over(fling_at(60.0, steps), 70), std::to_string(steps) + " steps");
-}
-
-TEST(Ensemble, EqualsTheReplayAtEveryRate) {
+    expect_same_at(60.0, steps, 70);
   for (const double rate_hz : {24.0, 58.0, 60.0, 75.0, 89.0, 100.0, 144.0, 240.0, 1000.0})
-    expect_same_in_all_details(sweep_over(fling_at(rate_hz, 2000), 40), std::to_string(rate_hz) + " Hz");
+    expect_same_at(rate_hz, 2000, 40);
+  for (const std::int64_t steps : {4000, 5001, 40'000, 70'001})
+    for (const double rate_hz : {60.0, 120.0, 500.0}) expect_same_at(rate_hz, steps, 36);
 }
 
 // The last slides faster and faster, to the walls.
@@ -102,12 +105,6 @@ TEST(Ensemble, EqualsTheReplayWithConstantsOfItsOwn) {
                                      {1200.0, 0.6, 1.0, 1.02, 5.0}})
     expect_same(sweep_over(fling_at(60.0, 900), 40), std::to_string(constants.ground_friction),
                 {kAllButTheHash, kFinalOnly}, listing_core(constants));
-}
-
-TEST(Ensemble, EqualsTheReplayInLongRuns) {
-  for (const std::int64_t steps : {4000, 5001, 40'000, 70'001})
-    for (const double rate_hz : {60.0, 120.0, 500.0})
-      expect_same_in_all_details(sweep_over(fling_at(rate_hz, steps), 36), std::to_string(steps) + " steps");
 }
 
 TEST(Ensemble, EqualsTheReplayWhereMembersHaveDifferentLengthsAndRates) {

@@ -11,18 +11,10 @@
 
 namespace {
 
-template <class Constant>
-constexpr bool is_double_constant = std::same_as<Constant, const double>;
-
-static_assert(is_double_constant<decltype(physics::GRAVITY)>);
-static_assert(is_double_constant<decltype(physics::RESTITUTION)>);
-static_assert(is_double_constant<decltype(physics::AIR_DRAG)>);
-static_assert(is_double_constant<decltype(physics::GROUND_FRICTION)>);
-static_assert(is_double_constant<decltype(physics::REST_THRESHOLD)>);
-
-// Constant expressions, as `static constexpr` in the listing makes them.
-[[maybe_unused]] constexpr double kConstants[] = {physics::GRAVITY, physics::RESTITUTION, physics::AIR_DRAG,
-                                                  physics::GROUND_FRICTION, physics::REST_THRESHOLD};
+// Constant expressions of type double, as `static constexpr` in the listing makes them.
+[[maybe_unused]] constexpr std::array kConstants{physics::GRAVITY, physics::RESTITUTION, physics::AIR_DRAG,
+                                                 physics::GROUND_FRICTION, physics::REST_THRESHOLD};
+static_assert(std::same_as<decltype(kConstants), const std::array<double, 5>>);
 
 static_assert(std::is_same_v<decltype(&physics::update), void (physics::*)(double, int, int, int, int)>);
 static_assert(std::is_same_v<decltype(&physics::x), double (physics::*)() const>);

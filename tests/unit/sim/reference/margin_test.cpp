@@ -106,12 +106,15 @@ TEST(Margin, GivesTheSensitivityOfTheEnd) {
   }
 }
 
+Scenario one_frame(double rate_hz, const Position& start, const Velocity& velocity) {
+  Scenario scenario = fling_at(rate_hz, 1);
+  scenario.start = start;
+  scenario.start_velocity = velocity;
+  return scenario;
+}
+
 TEST(Margin, OfAFlightIsItsDistanceFromTheWallsByTheTimesOfTheRows) {
-  Scenario scenario = fling();
-  scenario.start = {896.0, 300.0};
-  scenario.start_velocity = {0.0, 0.0};
-  scenario.length = std::int64_t{1};
-  const Margin margin = margin_of(scenario);
+  const Margin margin = margin_of(one_frame(60.0, {896.0, 300.0}, {}));
   // After one frame y = 300 + 0.333; the top is 300.333 px away, and y moves by dy + a h dvy.
   const double h = 1.0 / 60.0;
   const double y = 300.0 + 0.999 * 1200.0 * h * h;
@@ -124,12 +127,7 @@ TEST(Margin, OfAFlightIsItsDistanceFromTheWallsByTheTimesOfTheRows) {
 
 TEST(Margin, NamesTheRestRuleWhereItDecides) {
   // One frame at 240 Hz onto the floor, at 8.34 px/s: 0.6 of it is 5.004, just above the threshold.
-  Scenario scenario = fling();
-  scenario.clock.base = FixedRate{240.0};
-  scenario.start = {896.0, 952.0};
-  scenario.start_velocity = {0.0, 8.34 / 0.999 - 5.0};
-  scenario.length = std::int64_t{1};
-  const Margin margin = margin_of(scenario);
+  const Margin margin = margin_of(one_frame(240.0, {896.0, 952.0}, {0.0, 8.34 / 0.999 - 5.0}));
   EXPECT_EQ(margin.nearest->decision, Decision::rest);
   EXPECT_FALSE(margin.nearest->is_taken);
   EXPECT_NEAR(*margin.half_width, 0.004 / (0.6 * 0.999), 1e-9);
@@ -152,20 +150,6 @@ TEST(Margin, IsNotLimitedByAnEdgeThatTheStartDoesNotMove) {
   scenario.length = std::int64_t{20};
   scenario.events = {{std::int64_t{5}, Place{{0.0, 952.0}}}, {std::int64_t{5}, Stop{}}};
   EXPECT_GT(*margin_of(scenario).half_width, 1.0);
-}
-
-TEST(Margin, OfAKnifeEdgeIsTiny) {
-  // Aimed so that a later row just misses the right wall, by 1e-9 px.
-  Scenario scenario = fling();
-  const Columns rows = rows_of(scenario);
-  std::size_t touch = 0;
-  while (!touches(rows.contact[touch], Wall::right)) ++touch;
-  const double short_of_wall_px = 1792.0 - rows.x_px[touch - 1];
-  scenario.start.x_px += short_of_wall_px - 1e-9;
-  const Margin margin = margin_of(scenario);
-  EXPECT_LT(*margin.half_width, 1e-9);
-  EXPECT_EQ(margin.nearest->decision, Decision::right);
-  EXPECT_GT(*margin_of(fling()).half_width, 1e-3);  // Where it came from is robust.
 }
 
 // The wall clamps what comes out beyond it after rounding: half a unit in the last place of 1792.
@@ -197,12 +181,8 @@ TEST(Margin, NamesTheFirstOfStepsThatDecideAlike) {
 // A speed that has shrunk below the last place of the wall's coordinate moves nothing any more; nor
 // does it make the wall that it touches an edge.
 TEST(Margin, IsNotLimitedByASpeedThatIsRoundedAway) {
-  Scenario scenario = fling();
+  Scenario scenario = one_frame(1000.0, {1792.0, 128.0}, {1e-13, 0.0});
   scenario.window = {1920, 256};
-  scenario.clock.base = FixedRate{1000.0};
-  scenario.start = {1792.0, 128.0};
-  scenario.start_velocity = {1e-13, 0.0};
-  scenario.length = std::int64_t{1};
   // The wall takes 1.1e-13 px, of which 1e-16 are used up; x moves by dx + a h dvx.
   EXPECT_NEAR(*margin_of(scenario).half_width, 0x1p-43, 1e-15);
 }

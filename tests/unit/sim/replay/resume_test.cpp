@@ -24,18 +24,11 @@ Keyframe stop_at(const Scenario& scenario, std::int64_t step) {
   return run.keyframe();
 }
 
-std::vector<Row> rows_after(const std::vector<Row>& rows, std::int64_t step) {
-  std::vector<Row> after;
-  for (const Row& row : rows)
-    if (row.step > step) after.push_back(row);
-  return after;
-}
-
-std::vector<Contact> contacts_after(const std::vector<Contact>& contacts, std::int64_t step) {
-  std::vector<Contact> after;
-  for (const Contact& contact : contacts)
-    if (contact.step > step) after.push_back(contact);
-  return after;
+// The rows or contacts of later steps.
+template <class Element>
+std::vector<Element> after(std::vector<Element> elements, std::int64_t step) {
+  std::erase_if(elements, [&](const Element& element) { return element.step <= step; });
+  return elements;
 }
 
 void expect_resumable_everywhere(const Scenario& scenario) {
@@ -47,44 +40,21 @@ void expect_resumable_everywhere(const Scenario& scenario) {
     Replay resumed(shipped_core(), scenario, keyframe, trace);
     resumed.play_to(resumed.steps());
     const RunSummary summary = resumed.finish();
-    ASSERT_TRUE(same_rows(trace.rows(), rows_after(whole.trace.rows(), step))) << "from " << step;
-    ASSERT_TRUE(same_contacts(trace.contacts(), contacts_after(whole.trace.contacts(), step)))
-        << "from " << step;
+    ASSERT_TRUE(same_rows(trace.rows(), after(whole.trace.rows(), step))) << "from " << step;
+    ASSERT_TRUE(same_contacts(trace.contacts(), after(whole.trace.contacts(), step))) << "from " << step;
     ASSERT_TRUE(same_row(summary.final, whole.summary.final)) << "from " << step;
   }
 }
 
-TEST(ResumedReplay, ContinuesWithTheSameBitsFromEveryRow) { expect_resumable_everywhere(eventful_fling()); }
-
-TEST(ResumedReplay, ContinuesFromARestThatRepeats) { expect_resumable_everywhere(fling_at(240.0, 1500)); }
-
-TEST(ResumedReplay, ContinuesFromARecordedTrace) {
-  Scenario scenario = fling_at(60.0, 0);
+// Also of a rest that repeats, and of a recorded trace.
+TEST(ResumedReplay, ContinuesWithTheSameBitsFromEveryRow) {
+  Scenario traced = fling_at(60.0, 0);
   RecordedSteps trace;
   for (int frame = 0; frame < 200; ++frame) trace.dt_s.push_back(frame % 7 == 0 ? 0.0333 : 0.0167);
-  scenario.clock.base = trace;
-  scenario.length = {};
-  expect_resumable_everywhere(scenario);
-}
-
-TEST(ResumedReplay, MakesEveryBlockAgainFromItsKeyframe) {
-  Scenario jittered = fling_at(60.0, 20'000, {{std::int64_t{9000}, Fling{{300.0, -900.0}}}});
-  jittered.clock.jitter = Jitter{Jitter::Kind::normal, 0.001, 3};
-  for (const Scenario& scenario : {jittered, fling_at(60.0, 60'000)}) {
-    const Played whole(scenario);
-    // Of the second, blocks that repeat are skipped.
-    EXPECT_EQ(whole.summary.steps_computed < whole.summary.steps, !scenario.clock.jitter);
-    EXPECT_GE(whole.trace.keyframes().size(), 3u);
-    for (const Keyframe& keyframe : whole.trace.keyframes()) {
-      TraceSink trace;
-      Replay resumed(shipped_core(), scenario, keyframe, trace, {.skips_repetition = false});
-      resumed.play_to(std::min(keyframe.row.step + 4095, resumed.steps()));
-      resumed.finish();
-      ASSERT_EQ(trace.blocks().size(), 1u);
-      EXPECT_EQ(trace.blocks()[0], whole.trace.blocks()[static_cast<std::size_t>(keyframe.row.step / 4096)]);
-      EXPECT_TRUE(same_row(keyframe.row, whole.trace.rows()[static_cast<std::size_t>(keyframe.row.step)]));
-    }
-  }
+  traced.clock.base = trace;
+  traced.length = {};
+  for (const Scenario& scenario : {eventful_fling(), fling_at(240.0, 1500), traced})
+    expect_resumable_everywhere(scenario);
 }
 
 TEST(ResumedReplay, CountsNoContactThatWasCountedBefore) {
@@ -119,12 +89,20 @@ void expect_same_in_pieces(const Scenario& scenario, std::uint64_t seed, std::in
 
 TEST(ReplayInPieces, GivesTheSameRun) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) expect_same_in_pieces(eventful_fling(), seed, 9);
-}
-
-TEST(ReplayInPieces, GivesTheSameRunWhereItRepeats) {
-  for (const std::int64_t piece_max : {2, 50, 3000, 30'000})
-    for (std::uint64_t seed = 0; seed < 5; ++seed)
+  Scenario non_finite = fling_at(1e-9, 50, {{std::int64_t{30}, Fling{{1.0, 1.0}}}});
+  non_finite.start_velocity = {1e12, 1e12};
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    expect_same_in_pieces(non_finite, seed, 5);
+    for (const std::int64_t piece_max : {2, 50, 3000, 30'000})  // It repeats.
       expect_same_in_pieces(fling_at(60.0, 30'000), seed, piece_max);
+  }
+  // A sprite wider than its window touches both walls in turn forever: the list of contacts fills up within
+  // a piece, and later ones begin with a full list.
+  Scenario knocking = fling_at(60.0, kContactsRecordedMax + 20'000);
+  knocking.window = {100, 1080};
+  expect_same_in_pieces(knocking, 1, 7'000, {.rows_every = 0, .contacts = true});
+  // Computes a period once however long it repeats.
+  expect_same_in_pieces(fling_at(60.0, 100'000'000), 1, 1 << 21, {});
 }
 
 TEST(ReplayInPieces, GivesTheSameRunInRandomFlings) {
@@ -136,25 +114,6 @@ TEST(ReplayInPieces, GivesTheSameRunInRandomFlings) {
         .rows_every = std::array{0, 1, 7}[seed % 3], .contacts = true, .blocks = seed % 2 == 0};
     expect_same_in_pieces(scenario, seed, piece_max, wants, seed % 5 != 0);
   }
-}
-
-TEST(ReplayInPieces, GivesTheSameRunWhereItBecomesNonFinite) {
-  Scenario scenario = fling_at(1e-9, 50, {{std::int64_t{30}, Fling{{1.0, 1.0}}}});
-  scenario.start_velocity = {1e12, 1e12};
-  for (std::uint64_t seed = 0; seed < 5; ++seed) expect_same_in_pieces(scenario, seed, 5);
-}
-
-TEST(ReplayInPieces, GivesTheSameContactsWhereTheListIsFull) {
-  // A sprite wider than its window touches both walls in turn forever.
-  Scenario scenario = fling_at(60.0, kContactsRecordedMax + 20'000);
-  scenario.window = {100, 1080};
-  // It fills up within a piece, and later ones begin with a full list.
-  expect_same_in_pieces(scenario, 1, 7'000, {.rows_every = 0, .contacts = true});
-}
-
-TEST(ReplayInPieces, ComputesAPeriodOnceHoweverLongItRepeats) {
-  const Scenario scenario = fling_at(60.0, 100'000'000);
-  expect_same_in_pieces(scenario, 1, 1 << 21, {});
 }
 
 }  // namespace

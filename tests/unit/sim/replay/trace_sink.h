@@ -107,7 +107,6 @@ class TraceSink : public RowSink {
   }
   void block(const Block& block, std::int64_t count) override {
     const std::int64_t first_step = block.keyframe.row.step;
-    keyframes_.push_back(block.keyframe);
     for (std::int64_t i = 0; i < count; ++i)
       blocks_.push_back({first_step + i * static_cast<std::int64_t>(kBlockRows), block.digest});
   }
@@ -116,15 +115,12 @@ class TraceSink : public RowSink {
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// Every block, with repetitions listed one by one.
   const std::vector<BlockSeen>& blocks() const { return blocks_; }
-  /// As received: one for a block and its repetitions.
-  const std::vector<Keyframe>& keyframes() const { return keyframes_; }
 
  private:
   Wants wants_{.rows_every = 1, .contacts = true, .blocks = true};
   std::vector<Row> rows_;
   std::vector<Contact> contacts_;
   std::vector<BlockSeen> blocks_;
-  std::vector<Keyframe> keyframes_;
 };
 
 inline testing::AssertionResult same_trace(const TraceSink& a, const TraceSink& b) {

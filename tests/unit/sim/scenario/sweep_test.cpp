@@ -3,10 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "sim/scenario/split_mix64.h"
-
 namespace hyrax {
 namespace {
 
@@ -22,24 +18,6 @@ Sweep sweep_of(std::vector<VariedKey> vary, std::int64_t members = 12) {
 
 VariedKey x(decltype(VariedKey::variation) variation) {
   return {"/start/x_px", ScenarioNumberKind::real, std::move(variation)};
-}
-
-TEST(Sweep, DrawsByMemberAndKey) {
-  const Sweep sweep = sweep_of({x(UniformDraw{-2.0, 3.0}),
-                                x(ChoiceDraw{{10.0, 20.0, 30.0}}),
-                                {"/steps", ScenarioNumberKind::integer, UniformDraw{-1.0, 1.0}},
-                                x(GridAxis{0.0, 1.0, 2, 3}),
-                                x(GridAxis{0.0, 2.0, 3, 1})});
-  for (std::int64_t member = 0; member < sweep.members; ++member) {
-    const auto k = static_cast<std::uint64_t>(5 * member);
-    EXPECT_EQ(std::get<double>(value_of(sweep, 0, member)), -2.0 + 5.0 * split_mix64_unit(7, k));
-    const double entry = std::floor(3.0 * split_mix64_unit(7, k + 1));
-    EXPECT_EQ(std::get<double>(value_of(sweep, 1, member)), 10.0 + 10.0 * entry);
-    const double whole = std::floor(-1.0 + 3.0 * split_mix64_unit(7, k + 2));
-    EXPECT_EQ(static_cast<double>(std::get<std::int64_t>(value_of(sweep, 2, member))), whole);
-    EXPECT_EQ(as_double(value_of(sweep, 3, member)), static_cast<double>(member / 3 % 2));
-    EXPECT_EQ(as_double(value_of(sweep, 4, member)), static_cast<double>(member % 3));
-  }
 }
 
 TEST(Sweep, WholeDrawsNeverRoundBeyondTheirEnd) {
@@ -68,18 +46,6 @@ TEST(Sweep, MembersHaveTheirNumbers) {
   for (const std::int64_t member : {3, 1}) {
     EXPECT_EQ(members.scenario(member).start.x_px, static_cast<double>(member));
     EXPECT_EQ(std::get<std::int64_t>(members.scenario(member).length), member);
-  }
-}
-
-TEST(Sweep, PartsHoldEveryMemberOnce) {
-  for (const std::int64_t parts : {1, 3, 7, 20}) {
-    std::vector<int> seen(12, 0);
-    for (std::int64_t index = 0; index < parts; ++index) {
-      const WorkPart part{index, parts};
-      for (std::int64_t row = 0; row < part.rows(12); ++row)
-        ++seen.at(static_cast<std::size_t>(part.member(row)));
-    }
-    EXPECT_EQ(seen, std::vector<int>(12, 1)) << parts;
   }
 }
 

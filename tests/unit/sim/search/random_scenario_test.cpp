@@ -117,16 +117,6 @@ TEST(RandomRun, IsPlayedOnEachDisplayAtEachRate) {
       EXPECT_TRUE(drawn.contains({display.width_px, rate_hz})) << display.width_px << " at " << rate_hz;
 }
 
-TEST(CheckRun, TheShippedCoreBreaksNoRule) {
-  for (std::uint64_t run = 0; run < 3000; ++run) {
-    const RandomRun random = random_run(shipped_core(), 4, run);
-    const auto broken =
-        first_broken(random.scenario, check_run(shipped_core(), random.scenario, random.stops).measures);
-    EXPECT_FALSE(broken) << random.scenario.name << " "
-                         << kInvariantTexts[static_cast<std::size_t>(*broken)].name;
-  }
-}
-
 // Is kicked once, by a count of the steps of all runs.
 struct Leaking : physics {
   using physics::physics;

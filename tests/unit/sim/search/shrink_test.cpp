@@ -1,12 +1,15 @@
-// Shrinking finds the smallest scenario that fails, the same one each time.
+// Smaller scenarios play the rows that they are meant to keep, and shrinking finds the smallest that fails,
+// the same one each time.
 #include <gtest/gtest.h>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
+#include "sim/scenario/frame_clock.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/scenario_edit.h"
 #include "sim/search/shrink.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/replay/trace_sink.h"
 
 namespace hyrax {
 namespace {
@@ -36,25 +39,18 @@ TEST(Shrink, OneEventIsLeftWhereOneIsNeeded) {
   EXPECT_EQ(shrunk.scenario.sprite, (Size{100, 100}));
 }
 
-TEST(Shrink, WhatNeedsManyFramesKeepsThem) {
-  const auto is_long = [](const Scenario& scenario) { return complexity_of(scenario).steps >= 37; };
-  EXPECT_EQ(complexity_of(shrink(shipped_core(), eventful_fling(), is_long).scenario).steps, 37);
-}
-
-TEST(Shrink, WhatNeedsJitterKeepsIt) {
-  const auto is_jittered = [](const Scenario& scenario) { return scenario.clock.jitter.has_value(); };
-  const Shrunk shrunk = shrink(shipped_core(), eventful_fling(), is_jittered);
-  EXPECT_EQ(complexity_of(shrunk.scenario), (Complexity{.steps = 0, .events = 0, .clock = 3, .digits = 5}))
-      << complexity_of(shrunk.scenario).digits;
-}
-
-TEST(Shrink, WhatNeedsItsExpectationsKeepsThem) {
+TEST(Shrink, WhatIsNeededIsKept) {
   Scenario scenario = eventful_fling();
   scenario.expect.emplace().finite = true;
   scenario.record_every = 7;
-  const auto expects = [](const Scenario& each) { return each.expect.has_value(); };
-  EXPECT_EQ(complexity_of(shrink(shipped_core(), scenario, expects).scenario).extras, 1);
-  EXPECT_EQ(complexity_of(shrink(shipped_core(), scenario, meets_the_top).scenario).extras, 0);
+  const auto left = [&](const auto& fails) {
+    return complexity_of(shrink(shipped_core(), scenario, fails).scenario);
+  };
+  EXPECT_EQ(left([](const Scenario& each) { return complexity_of(each).steps >= 37; }).steps, 37);
+  EXPECT_EQ(left([](const Scenario& each) { return each.clock.jitter.has_value(); }),
+            (Complexity{.steps = 0, .events = 0, .clock = 3, .digits = 5}));
+  EXPECT_EQ(left([](const Scenario& each) { return each.expect.has_value(); }).extras, 1);
+  EXPECT_EQ(left(meets_the_top).extras, 0);
 }
 
 TEST(Shrink, IsDeterministicAndOfRandomRunsAsWell) {
@@ -110,6 +106,84 @@ TEST(Numbers, AreRoundedToSoManyDigits) {
   EXPECT_EQ(rounded(4, 1).start.x_px, -100.0);
   EXPECT_EQ(rounded(4, 17).start.x_px, -123.456);
   EXPECT_EQ(rounded(4, 0).start.x_px, 0.0);
+}
+
+std::vector<Row> rows_of(const Scenario& scenario) {
+  TraceSink rows;
+  replay(shipped_core(), scenario, rows);
+  return rows.rows();
+}
+
+Digest hash_of(const Scenario& scenario) { return replay(shipped_core(), scenario).state_hash; }
+
+TEST(ScenarioEdit, PlainPlaysTheSame) {
+  Scenario scenario = eventful_fling();
+  scenario.schema = "../schema.json";
+  EXPECT_EQ(hash_of(plain(scenario)), hash_of(scenario));
+  EXPECT_EQ(plain(scenario).schema, std::nullopt) << "a path from another folder";
+  scenario = fling_at(60.0, 0);
+  scenario.length = 1.5;
+  EXPECT_EQ(plain(scenario).length, (std::variant<std::monostate, std::int64_t, double>{std::int64_t{90}}));
+}
+
+TEST(ScenarioEdit, RecordedPlaysTheSame) {
+  for (std::uint64_t run = 0; run < 200; ++run) {
+    const Scenario scenario = plain(random_run(shipped_core(), 1, run).scenario);
+    EXPECT_EQ(hash_of(recorded(scenario)), hash_of(scenario)) << scenario.name;
+    EXPECT_TRUE(is_valid(recorded(scenario)));
+  }
+}
+
+TEST(ScenarioEdit, AfterFramesTheOtherRowsAreTheSame) {
+  const Scenario scenario = recorded(plain(eventful_fling()));
+  const std::vector<Row> all = rows_of(scenario);
+  for (const std::int64_t frames : {1, 50, 99, 103, 160, 190, 329}) {
+    const Scenario later = after_frames(shipped_core(), scenario, frames);
+    EXPECT_TRUE(is_valid(later)) << frames;
+    const std::vector<Row> some = rows_of(later);
+    ASSERT_EQ(some.size(), all.size() - static_cast<std::size_t>(frames));
+    for (std::size_t row = 1; row < some.size(); ++row)
+      EXPECT_TRUE(same_bits(state_of(all[row + static_cast<std::size_t>(frames)]), state_of(some[row])))
+          << frames;
+  }
+}
+
+TEST(ScenarioEdit, LaterEventsMoveWithTheirFrames) {
+  const Scenario scenario = fling_at(60.0, 50, {{std::int64_t{5}, Stop{}}, {std::int64_t{40}, Stop{}}});
+  const Scenario shorter = without_frames(scenario, 10, 30);
+  EXPECT_EQ(step_count(shorter), 30);
+  EXPECT_EQ(shorter.events, (std::vector<Event>{{std::int64_t{5}, Stop{}}, {std::int64_t{20}, Stop{}}}));
+}
+
+TEST(ScenarioEdit, AReleaseWithoutItsGrabIsAFling) {
+  const Scenario scenario =
+      fling_at(60.0, 50, {{std::int64_t{5}, Grab{}}, {std::int64_t{9}, Release{{1.0, 2.0}}}});
+  const Scenario simpler = without_events(scenario, 0, 1);
+  EXPECT_EQ(simpler.events, (std::vector<Event>{{std::int64_t{9}, Fling{{1.0, 2.0}}}}));
+  EXPECT_TRUE(is_valid(simpler));
+}
+
+TEST(ScenarioEdit, WhatIsNotValidIsFound) {
+  const Scenario good = fling_at(60.0, 50);
+  EXPECT_TRUE(is_valid(good));
+  const auto is_bad = [&](const auto& change) {
+    Scenario changed = good;
+    change(changed);
+    return !is_valid(changed);
+  };
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.window.width_px = -1; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.sprite.height_px = 0; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.start.x_px = 2e12; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.start_velocity.vy_px_per_s = std::nan(""); }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.clock.base = FixedRate{0.0}; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.clock.base = FixedStep{-1.0}; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.clock.base = RecordedSteps{}; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.clock.jitter = Jitter{Jitter::Kind::uniform, 1.5, 1}; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.events = {{std::int64_t{50}, Stop{}}}; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.events = {{std::int64_t{9}, Stop{}}, {std::int64_t{8}, Stop{}}}; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.events = {{std::int64_t{9}, Grab{}}, {std::int64_t{9}, Grab{}}}; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.events = {{std::int64_t{9}, Release{}}}; }));
+  EXPECT_TRUE(is_bad([](Scenario& s) { s.events = {{std::int64_t{9}, Hitch{2e9}}}; }));
 }
 
 }  // namespace

@@ -98,14 +98,6 @@ struct OtherFlight {
     meet_walls(b, f);
   }
 };
-struct ExactFlight {
-  void operator()(auto& b, const auto& f) const {
-    move(b, f.dt);
-    b.y = b.y + f.dt * f.dt * 600.0;
-    fall(b, f.dt);
-    meet_walls(b, f);
-  }
-};
 struct YFirst {
   static constexpr bool kTellsVelocity = false;  // In a corner the order in which they are met makes no bit.
   void operator()(auto& b, const auto& f) const {
@@ -213,25 +205,6 @@ struct Clamped {
   }
 };
 
-struct SpeedLimit {
-  void operator()(auto& b, const auto& f) const {
-    fall(b, f.dt);
-    if (b.vx > 2000.0) b.vx = 2000.0;
-    if (b.vx < -2000.0) b.vx = -2000.0;
-    if (b.vy > 2000.0) b.vy = 2000.0;
-    move(b, f.dt);
-    meet_walls(b, f);
-  }
-};
-struct Verlet {
-  static constexpr bool kTellsVelocity = false;  // The second half of the fall is after the walls.
-  void operator()(auto& b, const auto& f) const {
-    fall(b, f.dt * 0.5);
-    move(b, f.dt);
-    meet_walls(b, f);
-    fall(b, f.dt * 0.5);
-  }
-};
 struct WallsFirst {
   static constexpr bool kTellsVelocity = false;  // What it falls with comes later.
   void operator()(auto& b, const auto& f) const {
@@ -247,16 +220,6 @@ struct ByItsMiddle {
       turn_x(b, Wall::left, 0.0, -b.vx);
     else if (b.x + half > to_real(f.window_width) - half)
       turn_x(b, Wall::right, right_of(f), -b.vx);
-    meet_y(b, f);
-  }
-};
-struct RightFirst {
-  void operator()(auto& b, const auto& f) const {
-    fly(b, f);
-    if (right_of(f) < b.x)
-      turn_x(b, Wall::right, right_of(f), -b.vx * 0.6);
-    else if (!(0.0 <= b.x))
-      turn_x(b, Wall::left, 0.0, -b.vx * 0.6);
     meet_y(b, f);
   }
 };
@@ -286,10 +249,9 @@ struct AllInside {
 };
 template <class Core>
 class ContactsOf : public testing::Test {};
-using Cores =
-    testing::Types<OtherFlight, ExactFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBound,
-                   NeverNegativeBounds, SnapsToTheLeft, ShelfInside, FrictionOfTheRowBefore, Clamped,
-                   SpeedLimit, Verlet, WallsFirst, ByItsMiddle, RightFirst, ByTheRoomLeft, AllInside>;
+using Cores = testing::Types<OtherFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBound,
+                             NeverNegativeBounds, SnapsToTheLeft, ShelfInside, FrictionOfTheRowBefore,
+                             Clamped, WallsFirst, ByItsMiddle, ByTheRoomLeft, AllInside>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
 TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {

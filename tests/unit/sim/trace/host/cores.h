@@ -61,6 +61,26 @@ struct Plain : Body<> {
   void update(double dt, int, int, int, int) { m_x += m_vx * dt; }
 };
 
+// Plain, and does this with dt before it.
+template <void (*kDo)(double)>
+struct Does : Plain {
+  using Plain::Plain;
+  void update(double dt, int width, int height, int object_width, int object_height) {
+    kDo(dt);
+    Plain::update(dt, width, height, object_width, object_height);
+  }
+};
+inline void print_nothing(double) { std::fputs("", stdout); }
+inline void spend_all_time(double) { reach_time_limit(); }
+inline void throw_below_0(double dt) {
+  if (dt < 0.0) throw std::invalid_argument("dt");
+}
+inline void end_program(double) { std::abort(); }
+using Prints = Does<print_nothing>;
+using Loops = Does<spend_all_time>;
+using Throws = Does<throw_below_0>;
+using Exits = Does<end_program>;
+
 struct AddsZero : Body<> {  // Another bit where x is -0.
   using Body::Body;
   void update(double dt, int, int, int, int) { m_x = m_x + m_vx * dt + 0.0; }
@@ -130,14 +150,6 @@ struct Integers : Body<> {
   void update(double, int width, int, int object, int) {
     const int cell = static_cast<int>(m_x) / 16 % object;
     m_x = cell * 16 + width / 2 + width / 2.0;
-  }
-};
-
-struct Prints : Plain {
-  using Plain::Plain;
-  void update(double dt, int a, int b, int c, int d) {
-    std::fputs("", stdout);
-    Plain::update(dt, a, b, c, d);
   }
 };
 
@@ -215,22 +227,10 @@ struct Recurses : Plain {
   }
 };
 
-struct Loops : Plain {
-  using Plain::Plain;
-  void update(double, int, int, int, int) { reach_time_limit(); }
-};
-
 struct Calculates : Body<> {
   using Body::Body;
   void update(double dt, int, int, int, int) {
     while (true) m_x += dt;
-  }
-};
-
-struct Throws : Plain {
-  using Plain::Plain;
-  void update(double dt, int, int, int, int) {
-    if (dt < 0.0) throw std::invalid_argument("dt");
   }
 };
 
@@ -240,11 +240,6 @@ struct Allocates : Plain {
   void update(double, int, int, int, int) {
     while (true) kept = new char[1 << 26];
   }
-};
-
-struct Exits : Plain {
-  using Plain::Plain;
-  void update(double, int, int, int, int) { std::abort(); }
 };
 
 #undef double

@@ -2,11 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
+#include "sim/trace/host/limits.h"
 #include "sim/trace/host/recorder.h"
 #include "sim/trace/listing_step.h"
 #include "sim/trace/step_text.h"
+#include "sim/trace/traced_step.h"
 #include "tests/unit/sim/trace/host/cores.h"
 
 namespace hyrax {
@@ -56,17 +62,16 @@ TEST_F(Explorer, TakesMixedArgumentsOfTheStandardFunctions) {
 
 TEST_F(Explorer, KeepsTheArithmeticOfFloat) {
   const std::string text = text_of<Floats>();
-  EXPECT_NE(text.find("members: single single single single\n"), std::string::npos);
-  EXPECT_NE(text.find(": single = to_single(dt)"), std::string::npos);
-  EXPECT_NE(text.find(": real = to_real(x)"), std::string::npos);  // Compared with a half, which is a double.
+  for (const char* const part : {"members: single single single single\n", ": single = to_single(dt)",
+                                 ": real = to_real(x)"})  // Compared with a half, which is a double.
+    EXPECT_NE(text.find(part), std::string::npos) << text;
   EXPECT_EQ(shape_of(step_of<Floats>()).difference, "x, y, vx and vy that are not double");
 }
 
 TEST_F(Explorer, KeepsTheArithmeticOfInt) {
   const std::string text = text_of<Integers>();
-  EXPECT_NE(text.find(": whole = window_width / 2"), std::string::npos) << text;
-  EXPECT_NE(text.find(": whole = to_whole(x)"), std::string::npos) << text;
-  EXPECT_NE(text.find(" % sprite_width"), std::string::npos) << text;
+  for (const char* const part : {": whole = window_width / 2", ": whole = to_whole(x)", " % sprite_width"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
 TEST_F(Explorer, FoldsConstantsAsTheCompilerDoes) {
@@ -80,8 +85,8 @@ TEST_F(Explorer, FindsFurtherMembersInTheBody) {
   EXPECT_EQ(step.members, (std::vector{NumberKind::real, NumberKind::real, NumberKind::real, NumberKind::real,
                                        NumberKind::whole, NumberKind::whole, NumberKind::real}));
   const std::string text = step_text(step);
-  EXPECT_NE(text.find("member_5 < 3"), std::string::npos) << text;
-  EXPECT_NE(text.find("member_6 == 0"), std::string::npos) << text;
+  for (const char* const part : {"member_5 < 3", "member_6 == 0"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
 TEST_F(Explorer, GoesOnWhereACorePrints) { EXPECT_EQ(text_of<Prints>(), text_of<Plain>()); }
@@ -100,6 +105,41 @@ TEST_F(Explorer, SaysWhyAStepIsNotComplete) {
   EXPECT_EQ(why_incomplete<Large>(), "more than 32 members");
   EXPECT_EQ(why_incomplete<Divides>(), "over its limits: divides an integer by 0");
   EXPECT_EQ(why_incomplete<Calculates>(), "over its limits: more than 100,000 operations");
+}
+
+using namespace traced_cores;
+
+// What a process that traces this core leaves as the reason.
+template <class Core>
+std::string why_incomplete() {
+  const std::string file = testing::TempDir() + "why_incomplete." + std::to_string(getpid());
+  const pid_t child = fork();
+  if (child == 0) {
+    trace::limit_process(file, 1);
+    [&]() noexcept {  // No further than here, where GoogleTest would take it.
+      static_cast<void>(trace::trace_core(trace::calls_of<Core, trace::Real, trace::Whole>()));
+    }();
+    _exit(1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  std::ifstream stream(file);
+  std::string why(std::istreambuf_iterator<char>(stream), {});
+  unlink(file.c_str());
+  return why;
+}
+
+TEST(LimitProcess, SaysWhichLimitAHeaderMet) {
+  EXPECT_EQ(why_incomplete<Loops>(), "over its limits: takes too long");
+  EXPECT_EQ(why_incomplete<Recurses>(),
+            "over its limits: recursion without end, or memory that is not its own");
+  EXPECT_EQ(why_incomplete<Throws>(), "over its limits: throws an exception");
+  EXPECT_EQ(why_incomplete<Exits>(), "over its limits: ends the program");
+  EXPECT_EQ(why_incomplete<Indexes>(), "a number becomes an integer");
+  if (trace::kLimitsMemory) {
+    EXPECT_EQ(why_incomplete<Allocates>(), "over its limits: more than 1 GB of memory");
+  }
 }
 
 }  // namespace

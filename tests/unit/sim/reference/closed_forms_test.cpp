@@ -1,3 +1,4 @@
+// Every closed form against numbers of 256 bits.
 #include "sim/reference/arc_solution.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "sim/reference/flight.h"
+#include "sim/reference/phi.h"
 #include "tests/unit/sim/reference/wide.h"
 
 namespace hyrax {
@@ -93,27 +96,18 @@ struct ExactLawTruth {
   }
 };
 
-TEST(ArcSolution, FollowsEveryLawOverAHundredSeconds) {
-  constexpr double kSpeed = -900.0;
-  for (const double rate_hz : {24.0, 60.0, 240.0}) {
-    const std::vector<double> frames_s(static_cast<std::size_t>(100 * rate_hz), 1.0 / rate_hz);
-    EXPECT_LT(worst_error(frames_s, kSpeed, DiscreteTruth{{0.0, kSpeed}}, &ArcSolution::discrete), kTolerance)
-        << rate_hz;
-    EXPECT_LT(worst_error(frames_s, kSpeed, ExactLawTruth{{0.0, kSpeed}}, &ArcSolution::exact_law),
-              kTolerance)
-        << rate_hz;
-    EXPECT_LT(worst_error(frames_s, kSpeed, MatchedTruth{{0.0, kSpeed}}, &ArcSolution::matched), kTolerance)
-        << rate_hz;
+// Over a hundred seconds, and under jitter, where each frame has its own rate.
+TEST(ArcSolution, FollowsEveryLaw) {
+  const auto steady = [](int rate_hz) {
+    return std::pair(-900.0, std::vector(static_cast<std::size_t>(100 * rate_hz), 1.0 / rate_hz));
+  };
+  for (const auto& [v, frames_s] :
+       {steady(24), steady(60), steady(240), std::pair(700.0, jittered_frames(6000))}) {
+    SCOPED_TRACE(frames_s.size());
+    EXPECT_LT(worst_error(frames_s, v, DiscreteTruth{{0.0, v}}, &ArcSolution::discrete), kTolerance);
+    EXPECT_LT(worst_error(frames_s, v, ExactLawTruth{{0.0, v}}, &ArcSolution::exact_law), kTolerance);
+    EXPECT_LT(worst_error(frames_s, v, MatchedTruth{{0.0, v}}, &ArcSolution::matched), kTolerance);
   }
-}
-
-// Each frame has its own rate.
-TEST(ArcSolution, FollowsEveryLawUnderJitter) {
-  constexpr double kSpeed = 700.0;
-  const std::vector<double> frames_s = jittered_frames(6000);
-  EXPECT_LT(worst_error(frames_s, kSpeed, DiscreteTruth{{0.0, kSpeed}}, &ArcSolution::discrete), kTolerance);
-  EXPECT_LT(worst_error(frames_s, kSpeed, ExactLawTruth{{0.0, kSpeed}}, &ArcSolution::exact_law), kTolerance);
-  EXPECT_LT(worst_error(frames_s, kSpeed, MatchedTruth{{0.0, kSpeed}}, &ArcSolution::matched), kTolerance);
 }
 
 // Random arcs up to 100 s, from no drag to the drag of a million frames a second: a dozen roundings.
@@ -177,6 +171,107 @@ TEST(ArcSolution, WithoutHorizontalMotionDoesNotSolveX) {
   EXPECT_EQ(solution.discrete().dx_px, 0.0);
   EXPECT_EQ(solution.matched().vx_px_per_s, 0.0);
   EXPECT_EQ(solution.model().x_px, 0.0);
+}
+
+double relative_error(double value, const Wide& truth) {
+  return std::fabs(((Wide(value) - truth) / truth).rounded());
+}
+double relative_error(const DoubleDouble& value, const Wide& truth) {
+  return std::fabs(((Wide(value.hi) + value.lo - truth) / truth).rounded());
+}
+
+// z from -1e-18 to -1e6, evenly in its logarithm.
+double random_z(std::mt19937_64& random) {
+  return -std::pow(10.0, std::uniform_real_distribution<>(-18.0, 6.0)(random));
+}
+
+// Twelve terms and their sums cost an ulp or two, each of at most eight doublings another half.
+TEST(Phi, AgreesWith256BitsAtAnyDamping) {
+  std::mt19937_64 random(1);
+  double worst = 0.0;
+  for (int i = 0; i < 20'000; ++i) {
+    const double z = random_z(random);
+    const Phi p = phi(z);
+    const WideTextbookPhi truth{Wide(z)};
+    worst = std::max({worst, relative_error(p.one, truth.one), relative_error(p.two, truth.two)});
+  }
+  EXPECT_LT(worst, 1e-15);
+}
+
+TEST(WidePhi, HasAHundredBits) {
+  for (const double z : {-90.0, -3.0, -1.0, -0.5, -1e-3, -1e-9}) {
+    const WidePhi p = wide_phi({z, 0.0});
+    const WideTextbookPhi truth{Wide(z)};
+    EXPECT_LT(relative_error(p.one, truth.one), 0x1p-100) << z;
+    EXPECT_LT(relative_error(p.two, truth.two), 0x1p-100) << z;
+  }
+}
+
+TEST(WideLog, HasAHundredBits) {
+  for (const double a : {0.5, 0.75, 0.999, 0.99996, 1.0 - 0x1p-40})
+    EXPECT_LT(relative_error(wide_log(a), log(Wide(a))), 0x1p-99) << a;
+}
+
+Wide position_at(const Approach& approach, const Wide& t) {
+  WideMotion motion{approach.position_px, approach.speed_px_per_s};
+  motion.fly(approach.acceleration_px_per_s2, Wide(approach.drag_rate_per_s) * t, t);
+  return motion.displacement;
+}
+
+// The root between two times, inside at the first and outside at the second, by halving.
+Wide true_time(const Approach& approach, Wide low, Wide high) {
+  for (int i = 0; i < 80; ++i) {
+    const Wide middle = (low + high) / 2.0;
+    (position_at(approach, middle) < Wide(0.0) ? low : high) = middle;
+  }
+  return low;
+}
+
+struct Draw {
+  explicit Draw(std::uint64_t seed) : random(seed) {}
+  double operator()(double low, double high) { return std::uniform_real_distribution<>(low, high)(random); }
+  std::mt19937_64 random;
+};
+
+// A fall from below 1,000 px above the floor, thrown up or down; drag of 1 .. 1000 Hz or none.
+Approach random_fall(Draw& draw) {
+  return {-draw(0.1, 1000.0), draw(-2000.0, 2000.0), kGravity,
+          draw(0.0, 1.0) < 0.1 ? 0.0 : std::pow(10.0, draw(-3.0, 0.0))};
+}
+
+// The goal is 1e-12; the closed form's rounding leaves a few units of 1.1e-16.
+TEST(TimeOfImpact, OfAFallAgreesWith256Bits) {
+  Draw draw(5);
+  for (int i = 0; i < 300; ++i) {
+    const Approach fall = random_fall(draw);
+    const Wide truth = true_time(fall, Wide(std::max(0.0, -fall.speed_px_per_s) / kGravity / 2.0), 100.0);
+    ASSERT_LT(std::fabs(((truth - time_of_impact(fall, 100.0)->t_s) / truth).rounded()), 1e-14) << i;
+  }
+}
+
+TEST(TimeOfImpact, IsNoneForAWallThatIsNotMetInTheTimeGiven) {
+  const Approach fall{-100.0, 0.0, kGravity, 0.06};
+  const double t_s = time_of_impact(fall, 10.0)->t_s;
+  EXPECT_TRUE(time_of_impact(fall, t_s * (1 + 1e-12)));
+  EXPECT_FALSE(time_of_impact(fall, t_s * (1 - 1e-12)));
+  // 0.6 px above at the turning point, inside before and after; below it.
+  EXPECT_TRUE(time_of_impact({-149.4, 600.0, -kGravity, 0.0}, 1.0));
+  EXPECT_FALSE(time_of_impact({-150.1, 600.0, -kGravity, 0.0}, 10.0));
+  EXPECT_FALSE(time_of_impact({-0.0, -300.0, 0.0, 0.06}, 10.0)) << "it is left";
+  const Impact on_the_wall = time_of_impact({0.0, 0.0, kGravity, 0.06}, 1.0).value();
+  EXPECT_EQ(on_the_wall.t_s, 0.0);
+  EXPECT_EQ(on_the_wall.speed_px_per_s, 0.0);
+}
+
+TEST(TimeOfImpact, OfASpeedTooSmallToDivideIsThatOfRest) {
+  const double at_rest_s = time_of_impact({-100.0, 0.0, kGravity, 0.06}, 10.0)->t_s;
+  EXPECT_EQ(time_of_impact({-100.0, -2.5e-323, kGravity, 0.06}, 10.0)->t_s, at_rest_s);
+}
+
+TEST(TimeOfImpact, IsFoundUnderTheDragOfABillionFramesASecond) {
+  // Terminal speed g / k = 1.2e-3 px/s is reached at once: 1e-3 px take 0.83 s.
+  const auto impact = time_of_impact({-1e-3, 0.0, kGravity, 1e6}, 10.0);
+  EXPECT_NEAR(impact.value().t_s, 1e-3 / 1.2e-3, 1e-5);
 }
 
 }  // namespace

@@ -1,15 +1,23 @@
+// Contacts by cores that do not tell them: of rows, and by a traced step. Those of the shipped core are the
+// shipped ones.
 #include "sim/core/core.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "sim/core/contact_kernel.h"
+#include "sim/core/core_record.h"
 #include "sim/core/kernel_of.h"
 #include "sim/core/listing_core.h"
+#include "sim/core/shipped_core.h"
+#include "sim/core/traced_core.h"
 #include "sim/replay/replay.h"
+#include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
+#include "tests/unit/sim/trace/recording.h"
 
 namespace hyrax {
 namespace {
@@ -47,11 +55,9 @@ TEST(RowWalls, AreMetOnOrPastABoundOrWhereTheVelocityTurnsAwayWithinReach) {
   };
   for (const auto& [before, after, contact] : cases)
     EXPECT_EQ(contact_of_rows(kBounds, before, kDt_s, after), contact) << after.x_px << ", " << after.y_px;
-}
-
-TEST(RowWalls, OfTwoAtTheSamePlaceAreTheLeftAndTheTop) {
   EXPECT_EQ(contact_of_rows({0.0, -20.0}, kInside, kDt_s, {0.0, -10.0, 1.0, 1.0}),
-            bit(Wall::left) | bit(Wall::top));
+            bit(Wall::left) | bit(Wall::top))
+      << "of two at the same place";
 }
 
 // Gravity, and walls that reflect the path.
@@ -110,6 +116,66 @@ TEST(KernelOfARowCore, GivesTheBitsOfItsStepAndTheContactsOfItsRows) {
   }
   EXPECT_EQ(summary.contacts.top, 0);
   EXPECT_TRUE(summary.had_friction);
+}
+
+void expect_the_runs_of_the_shipped_core(const Core& core) {
+  for (const std::string& path : scenario_files()) {
+    const Scenario scenario = load_scenario(path);
+    TraceSink shipped({.rows_every = 1000, .contacts = true, .blocks = true});
+    TraceSink played({.rows_every = 1000, .contacts = true, .blocks = true});
+    const std::string expected = text_of(replay(shipped_core(), scenario, shipped));
+    ASSERT_EQ(text_of(replay(core, scenario, played)), expected) << path;
+    ASSERT_TRUE(same_trace(played, shipped)) << path;
+  }
+}
+
+// The shipped rows, their contacts told by this step, or without one by the rows.
+TEST(ContactKernel, TellsTheContactsOfTheCoreByItsTracedStepAndByRowsThatAreThePapers) {
+  for (const auto& step :
+       {make_step_program(canonical(recording::record_listing())), std::shared_ptr<const StepProgram>()}) {
+    Core core = shipped_core();
+    core.kernel = std::make_shared<const ContactKernel>(core.kernel, step, core.constants);
+    expect_the_runs_of_the_shipped_core(core);
+  }
+}
+
+TEST(CompleteByStep, FindsTheConstantsThatTheClassGivesOtherNames) {
+  Core core = shipped_core();
+  core.constants.reset();
+  complete_by_step(core);
+  ASSERT_TRUE(core.constants);
+  EXPECT_TRUE(same_bits(*core.constants, shipped_core().constants.value()));
+}
+
+// A spin, which no row shows, turns it.
+struct SpinningBody : recording::Body {
+  recording::Real spin = 3.0;
+};
+
+TEST(ContactKernel, TellsTheContactsOfAStepWithFurtherMembers) {
+  const TracedStep step =
+      canonical(recording::record_of<SpinningBody>([](SpinningBody& body, const recording::Frame& frame) {
+        body.vx = body.vx + body.spin * frame.dt;
+        body.spin = body.spin * recording::Real(0.5);
+        recording::Listing()(body, frame);
+      }));
+  const std::optional<Core> core = traced_core(step);  // Knows its contacts.
+  Core told = core.value();
+  told.kernel = std::make_shared<const ContactKernel>(core->kernel, make_step_program(step), std::nullopt);
+  const Event fling{std::int64_t{9'000}, Fling{{-1500.0, -900.0}}};
+  for (const Scenario& scenario :
+       {eventful_fling(), fling_at(60.0, 20'000), fling_at(60.0, 10'000, {fling})}) {
+    TraceSink own, found;
+    const std::string expected = text_of(replay(*core, scenario, own));
+    EXPECT_EQ(text_of(replay(told, scenario, found)), expected);
+    EXPECT_TRUE(same_trace(found, own));
+  }
+}
+
+TEST(TracedCore, PlaysEveryScenarioAsTheShippedCoreDoes) {
+  const std::optional<Core> core = traced_core(canonical(recording::record_listing()));
+  EXPECT_FALSE(core.value().constants);
+  expect_the_runs_of_the_shipped_core(*core);
 }
 
 }  // namespace
