@@ -1,10 +1,11 @@
-// A run as `run` writes it, and its file as the report page shows it without JavaScript.
+// A run as `run` writes it, how far it is, and its file as the report page shows it without JavaScript.
 #include <gtest/gtest.h>
 
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tests/unit/tools/store/temp_folder.h"
+#include "tools/app/command_line/progress.h"
 #include "tools/app/play/play_with_progress.h"
 #include "tools/app/report/report_page.h"
 #include "tools/app/runs/scenario_run.h"
@@ -29,6 +30,14 @@ TEST(RunPicture, TakesEveryRowOfTheFirstStepsAndEveryNthLater) {
   EXPECT_EQ(wants.rows_every, 3);
   EXPECT_EQ(wants.all_rows_to, 50'000);
   EXPECT_EQ(RunPicture(fling_at(60.0, 49'999)).wants().rows_every, 1);
+}
+
+TEST(Progress, EstimatesByWhatIsDoneAndNothingBefore) {
+  EXPECT_EQ(progress_text(25, 100, "steps", 2.0), "25 of 100 steps, 12.5 per second, 6 s left");
+  EXPECT_EQ(progress_text(100, 100, "steps", 2.0), "100 of 100 steps, 50 per second, 0 s left");
+  EXPECT_EQ(progress_text(200, 100, "steps", 2.0), "200 of 100 steps, 100 per second, 0 s left");
+  for (const double elapsed_s : {0.0, 2.0})
+    EXPECT_EQ(progress_text(0, 100, "steps", elapsed_s), "0 of 100 steps");
 }
 
 TEST(Title, HasTheClockAndHowFarARunCame) {

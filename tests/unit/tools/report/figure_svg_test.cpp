@@ -13,36 +13,30 @@ namespace {
 
 std::string svg_of(Plot plot) { return figure_svg({.title = "t", .body = std::vector{std::move(plot)}}); }
 
-std::vector<std::string> texts_of(const PlotScale& scale) {
-  std::vector<std::string> texts;
-  for (const Tick& tick : scale.ticks()) texts.push_back(tick.text);
-  return texts;
-}
-
 PlotScale scale_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {
   PlotScale scale(axis, values);
   scale.place(0.0, length_px, 80.0);
   return scale;
 }
 
+std::string ticks_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {
+  std::string texts;
+  for (const Tick& tick : scale_of(axis, values, length_px).ticks()) texts += " " + tick.text;
+  return texts;
+}
+
 TEST(PlotScale, TicksAreRoundDistinctAndWithinTheEnds) {
-  const Axis thousands{.low = 0.0, .high = 11'000.0};
-  EXPECT_EQ(texts_of(scale_of(thousands, {})), (std::vector<std::string>{"0", "5,000", "10,000"}));
-  const Axis close{.low = 0.5996, .high = 0.6004, .decimals = 2};
-  EXPECT_EQ(texts_of(scale_of(close, {})),
-            (std::vector<std::string>{"0.5996", "0.5998", "0.6000", "0.6002", "0.6004"}))
+  EXPECT_EQ(ticks_of({.low = 0.0, .high = 11'000.0}, {}), " 0 5,000 10,000");
+  EXPECT_EQ(ticks_of({.low = 0.5996, .high = 0.6004, .decimals = 2}, {}),
+            " 0.5996 0.5998 0.6000 0.6002 0.6004")
       << "more decimals than asked for, or two were the same";
-  const Axis signs{.low = -3.0, .high = 3.0};
-  EXPECT_EQ(texts_of(scale_of(signs, {})), (std::vector<std::string>{"−2", "0", "2"}));
-  const Axis short_of_two{.low = 5.31, .high = 5.47};
-  EXPECT_EQ(texts_of(scale_of(short_of_two, {}, 180.0)), (std::vector<std::string>{"5.35", "5.40", "5.45"}))
-      << "a single tick gives no scale";
+  EXPECT_EQ(ticks_of({.low = -3.0, .high = 3.0}, {}), " −2 0 2");
+  EXPECT_EQ(ticks_of({.low = 5.31, .high = 5.47}, {}, 180.0), " 5.35 5.40 5.45") << "one gives no scale";
   const Axis powers{.is_logarithmic = true};
-  EXPECT_EQ(texts_of(scale_of(powers, {2.0, 8.0}, 300.0)), (std::vector<std::string>{"2", "5", "10"}));
-  EXPECT_EQ(texts_of(scale_of(powers, {1e-9, 1e5}, 700.0)),
-            (std::vector<std::string>{"10⁻⁸", "10⁻⁶", "10⁻⁴", "0.01", "1", "100", "10,000"}));
-  EXPECT_EQ(texts_of(scale_of(powers, {}, 300.0)), (std::vector<std::string>{"1", "10"})) << "no data";
-  EXPECT_EQ(texts_of(scale_of({}, {7.0}, 200.0)), (std::vector<std::string>{"5", "10"})) << "one value";
+  EXPECT_EQ(ticks_of(powers, {2.0, 8.0}, 300.0), " 2 5 10");
+  EXPECT_EQ(ticks_of(powers, {1e-9, 1e5}, 700.0), " 10⁻⁸ 10⁻⁶ 10⁻⁴ 0.01 1 100 10,000");
+  EXPECT_EQ(ticks_of(powers, {}, 300.0), " 1 10") << "no data";
+  EXPECT_EQ(ticks_of({}, {7.0}, 200.0), " 5 10") << "one value";
 }
 
 TEST(PlotScale, TicksEndWhereNumbersAreFarApart) {
@@ -55,11 +49,10 @@ TEST(PlotScale, TicksEndWhereNumbersAreFarApart) {
 
 TEST(PlotScale, ZeroHasATickOnALogarithmicAxisWhereThereIsOneAndNoneBelow) {
   const Axis axis{.is_logarithmic = true, .zero_at = 1e-4};
-  EXPECT_EQ(texts_of(scale_of(axis, {0.0, 1.0})),
-            (std::vector<std::string>{"0", "0.001", "0.01", "0.1", "1"}));
-  EXPECT_EQ(texts_of(scale_of(axis, {0.05, 1.0})), (std::vector<std::string>{"0.1", "1"})) << "no data is 0";
+  EXPECT_EQ(ticks_of(axis, {0.0, 1.0}), " 0 0.001 0.01 0.1 1");
+  EXPECT_EQ(ticks_of(axis, {0.05, 1.0}), " 0.1 1") << "no data is 0";
   const Axis rounding{.is_logarithmic = true, .zero_at = 0.1, .zero_text = "≤ 0.1"};
-  EXPECT_EQ(texts_of(scale_of(rounding, {1e-14, 100.0})).front(), "≤ 0.1");
+  EXPECT_TRUE(ticks_of(rounding, {1e-14, 100.0}).starts_with(" ≤ 0.1 "));
   EXPECT_EQ(scale_of(rounding, {1e-14, 100.0}).at(1e-14), scale_of(rounding, {1e-14, 100.0}).at(0.1));
 }
 
@@ -133,7 +126,6 @@ TEST(Look, TextHasContrastAndSeriesDiffer) {
     EXPECT_GE(contrast_of(colour, card), 4.5) << name_of(tone);
     EXPECT_GE(contrast_of(dark_of(colour), dark_of(card)), 4.5) << name_of(tone);
   }
-  EXPECT_LT(contrast_of(colour_of(Tone::hairline), colour_named("card")), 4.5) << "a colour that is too pale";
   for (const auto& [good, bad] :
        {std::pair("good", "bad"), {"fill-good", "fill-bad"}, {"good-tint", "bad-tint"}})
     for (const bool is_dark : {false, true}) {
@@ -148,27 +140,21 @@ TEST(Look, TextHasContrastAndSeriesDiffer) {
 
 // Each fault is found in a picture that has it.
 TEST(PictureFaults, FindsOverlapsCutTextsAndPaleOnes) {
-  const auto faults_of = [](const auto& draw) {
-    Sheet sheet{200, 100};
-    draw(sheet.svg);
-    return picture_faults(svg_text("t", sheet));
+  struct Text {
+    SvgPoint at;
+    const char* text;
+    Tone tone = Tone::ink;
   };
-  const Lettering letters{.tone = Tone::ink};
-  EXPECT_TRUE(faults_of([&](Svg& svg) {
-                svg.text({20, 20}, "one", letters), svg.text({20, 50}, "two", letters);
-              }).empty());
-  EXPECT_EQ(faults_of([&](Svg& svg) {
-              svg.text({20, 20}, "one", letters), svg.text({25, 24}, "two", letters);
-            }),
-            std::vector<std::string>{"overlap: one and two"});
-  EXPECT_EQ(faults_of([&](Svg& svg) {
-              svg.text({180, 20}, "long text", letters);
-            }),
-            std::vector<std::string>{"cut: long text"});
-  EXPECT_EQ(faults_of([&](Svg& svg) {
-              svg.text({20, 20}, "pale", {.tone = Tone::hairline});
-            }).front(),
-            "pale: pale");
+  const auto first_fault = [](const std::vector<Text>& texts) {
+    Sheet sheet{200, 100};
+    for (const Text& each : texts) sheet.svg.text(each.at, each.text, {.tone = each.tone});
+    const std::vector<std::string> faults = picture_faults(svg_text("t", sheet));
+    return faults.empty() ? "" : faults.front();
+  };
+  EXPECT_EQ(first_fault({{{20, 20}, "one"}, {{20, 50}, "two"}}), "");
+  EXPECT_EQ(first_fault({{{20, 20}, "one"}, {{25, 24}, "two"}}), "overlap: one and two");
+  EXPECT_EQ(first_fault({{{180, 20}, "long text"}}), "cut: long text");
+  EXPECT_EQ(first_fault({{{20, 20}, "pale", Tone::hairline}}), "pale: pale");
   EXPECT_EQ(picture_faults("<svg><style>svg{height:auto}</style></svg>").size(), 1u);
   const Series one{.name = "a", .x = {1}, .y = {1}};
   EXPECT_EQ(shared_looks({one, one}).size(), 1u);

@@ -42,13 +42,10 @@ test('charts have these series, units and values', () => {
   ]);
 });
 
-test('errors with the drag of 60 Hz are one line', () => {
+test('errors with the drag of 60 Hz are one line, another run is dashed, with its distance', () => {
   const errorNames = model => series.chartsOf({ ...result, errors: { ...errors, model } }, sizes).find(({ id }) => id === 'errors').series.map(({ name }) => name);
   assert.deepEqual(errorNames([0, 2e-3, 3]), ['model and truncation', 'implementation']);
   assert.deepEqual(errorNames([0, 2e-3, 3.00001]), ['model', 'truncation', 'implementation']);
-});
-
-test('another run is drawn dashed, with its distance', () => {
   const other = { label: 'golden', name: 'golden file', rows: { step: [2, 4, 5, 8], x: [3, 2, 0, 12], y: [10, 23, 0, 40], vx: [1, 2, 3, 4], vy: [5, 6, 7, 8] } };
   other.distances = series.distancesFrom(other.rows, rows);
   assert.deepEqual(other.distances, [null, 0, 5, null, 0]);
@@ -156,7 +153,7 @@ test('a cell is the mean of its members', () => {
     [[0, 0, 0, 1, 0, 2, 5], [1, 0, 1, 2, 0, 1, 2], [2, 0, 2, 4, 0, 1, 3], [0, 1, 3, 1, 10, 1, 4], [1, 1, 4, 2, 10, 0, NaN], [2, 1, 5, 4, 10, 1, 6]]);
 });
 
-test('of many values cells are even, and hold every member once', () => {
+test('of many values cells are even, and points at most 5000 members, evenly taken', () => {
   for (const side of [1, 99, 100, 101, 250]) {
     const x = number(count(side * 2).map(i => i % side), true), y = number(count(side * 2).map(i => Math.floor(i / side)), true);
     const { edges: [across], items } = cells.itemsOf({ x, y, tint: number(x.values, false) });
@@ -165,9 +162,6 @@ test('of many values cells are even, and hold every member once', () => {
     assert.equal(items.reduce((sum, item) => sum + item.count, 0), 2 * side);
     for (const { column, value } of items) assert.ok(across[column] <= value && value <= across[column + 1], `${side}: ${value}`);
   }
-});
-
-test('points are at most 5000 members, evenly taken', () => {
   for (const [members, shown, stride] of [[1, 1, 1], [4999, 4999, 1], [5000, 5000, 1], [5001, 2501, 2], [10001, 3334, 3]]) {
     const x = number(count(members), true), { edges, items } = cells.itemsOf({ x, y: number(x.values.map(i => 2 * i), false), tint: number(x.values.map(i => 3 * i), false) });
     assert.deepEqual([edges, items.length, ...Object.values(items.at(-1))], [null, shown, ...[1, 1, 2, 3].map(factor => factor * stride * (shown - 1))]);

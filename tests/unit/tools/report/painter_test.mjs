@@ -21,7 +21,7 @@ function drawn(scene, body = still, looks) {
 /** Without the window and the hyrax. */
 const layer = scene => drawn(scene).slice(1, -2);
 
-test('the stage is as large as its place, and has the pixels of the display', () => {
+test('the stage is as large as its place, and has the pixels and the points of the display', () => {
   const sized = ([width, height], room, all = 1000) => {
     canvas.parentElement.clientWidth = room;
     globalThis.innerHeight = all;
@@ -35,9 +35,6 @@ test('the stage is as large as its place, and has the pixels of the display', ()
   assert.deepEqual(sized([100, 100], 900, 9000), ['600px', '600px', 1200, 1200, 12]);
   assert.deepEqual(sized([1000, 10], 200), ['200px', '40px', 400, 80, 0.4]);
   sized([100, 80], 200);
-});
-
-test('a point of the screen is one of the window', () => {
   const painter = new Painter(canvas, () => {});
   painter.setScene({ sizes, inputs: [] });
   assert.deepEqual(painter.pointOf({ clientX: 10 + 50, clientY: 20 + 25 }), [25, 20]);
@@ -84,7 +81,7 @@ test('an input is a ring at its row with its name, a hand’s way dots at the ro
   assert.deepEqual(of([9, 'grab']), []);
 });
 
-test('the hyrax looks where it goes, stands on the ground and hangs in the hand', () => {
+test('the hyrax looks where it goes, stands and hangs; an arrow shows the velocity, 0.12 s long and at most 90 points', () => {
   const of = (body, looks) => drawn({}, { ...still, ...body }, looks);
   const whole = 'fill screen: box 0,0 400,320', box = 'stroke box 2: box 120,40 40,80';
   assert.deepEqual(of({}), [whole, box, 'image fly: 120,60 40,40']);
@@ -93,9 +90,6 @@ test('the hyrax looks where it goes, stands on the ground and hangs in the hand'
   assert.deepEqual(of({ step: 5 }), ['fill screen: box 0,0 200,160', 'stroke box 2: box 120,40 80,40', 'image fly: 140,40 40,40']);
   for (const [y, vy, pose] of [[58.9, 0, 'fly'], [59, 0, 'stand'], [60, -59, 'stand'], [60, 60, 'fly']]) assert.match(of({ y, vy })[2], new RegExp(`^image ${pose}:`));
   assert.match(of({ y: 60 }, { isHeld: true })[2], /held/);
-});
-
-test('an arrow shows the velocity, 0.12 s long and at most 90 points', () => {
   const arrow = (vx, vy) => drawn({}, { ...still, vx, vy }).slice(3);
   assert.deepEqual(arrow(0, 20), []);
   assert.deepEqual(arrow(0, 100), ['stroke ink 3: from 140,80 140,128', 'fill ink: from 140,140 132.8,128 147.2,128']);
