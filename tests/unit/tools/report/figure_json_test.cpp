@@ -15,31 +15,12 @@ namespace hyrax {
 namespace {
 
 TEST(FigureJson, RefusesWhatIsNoFigureAndSaysWhere) {
-  const auto refused = [](const std::string& text) {
-    return refusal_of([&] { static_cast<void>(figures_of(parse_json(text, "text"), "figures")); });
-  };
-  EXPECT_EQ(
-      refused(R"([{"title": "t", "new": 1, "body": {"plots": [{"series": [{"x": [1], "y": [null]}]}]}}])"),
-      "");
-  EXPECT_EQ(refused(R"([{"title": 3}])"), "figures/0/title: must be a text");
-  EXPECT_EQ(refused(R"([{}, {"body": {"plots": [{"x": 3}]}}])"),
-            "figures/1/body/plots/0/x: must be an object");
-  EXPECT_EQ(refused(R"([{"note_tone": "pink"}])"), "figures/0/note_tone: unknown name (found \"pink\")");
-  for (const char* const row : {"-1", "null", "1000001"})
-    EXPECT_EQ(refused(R"([{"body": {"cells": [{"row": )" + std::string(row) + "}]}}]"),
-              "figures/0/body/cells/0/row: must be a count");
-  for (const char* const low : {"true", R"("far")"})
-    EXPECT_EQ(refused(R"([{"body": {"plots": [{"x": {"low": )" + std::string(low) + "}}]}}]"),
-              "figures/0/body/plots/0/x/low: must be a number or null");
-  for (const char* const series :
-       {R"({"x": [1], "y": []})", R"({"x": [1], "y": [1], "look": {"form": "band"}})",
-        R"({"x": [1], "y": [1], "y_low": [1, 2]})", R"({"x": [1], "y": [1], "x_low": [1]})",
-        R"({"x": [1], "y": [1], "x_low": [1, 2], "x_high": [1, 2]})",
-        R"({"x": [1], "y": [1], "point_names": ["a", "b"]})"})
-    EXPECT_EQ(refused(R"([{"body": {"plots": [{"series": [)" + std::string(series) + "]}]}}]"),
-              "figures/0/body/plots/0/series/0: its lists must have equal lengths");
-  EXPECT_EQ(refused(R"([{"body": {"list_columns": [{}], "list_rows": [[]]}}])"),
-            "figures/0/body: list_rows: each needs all columns");
+  const std::string path = HYRAX_SOURCE_DIR "/tests/unit/tools/report/refused_figures.json";
+  const Json table = parse_json(read_text_file(path), path);
+  for (const auto& [refusal, refused] : *table.get<Json::Object>())
+    for (const Json& figures : *refused.get<Json::Array>())
+      EXPECT_EQ(refusal_of([&] { static_cast<void>(figures_of(figures, "figures")); }), refusal)
+          << to_text(figures);
 }
 
 // Whole numbers are exact in a page; of a table there are all rows, of one in JSON the first.

@@ -12,6 +12,8 @@
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/report/picture_faults.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/report/look.h"
 #include "tools/report/run_scene.h"
 
@@ -243,39 +245,16 @@ std::string described(const RunScene& scene) {
 }
 
 TEST(RunScene, OfRunsAreThoseApproved) {
-  std::vector<Event> many;
-  for (std::int64_t frame = 10; frame < 300; frame += 20)
-    many.push_back({frame, Fling{{0.0, -9.0 * static_cast<double>(frame)}}});
-  many.insert(many.begin() + 3, {std::int64_t{55}, Resize{Size{900, 500}, {}}});
-  Scenario steep = fling_at(144.0, 400, many);
-  steep.window = {200, 3000};
-  steep.record_every = 7;
-  // Of the throws one is stopped, one placed elsewhere, one flies on from such a place, and one is released.
-  Scenario fast = fling_at(24.0, 90,
-                           {{10, Fling{{1.0, 2.0}}},
-                            {10, Stop{}},
-                            {20, Grab{}},
-                            {21, Fling{{3.0, 4.0}}},
-                            {22, Release{{5.0, 6.0}}},
-                            {30, Fling{{7.0, 8.0}}},
-                            {30, Place{{100.0, 200.0}}},
-                            {40, Place{{300.0, 100.0}}},
-                            {50, Fling{{9.0, 10.0}}}});
-  fast.start_velocity = {60'000.0, -700.0};
-  fast.sprite = {90, 128};
-  Scenario wide = fling_at(60.0, 60);  // Not finite at the end; more windows than are drawn.
-  wide.window = {9000, 200};
-  for (std::int64_t frame = 1; frame < 30; ++frame)
-    wide.events.push_back({frame, Resize{Size{static_cast<std::int32_t>(9000 - frame), 200}, {}}});
-  Scenario endless = fling_at(60.0, 1'200, {});  // More beads than are drawn.
-  for (std::int64_t frame = 60; frame < 1'200; frame += 60)
-    endless.events.push_back({frame, Fling{{2000.0, -900.0}}});
+  const std::string path = HYRAX_SOURCE_DIR "/tests/unit/tools/report/run_scenes.json";
+  const Json listed = parse_json(read_text_file(path), path);
+  std::vector<Scenario> scenarios = {eventful_fling()};
+  for (const Json& each : *listed.get<Json::Array>()) scenarios.push_back(to_scenario(each, path, ""));
   std::string text;
-  for (const Scenario& scenario : {eventful_fling(), steep, fast, wide, endless}) {
+  for (const Scenario& scenario : scenarios) {
     RunRecorder recorder(step_count(scenario));
     static_cast<void>(replay(shipped_core(), scenario, recorder));
     StoredRun run = recorder.take();
-    if (scenario.window == wide.window) run.rows.vx_px_per_s.back() = run.rows.x_px.back() = kNotGiven;
+    if (scenario.name == "not-finite") run.rows.vx_px_per_s.back() = run.rows.x_px.back() = kNotGiven;
     text += described(make_run_scene(scenario, run.rows, run.contacts, 640.0));
   }
   expect_approved("tests/unit/tools/report/run_scene.txt", text);

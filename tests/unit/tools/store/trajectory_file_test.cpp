@@ -1,9 +1,12 @@
 // What is written into a trajectory file is read from it, bit for bit: rows in any batches, contacts that end
-// late.
+// late, runs of any length.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "sim/core/shipped_core.h"
+#include "tests/unit/sim/replay/plain_replay.h"
 #include "tests/unit/tools/store/stored_flings.h"
 #include "tools/store/input_record.h"
 #include "tools/store/trajectory_file.h"
@@ -123,6 +126,52 @@ TEST_F(Contacts, MayEndAfterTheyWereWrittenAndAreTheSameBytesEachTime) {
   const std::string first = bytes_of(path_);
   write_some();
   EXPECT_TRUE(first == bytes_of(path_));
+}
+
+// Runs that end before, on and after every boundary of blocks, batches and steps between recorded rows: files
+// and sinks hold the rows of the plain loop.
+TEST_F(StoredRunFile, HasTheRowsAndTheHashOfThePlainLoopWhateverIsRecordedAndFromAnyRow) {
+  constexpr std::int64_t kBlock = kBlockRows, kLongest = 65'537;
+  constexpr std::int64_t kLengths[] = {
+      0, 1, kBlock - 2, kBlock - 1, kBlock, kBlock + 1, 2 * kBlock, 2 * kBlock + 1, 65'535, 65'536, kLongest};
+  for (const bool repeats : {true, false}) {  // Of the second no step is skipped.
+    Scenario scenario = fling_at(60.0, kLongest);
+    if (!repeats) scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.1, 3};
+    const PlainRun plain = PlainReplay(scenario).play();
+    PlainRun beginning;  // A shorter run is the beginning of the longest.
+    for (const std::int64_t steps : kLengths) {
+      scenario.length = steps;
+      beginning.rows.assign(plain.rows.begin(), plain.rows.begin() + steps + 1);
+      const std::string state_hash = beginning.state_hash();
+      for (const std::int64_t every :
+           {std::int64_t{1}, std::int64_t{3}, kBlock - 1, kBlock, kBlock + 1, steps + 1}) {
+        SCOPED_TRACE(testing::Message() << repeats << ", " << steps << " steps, every " << every);
+        scenario.record_every = every;
+        write_run(path_, scenario);
+        TraceSink trace(RowSink::Wants{.rows_every = every});
+        EXPECT_EQ(hex(replay(shipped_core(), scenario, trace).state_hash), state_hash);
+        std::vector<Row> rows;
+        for (const Row& row : beginning.rows)
+          if (row.step % every == 0 || row.step == steps) rows.push_back(row);
+        ASSERT_EQ(rows.back().step, steps);
+        ASSERT_TRUE(same_rows(rows_of(TrajectoryFile(path_)), rows));
+        ASSERT_TRUE(same_rows(trace.rows(), rows));
+      }
+    }
+    scenario.record_every = 1;
+    write_run(path_, scenario);
+    const TrajectoryFile file(path_);
+    for (const std::int64_t length : kLengths) {
+      const std::int64_t first = std::max<std::int64_t>(length - 1, 0),
+                         count = std::min<std::int64_t>(3, kLongest + 1 - first);
+      const Columns part = file.rows(first, count);
+      ASSERT_EQ(std::ssize(part.step), count);
+      for (std::int64_t row = 0; row < count; ++row)
+        ASSERT_TRUE(same_row(part.row(static_cast<std::size_t>(row)),
+                             plain.rows[static_cast<std::size_t>(first + row)]))
+            << first;
+    }
+  }
 }
 
 }  // namespace
