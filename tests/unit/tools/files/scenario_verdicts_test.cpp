@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "tests/unit/tools/files/refusal.h"
 #include "tools/files/json_pointer.h"
@@ -42,19 +43,19 @@ std::vector<Json> entries() {
   return all;
 }
 
-void take_out(Json& document, std::string pointer) {
-  Json* parent = &document;
-  while (const std::size_t end = pointer.find('/', 1) + 1) {
-    const std::string key = pointer.substr(1, end - 2);
-    pointer.erase(0, end - 1);
-    if (auto* const array = parent->get<Json::Array>())
-      parent = &array->at(std::stoul(key));
-    else
-      parent =
-          &std::ranges::find(*parent->get<Json::Object>(), key, &Json::Object::value_type::first)->second;
+constexpr char kTakenOut[] = "taken out";
+
+// Members that have this text are taken out.
+void take_out(Json& json) {
+  if (auto* const array = json.get<Json::Array>())
+    for (Json& element : *array) take_out(element);
+  if (auto* const object = json.get<Json::Object>()) {
+    std::erase_if(*object, [](const auto& member) {
+      const auto* const text = member.second.template get<std::string>();
+      return text != nullptr && *text == kTakenOut;
+    });
+    for (auto& [key, value] : *object) take_out(value);
   }
-  std::erase_if(*parent->get<Json::Object>(),
-                [&](const auto& member) { return member.first == pointer.substr(1); });
 }
 
 Json document_of(const Json& entry, std::string_view base = "base") {
@@ -64,7 +65,9 @@ Json document_of(const Json& entry, std::string_view base = "base") {
   if (const Json* values = entry.find("set"))
     for (const auto& [pointer, value] : *values->get<Json::Object>()) set_at(document, pointer, value);
   if (const Json* pointers = entry.find("without"))
-    for (const Json& pointer : *pointers->get<Json::Array>()) take_out(document, *pointer.get<std::string>());
+    for (const Json& pointer : *pointers->get<Json::Array>())
+      set_at(document, *pointer.get<std::string>(), kTakenOut);
+  take_out(document);
   return document;
 }
 
@@ -75,11 +78,8 @@ std::string message_for(const Json& entry) {
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
 }
 
