@@ -11,8 +11,6 @@
 namespace hyrax {
 namespace {
 
-std::string svg_of(Plot plot) { return figure_svg({.title = "t", .body = std::vector{std::move(plot)}}); }
-
 PlotScale scale_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {
   PlotScale scale(axis, values);
   scale.place(0.0, length_px, 80.0);
@@ -69,54 +67,6 @@ TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).end_of_strip());
   EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).end_of_strip()) << "nothing is empty between them";
   EXPECT_FALSE(scale_of(axis, {1e-10, 1e-9}).end_of_strip()) << "there is no rest";
-}
-
-TEST(PlotSvg, TextsKeepOffCurvesAndOneAnother) {
-  Plot plot{.x = {.low = 0.0, .high = 10.0},
-            .y = {.low = 0.0, .high = 10.0},
-            .texts = {{5.0, 5.0, "first"}, {5.0, 5.0, "second"}}};
-  plot.series = {{.x = {5.0}, .y = {5.0}}};
-  const std::string free = svg_of(plot);
-  EXPECT_GT(place_of(free, "first").x, place_of(free, "second").x) << "the right of the point is taken";
-  plot.series = {{.x = {5.0, 9.0}, .y = {5.0, 5.0}}};
-  EXPECT_LT(place_of(svg_of(plot), "first").x, place_of(free, "first").x) << "a curve goes to the right";
-}
-
-TEST(PlotSvg, MarksAreDrawnWithinThePlotWithTheTextsThatHaveRoom) {
-  Plot plot{.x = {.low = 0.0, .high = 10.0}, .y = {.low = 0.0, .high = 10.0}};
-  plot.series = {{.x = {5.0}, .y = {5.0}}};
-  const auto axis_y = [&] { return place_of(svg_of(plot), "0").y; };
-  const double bare = axis_y();
-  plot.marks = {{.at = 5.0}, {.is_vertical = false, .at = -5.0, .text = "below"}};
-  EXPECT_EQ(axis_y(), bare) << "a line without a text takes no room above the plot";
-  plot.marks.insert(plot.marks.end(),
-                    {{.at = 9.8, .text = "a text that ends at the right"}, {.at = 9.9, .text = "unseen"}});
-  EXPECT_GT(axis_y(), bare);
-  const std::string svg = svg_of(plot);
-  EXPECT_EQ(picture_faults(svg), std::vector<std::string>{});
-  EXPECT_TRUE(box_of(svg, "a text that ends at the right"));
-  for (const char* const text : {"below", "unseen"}) EXPECT_FALSE(box_of(svg, text)) << text;
-}
-
-TEST(PlotSvg, ANarrowOneHasItsTextsInALegendWithTheLookOfTheLongerName) {
-  Plot plot{.x = {.label = "t", .low = 0.0, .high = 10.0}};
-  plot.series = {{.name = "half", .look = {.tone = Tone::green}, .x = {1.0, 5.0}, .y = {1.0, 5.0}},
-                 {.name = "half step", .look = {.tone = Tone::blue}, .x = {1.0, 5.0}, .y = {2.0, 6.0}}};
-  plot.texts = {{5.0, 6.0, "half step: 1 px"}};
-  const std::string html = figure_html({.title = "t", .body = std::vector{plot}});
-  const std::string narrow = html.substr(0, html.find("<svg class=\"medium\""));
-  EXPECT_GT(narrow.rfind(colour_of(Tone::blue)), narrow.rfind(colour_of(Tone::green)));
-}
-
-TEST(PlotSvg, LongTextsAreBrokenOnANarrowSheet) {
-  std::string text = "what";
-  for (int word = 0; word < 12; ++word) text += " happens";
-  const Plot empty{.when_empty = text}, drawn{.y = {.label = text}, .series = {{.x = {1.0}, .y = {1.0}}}};
-  for (const Plot& plot : {empty, drawn}) {
-    const std::string html = figure_html({.title = "t", .body = std::vector{plot}});
-    EXPECT_EQ(picture_faults(html), std::vector<std::string>{});
-    EXPECT_TRUE(box_of(html, text)) << "the wide one has room";
-  }
 }
 
 TEST(Look, TextHasContrastAndSeriesDiffer) {

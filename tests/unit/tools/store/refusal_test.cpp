@@ -144,7 +144,7 @@ TEST_F(Refusal, OfADamagedTrajectoryFileIsThatApproved) {
   add("/trajectory/x without values");
 
   add(set("/contacts/wall", 0, std::uint8_t{3}));
-  for (const std::uint8_t kind : {200, 6}) add(set("/events/kind", 0, kind));
+  for (const int kind : {200, 6}) add(set("/events/kind", 0, static_cast<std::uint8_t>(kind)));
   expect_approved("tests/unit/tools/store/refused_trajectories.txt", text_);
 }
 
