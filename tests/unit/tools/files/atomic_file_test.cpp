@@ -156,32 +156,23 @@ TEST_F(PartFileTest, IsAHiddenFileNextToItsTargetAlsoWhereAWriterWasKilled) {
   EXPECT_EQ(fs::file_size(path("victim")), 15u);
 }
 
-TEST_F(PartFileTest, IsRemovedByASignalThatEndsTheProgram) {
-  write_bytes(path("a.h5"), "old");
-  const auto end_by = [&](int signal) {
-    const AtomicFile part(path("a.h5"));
-    part.write("half");
-    std::raise(signal);
-    std::_Exit(0);
-  };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    EXPECT_EXIT(end_by(signal), testing::KilledBySignal(signal), "");
-    EXPECT_FALSE(fs::exists(path(".a.h5.part"))) << signal;
-    EXPECT_EQ(fs::file_size(path("a.h5")), 3u) << signal;
-  }
-}
-
-TEST_F(PartFileTest, OutlivesASignalThatIsIgnored) {
-  const auto ignore_hangup = [&] {
-    std::signal(SIGHUP, SIG_IGN);
+TEST_F(PartFileTest, IsRemovedByASignalThatEndsTheProgramAndOutlivesOneThatIsIgnored) {
+  old_file("a.h5");
+  const auto raise_in_writing = [&](int signal, bool is_ignored) {
+    if (is_ignored) std::signal(signal, SIG_IGN);
     AtomicFile part(path("a.h5"));
     part.write("whole");
-    std::raise(SIGHUP);
+    std::raise(signal);
     part.commit();
     std::_Exit(0);
   };
-  EXPECT_EXIT(ignore_hangup(), testing::ExitedWithCode(0), "");
-  EXPECT_EQ(fs::file_size(path("a.h5")), 5u);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    EXPECT_EXIT(raise_in_writing(signal, false), testing::KilledBySignal(signal), "");
+    EXPECT_EQ(folder_.names(), Names{"a.h5"}) << signal;
+    EXPECT_EQ(read_text_file(path("a.h5")), "old") << signal;
+  }
+  EXPECT_EXIT(raise_in_writing(SIGHUP, true), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(read_text_file(path("a.h5")), "whole");
 }
 
 // A path that is kept is the next writer's, who may be in another process.

@@ -65,6 +65,8 @@ TEST(Hand, GivesItsMeanVelocityOverTheLastTenthOfASecond) {
   EXPECT_EQ(hand.velocity(350 * kMs), (Velocity{600.0, -450.0})) << "slows down";
   EXPECT_EQ(hand.velocity(400 * kMs), Velocity{}) << "stopped before it let go";
   EXPECT_EQ(hand.velocity(60'000 * kMs), Velocity{});
+  EXPECT_EQ(moved_hand({20, 0}, 10, 4).velocity(40 * kMs), (Velocity{2000.0, 0.0})) << "a short flick";
+  EXPECT_EQ(moved_hand({40, 0}, 80, 2).velocity(160 * kMs), (Velocity{800.0, 0.0})) << "seldom messages";
 }
 
 TEST(Hand, IgnoresOlderMoves) {
@@ -72,11 +74,6 @@ TEST(Hand, IgnoresOlderMoves) {
   hand.move({-900, 300}, 100 * kMs);
   for (int move = 1; move <= 10; ++move) hand.move({-900 + 5 * move, 300}, (100 + 10 * move) * kMs);
   EXPECT_EQ(hand.velocity(200 * kMs), (Velocity{500.0, 0.0}));
-}
-
-TEST(Hand, OfAShortFlickOrOfSeldomMessagesGivesTheVelocityOfThese) {
-  EXPECT_EQ(moved_hand({20, 0}, 10, 4).velocity(40 * kMs), (Velocity{2000.0, 0.0}));
-  EXPECT_EQ(moved_hand({40, 0}, 80, 2).velocity(160 * kMs), (Velocity{800.0, 0.0}));
 }
 
 TEST(Hand, HasDraggedForTenMillisecondsAtLeast) {

@@ -77,10 +77,10 @@ Columns two_rows(const Position& from, const Position& to, std::int64_t last_ste
 std::string shown(const std::string& what, const std::string& svg) {
   const std::string path = part_of(svg, "path of the centre");
   for (const char* const number : {"inf", "nan"}) EXPECT_EQ(path.find(number), std::string::npos) << what;
-  std::string text =
-      what + (path.find(colour_of(Tone::vermilion)) == std::string::npos ? "\n" : ", a cross\n");
-  for (const ShownText& each : texts_in(wide(svg))) text += "  " + each.text + "\n";
-  return text;
+  std::string text = what;
+  if (path.find(colour_of(Tone::vermilion)) != path.npos) text += ", a cross";
+  for (const ShownText& each : texts_in(wide(svg))) text += " | " + each.text;
+  return text + "\n";
 }
 
 TEST(RunSvg, HasTheTextsApproved) {
