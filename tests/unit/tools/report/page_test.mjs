@@ -254,7 +254,7 @@ test('the figures of a run have their units, the largest cause first', () => {
   assert.deepEqual(figures({ run: { errors: {} } }).slice(2), ['Implementation error', 'Truncation error', 'Model error', 'Energy drift'].map(label => `${label}: –; no flight arc`));
 });
 
-test('contacts have the speeds of their wall and the errors of their arc', () => {
+test('contacts have the speeds of their wall and the errors of their arc; a hand’s way is one line, and each size is written out', () => {
   const contacts = { step: [4, 4, 6, 7], wall: [1, 8, 4, 2], last_step: [4, 9, 6, 7], t: [1, 1, 2, 3], vx_before: [-5, 50, 51, 8], vx_after: [3, 52, 53, -6],
     vy_before: [60, 7, -9, 61], vy_after: [62, -4, 2, 63], overshoot: [0.1, 0.2, 0.3, 0.4] };
   const met = { step: [4, 7], wall: [8, 2], time_error: [0.002, 0.003], effective_restitution: [0.5, 0.75] };
@@ -268,9 +268,6 @@ test('contacts have the speeds of their wall and the errors of their arc', () =>
     assert.deepEqual(lists.contactsOf({ contacts: each, check: { contacts: {} } }).rows.map(({ step }) => step), count(Math.min(many, lists.shownMax)));
   }
   assert.deepEqual(lists.contactsOf({}).rows, []);
-});
-
-test('a hand’s way is one line, and each size is written out', () => {
   const place = frame => ({ kind: 'place', frame });
   assert.deepEqual(lists.inputsOf([place(1), place(2), place(3), place(5), { kind: 'release', frame: 6 }, place(7), ...inputs]).map(({ frame, text }) => `${frame} ${text}`),
     ['1 place', '5 place', '6 release', '7 place', '1 grab', '4 resize, window 200 × 130 px, sprite 20 × 30 px', '6 resize, window 210 × 140 px', '7 resize, sprite 21 × 31 px']);
