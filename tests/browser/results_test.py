@@ -126,14 +126,6 @@ class ResultsTest(browser.BrowserTest):
         self.assertEqual(json.loads(down.read_text(encoding="utf-8"))["expect"]["state_hash"], state_hash)
         self.assertEqual(self.hash_of("cell.json", "cell.h5"), state_hash)
 
-    def test_what_rounding_alone_changes_is_the_same_in_all_members(self):
-        self.grid()
-        with h5py.File(self.folder / "grid.h5", "r+") as file:
-            file["members/y"][0] += 1e-10
-            file["members/vx"][:] = numpy.linspace(-1e-24, 1e-24, 240)
-        self.report("grid")
-        self.assertIn("y 952 px, vx 0 px/s (rounding), ", (self.folder / "grid.html").read_text(encoding="utf-8"))
-
     def test_carries_only_what_it_shows(self):
         results = pathlib.Path(self.study("rest")["file"]).read_text(encoding="utf-8")
         self.played("fling", program.fling(steps=600))

@@ -1,4 +1,5 @@
-// Texts about a user's own core, and about a core that differs from the accepted one.
+// Texts about a user's own core, about a core that differs from the accepted one, and about contacts of which
+// a list is full.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -13,8 +14,10 @@
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/app/causes/core_check.h"
+#include "tools/app/causes/difference_group.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/paper_model.h"
+#include "tools/app/diff/trajectory_diff.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/scenario_writer.h"
@@ -205,6 +208,21 @@ TEST(WatchedCore, TakesThePathsThatFurtherMembersDecide) {
   };
   static_cast<void>(play(watched(*traced_core(step), {make_step_program(step)}, note), fling_at(60.0, 9)));
   EXPECT_EQ(paths.size(), 2U);
+}
+
+TEST(FullContacts, AreSaidToBeTheFewestThatMoved) {
+  PairVerdict scenario;
+  scenario.path = "scenarios/full.json";
+  ContactChanges& contacts = scenario.comparison.contacts;
+  contacts.is_cut = true;
+  CoreChecks cores(shipped_core(), {}, "");
+  for (const std::string text : {"no recorded contact moved", "at least 3 contacts moved"}) {
+    const DifferenceGroup group = group_by_cause({&scenario}, cores).front();
+    EXPECT_TRUE(consequence_sentence(group).ends_with("no position differs, " + text + "."));
+    EXPECT_EQ(scenario_consequence(scenario), "no position differs, " + text);
+    EXPECT_EQ(contacts_sentence(contacts), text + (contacts.is_none() ? "" : ", 0 vanished, 0 appeared"));
+    contacts.moved.resize(3);
+  }
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
-// Untrusted text made printable for a terminal, and which bytes of a text are UTF-8.
-#include "tools/files/printable.h"
-
+// Untrusted text made printable for a terminal, which bytes of a text are UTF-8, and the message for an
+// unknown name: what is allowed, and a suggestion.
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "tools/files/printable.h"
+#include "tools/files/unknown_word.h"
 
 namespace hyrax {
 namespace {
@@ -14,7 +16,7 @@ void expect_character(const std::string& text, std::size_t bytes, std::int32_t c
   EXPECT_EQ(character.code, code) << text;
 }
 
-TEST(Utf8, AcceptsTheFirstAndLastCharacterOfEachLength) {
+TEST(Utf8, IsTheFirstAndLastCharacterOfEachLengthAndNothingElse) {
   expect_character(std::string("\0", 1), 1, 0);
   expect_character("\x7f", 1, 0x7f);
   expect_character("\xc2\x80", 2, 0x80);
@@ -23,9 +25,6 @@ TEST(Utf8, AcceptsTheFirstAndLastCharacterOfEachLength) {
   expect_character("\xef\xbf\xbf", 3, 0xffff);
   expect_character("\xf0\x90\x80\x80", 4, 0x10000);
   expect_character("\xf4\x8f\xbf\xbf", 4, 0x10ffff);
-}
-
-TEST(Utf8, RefusesWhatIsNone) {
   for (const char* text : {"\x80", "\xbf", "\xc0\x80", "\xc1\xbf", "\xe0\x9f\xbf", "\xf0\x8f\xbf\xbf",
                            "\xed\xa0\x80", "\xed\xbf\xbf", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff",
                            "\xc2", "\xe2\x82", "\xf0\x90\x80", "\xc2x", "\xe2\x82x"})
@@ -66,6 +65,38 @@ TEST(SizeText, HasAUnitThatIsNeverZero) {
   EXPECT_EQ(size_text(1 << 20), "1.0 MiB");
   EXPECT_EQ(size_text((std::uint64_t{1} << 40) - 1), "1023.9 GiB");
   EXPECT_EQ(size_text(std::uint64_t{0} - 1), "15.9 EiB");
+}
+
+const std::vector<std::string_view> kKeys = {"x_px", "y_px", "vx_px_per_s", "vy_px_per_s"};
+
+std::string suggested(std::string_view found, const std::vector<std::string_view>& allowed) {
+  const std::string sentence = unknown_word("key", found, allowed), mark = " (did you mean ";
+  const std::size_t begin = sentence.find(mark);
+  return begin == std::string::npos
+             ? ""
+             : sentence.substr(begin + mark.size(), sentence.rfind('?') - begin - mark.size());
+}
+
+TEST(UnknownWord, NamesKindWordAndAllowedOnes) {
+  EXPECT_EQ(unknown_word("key", "y", {"x_px", "y_px"}),
+            "unknown key (found y); allowed: x_px, y_px (did you mean y_px?)");
+  EXPECT_EQ(unknown_word("command", "paint", {"run", "check"}),
+            "unknown command (found paint); allowed: run, check");
+  EXPECT_EQ(unknown_word("key", "x", {}), "unknown key (found x); allowed: none");
+  EXPECT_EQ(unknown_word("key", std::string(59, 'a') + "\xc3\xa9z", {}),
+            "unknown key (found " + std::string(59, 'a') + "...); allowed: none");
+}
+
+TEST(UnknownWord, SuggestsTheNearestWordIfItIsNear) {
+  EXPECT_EQ(suggested("chekc", {"run", "check", "bless"}), "check");    // Two letters exchanged.
+  EXPECT_EQ(suggested("vx_px_pers", kKeys), "vx_px_per_s");             // One left out.
+  EXPECT_EQ(suggested("--golde", {"--json", "--golden"}), "--golden");  // Cut short.
+  EXPECT_EQ(suggested("Steps", {"steps", "start"}), "steps");
+  EXPECT_EQ(suggested("vy_px_per_s2", kKeys), "vy_px_per_s");
+  EXPECT_EQ(suggested("colour", {"clock", "name", "start"}), "");
+  EXPECT_EQ(suggested("q", {"a", "b"}), "");
+  EXPECT_EQ(suggested("", kKeys), "");
+  EXPECT_EQ(suggested(std::string(1'000'000, 'x'), kKeys), "");
 }
 
 }  // namespace

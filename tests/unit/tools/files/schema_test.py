@@ -52,6 +52,14 @@ def entries_of(table):
             yield json.loads(json.dumps(entry).replace('"*"', json.dumps(place)))
 
 
+def objects_of(schema, place=""):
+    """Each object of the schema, with its place."""
+    if isinstance(schema, dict):
+        yield place, schema
+    for key, inner in schema.items() if isinstance(schema, dict) else enumerate(schema) if isinstance(schema, list) else ():
+        yield from objects_of(inner, f"{place}/{key}")
+
+
 class Schema(unittest.TestCase):
     """The schema's verdicts."""
 
@@ -85,39 +93,22 @@ class Schema(unittest.TestCase):
                 self.assertEqual((path.parent / document.get("$schema", "")).resolve(), SCHEMA)
 
     def test_every_object_is_closed(self):
-        open_places = []
-
-        def look(place, schema):
-            if isinstance(schema, dict):
-                is_rule = not {"if", "then", "else", "dependentSchemas"} & set(place.split("/"))
-                if "properties" in schema and "additionalProperties" not in schema and is_rule:
-                    open_places.append(place)
-                for key, inner in schema.items():
-                    look(f"{place}/{key}", inner)
-            elif isinstance(schema, list):
-                for number, inner in enumerate(schema):
-                    look(f"{place}/{number}", inner)
-
-        look("", self.schema)
-        self.assertEqual(open_places, [])
+        self.assertEqual([place for place, inner in objects_of(self.schema) if "properties" in inner and "additionalProperties" not in inner
+                          and not {"if", "then", "else", "dependentSchemas"} & set(place.split("/"))], [])
 
     def test_titles_have_the_units_and_the_axes_of_their_keys(self):
         axes = {"x": r"\b(Left|right|x)\b", "y": r"\b(Top|downwards|y)\b"}
         units = {"_px_per_s": "px/s", "_px_max": "px", "_px": "px", "_hz": "Hz", "_s": "s"}
         titled = []
-
-        def look(schema):
-            for key, inner in schema.items() if isinstance(schema, dict) else ():
-                unit = re.search(r", (px/s|px|s|Hz)$", inner.get("title", "")) if isinstance(inner, dict) else None
-                of_key = next((units[suffix] for suffix in units if key.endswith(suffix)), None)
-                if unit and of_key:
-                    titled.append((key, unit[1], of_key))
-                axis = re.search(r"(?:^|_|v)([xy])_px", key)
-                if axis and "title" in inner:
-                    self.assertEqual([each for each, words in axes.items() if re.search(words, inner["title"])], [axis[1]], key)
-                look(inner)
-
-        look(self.schema)
+        for place, inner in objects_of(self.schema):
+            key, title = place.rpartition("/")[2], inner.get("title", "")
+            unit = re.search(r", (px/s|px|s|Hz)$", title)
+            of_key = next((units[suffix] for suffix in units if key.endswith(suffix)), None)
+            if unit and of_key:
+                titled.append((key, unit[1], of_key))
+            axis = re.search(r"(?:^|_|v)([xy])_px", key)
+            if axis and title:
+                self.assertEqual([each for each, words in axes.items() if re.search(words, title)], [axis[1]], key)
         self.assertGreater(len(titled), 8)
         self.assertEqual([key for key, unit, of_key in titled if unit != of_key], [])
 

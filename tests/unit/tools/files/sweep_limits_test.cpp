@@ -8,23 +8,14 @@
 #include "tools/files/json_pointer.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/sweep_reader.h"
+#include "tools/files/text_file.h"
 
 namespace hyrax {
 namespace {
 
-constexpr const char* kScenario = R"({
-  "format": "hyrax-scenario/1", "name": "all-numbers",
-  "window": {"width_px": 800, "height_px": 600}, "sprite": {"width_px": 64, "height_px": 32},
-  "start": {"x_px": 1, "y_px": 2, "vx_px_per_s": 3, "vy_px_per_s": 4},
-  "clock": {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 7}}, "steps": 100,
-  "events": [
-    {"step": 1, "fling": {"vx_px_per_s": 1, "vy_px_per_s": 2}}, {"at_s": 0.5, "place": {"x_px": 1, "y_px": 2}},
-    {"step": 40, "hitch": {"dt_s": 0.5}}, {"step": 50, "grab": {}},
-    {"step": 51, "release": {"vx_px_per_s": 1, "vy_px_per_s": 2}},
-    {"step": 60, "resize": {"window": {"width_px": 8, "height_px": 6}, "sprite": {"width_px": 6, "height_px": 3}}}],
-  "record": {"every": 3}})";
-
-Json document() { return parse_json(kScenario, "test"); }
+Json document() {
+  return parse_json(read_text_file(HYRAX_SOURCE_DIR "/tests/unit/tools/files/all_numbers.json"), "test");
+}
 
 bool is_accepted(Json scenario, const std::string& pointer, const Json& value) {
   set_at(scenario, pointer, value);

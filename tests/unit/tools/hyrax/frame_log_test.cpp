@@ -1,10 +1,11 @@
-#include "tools/hyrax/frame_log.h"
-
+// What hyrax.exe is asked by options, and what it logs.
 #include <gtest/gtest.h>
 
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/text_file.h"
+#include "tools/hyrax/frame_log.h"
+#include "tools/hyrax/options.h"
 
 namespace hyrax {
 namespace {
@@ -31,6 +32,52 @@ TEST(FrameLog, HasEachNumberUnderItsName) {
       R"("held": true, "window_rect_px": [-1918, 33, -1790, 129], "work_area_px": [-1920, 30, -20, 1030], )"
       R"("sprite_px": [128, 96], "inputs": ["grab", "resize-window", "resize-sprite"] })"
       "\n{ \"asleep_after_frame\": 7 }\n");
+}
+
+std::string refusal(const std::vector<std::string>& arguments) {
+  return refusal_of([&] { static_cast<void>(parse_options(arguments)); });
+}
+
+TEST(PetOptions, MayBeLeftOutAndAcceptTheirValueAfterASpaceOrAnEqualsSign) {
+  const PetOptions none = parse_options({});
+  EXPECT_FALSE(none.record_path || none.replay_path || none.log_path || none.seconds);
+  EXPECT_FALSE(none.only_exits || none.wants_help || none.wants_version);
+  const PetOptions options = parse_options({"--record", "a b.json", "--log=run.log", "--seconds", "2.5"});
+  EXPECT_EQ(options.record_path, "a b.json");
+  EXPECT_EQ(options.log_path, "run.log");
+  EXPECT_EQ(options.seconds, 2.5);
+  const PetOptions of_replay = parse_options({"--exit", "--replay", "x.json"});
+  EXPECT_EQ(of_replay.replay_path, "x.json");
+  EXPECT_TRUE(of_replay.only_exits);
+  for (const std::string option : {"--help", "-h", "--version"}) {
+    const PetOptions asked = parse_options({option});
+    EXPECT_EQ(asked.wants_version, option == "--version");
+    EXPECT_EQ(asked.wants_help, option != "--version") << option;
+  }
+  EXPECT_EQ(parse_options({"--seconds=0"}).seconds, 0.0);
+  EXPECT_EQ(parse_options({"--seconds", "1e9"}).seconds, 1e9);
+}
+
+TEST(PetOptions, ThatAreNoneAreRefused) {
+  EXPECT_EQ(refusal({"--recrod", "x"}),
+            "hyrax: unknown option (found --recrod); allowed: --record, --replay, --log, --seconds, --exit, "
+            "--help, --version (did you mean --record?); see `hyrax --help`");
+  EXPECT_NE(refusal({"x.json"}).find("unknown option (found x.json)"), std::string::npos);
+}
+
+TEST(PetOptions, OfOtherValuesAndTogetherWithOthersAreRefused) {
+  using Arguments = std::vector<std::string>;
+  for (const auto& [arguments, says] :
+       {std::pair{Arguments{"--record"}, "--record needs a value"},
+        {Arguments{"--seconds="}, "--seconds needs a value"},
+        {Arguments{"--exit=yes"}, "--exit takes no value (found yes)"},
+        {Arguments{"--exit"}, "--exit needs --replay FILE"},
+        {Arguments{"--record", "a", "--replay", "b"}, "--record is not allowed with --replay:"}})
+    EXPECT_NE(refusal(arguments).find(says), std::string::npos) << says;
+  for (const std::string text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
+    EXPECT_NE(refusal({"--seconds", text}).find("--seconds must be a number 0 .. 1e9 (found " + text),
+              std::string::npos)
+        << text;
 }
 
 }  // namespace

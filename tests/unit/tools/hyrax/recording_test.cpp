@@ -57,7 +57,11 @@ class RecordedSession : public testing::Test {
   Session session{shipped_core(), start()};
 };
 
-TEST_F(RecordedSession, IsCompleteAfterEverySave) {
+TEST_F(RecordedSession, IsCompleteAfterEverySaveAndNoFileBefore) {
+  session.start_recording(path("empty.json"), saver);
+  save();
+  session.finish_recording();
+  EXPECT_TRUE(names().empty());
   play(10);
   session.start_recording(path("Fling 1.json"), saver);
   for (int second = 1; second <= 5; ++second) {
@@ -88,25 +92,20 @@ TEST_F(RecordedSession, ContinuesInPartsBesideOtherFilesAndEndsAsOneFile) {
   EXPECT_EQ(good_frames(path("long.json")), 2 * Recording::kPartFrames + 500);
   EXPECT_EQ(read_text_file(path("long-2.json")), "mine");
   EXPECT_EQ(read_text_file(path("long-4.json")), "mine, too");
-}
-
-TEST_F(RecordedSession, OfExactlyOnePartLeavesTheFileWithTheNameOfASecond) {
-  write_text_file(path("long-2.json"), "mine");
-  session.start_recording(path("long.json"), saver);
+  write_text_file(path("one-2.json"), "mine");
+  session.start_recording(path("one.json"), saver);
   play(Recording::kPartFrames);
   session.finish_recording();
-  EXPECT_EQ(good_frames(path("long.json")), Recording::kPartFrames);
-  EXPECT_EQ(read_text_file(path("long-2.json")), "mine");
+  EXPECT_EQ(good_frames(path("one.json")), Recording::kPartFrames);
+  EXPECT_EQ(read_text_file(path("one-2.json")), "mine") << "not the second part, which has no frame";
 }
 
-TEST_F(RecordedSession, RefusesANameThatExists) {
+TEST_F(RecordedSession, LeavesAFileThatHasItsNameOrTakesItMeanwhile) {
   write_text_file(path("fling.json"), "mine");
   EXPECT_EQ(refusal_of([&] { session.start_recording(path("fling.json"), saver); }),
             path("fling.json") + ": exists already; name another file, or remove it first");
   EXPECT_FALSE(session.is_recording());
-}
-
-TEST_F(RecordedSession, LeavesAFileThatTookItsNameMeanwhile) {
+  std::filesystem::remove(path("fling.json"));
   session.start_recording(path("fling.json"), saver);
   write_text_file(path("fling.json"), "mine");
   play(50);
@@ -179,13 +178,6 @@ TEST_F(RecordedSession, IsWrittenAsItIsLatestWhileADiskIsSlow) {
   EXPECT_EQ(written, (std::vector<std::int64_t>{1, 2, 4}));
 }
 
-TEST_F(RecordedSession, WithoutAFrameIsNoFile) {
-  session.start_recording(path("empty.json"), saver);
-  save();
-  session.finish_recording();
-  EXPECT_TRUE(names().empty());
-}
-
 TEST_F(RecordedSession, IsNamedByItsFile) {
   EXPECT_EQ(scenario_name_of("a/@AZ[ `az{_09:.json"), "-az---az--09-");
   EXPECT_EQ(scenario_name_of("a/"), "recording");
@@ -205,21 +197,20 @@ TEST(NextDueTicks, KeepTheRateUnlessTheLastFrameWasLateOrTooEarly) {
 
 TEST(PictureOf, APoseIsTheSmallestThatIsLargeEnough) {
   const std::string resources = read_text_file(HYRAX_SOURCE_DIR "/tools/hyrax/hyrax.rc");
+  const auto expect_picture = [&](Pose pose, const std::string& name, int width_px, int percentage) {
+    EXPECT_NE(resources.find("\n" + std::to_string(picture_of(pose, width_px)) + " RCDATA \"sprite/" + name +
+                             "-" + std::to_string(percentage) + ".png\""),
+              std::string::npos)
+        << name << " " << width_px;
+  };
   for (const auto& [pose, name] :
        {std::pair{Pose::fly, "fly"}, {Pose::held, "held"}, {Pose::stand, "stand"}, {Pose::sleep, "sleep"}})
-    for (const auto& [width_px, percentage] : {std::pair{1, 100},
-                                               {128, 100},
-                                               {129, 125},
-                                               {160, 125},
-                                               {161, 150},
-                                               {192, 150},
-                                               {224, 175},
-                                               {225, 200},
-                                               {999, 200}})
-      EXPECT_NE(resources.find("\n" + std::to_string(picture_of(pose, width_px)) + " RCDATA \"sprite/" +
-                               name + "-" + std::to_string(percentage) + ".png\""),
-                std::string::npos)
-          << name << " " << width_px;
+    for (const int percentage : {100, 125, 150, 175, 200}) {
+      const int width_px = 128 * percentage / 100;
+      expect_picture(pose, name, width_px, percentage);
+      expect_picture(pose, name, percentage == 100 ? 1 : width_px - 31, percentage);
+      if (percentage == 200) expect_picture(pose, name, 999, percentage);
+    }
 }
 
 TEST(Repeated, ARecordingIsSavedTwiceASecond) {

@@ -1,7 +1,8 @@
-// A recorded session is a scenario that replays to the same bits.
-#include "tools/hyrax/tape.h"
-
+// A recorded session is a scenario that replays to the same bits; a scenario is played at the pace of its
+// clock.
 #include <gtest/gtest.h>
+
+#include <limits>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
@@ -10,6 +11,8 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/hyrax/pet.h"
+#include "tools/hyrax/playback.h"
+#include "tools/hyrax/tape.h"
 
 namespace hyrax {
 namespace {
@@ -68,10 +71,15 @@ void expect_replays(const Tape& tape, const Keyframe& end) {
   EXPECT_TRUE(same_bits(summary.final.vy_px_per_s, end.row.vy_px_per_s));
 }
 
-TEST(Tape, OfASessionReplaysToTheSameBits) {
+TEST(Tape, OfASessionReplaysToTheSameBitsWithoutInputsOfAFrameToCome) {
   Session session(shipped_core(), start());
-  play(session, 1);
+  play(session, 4);
   expect_replays(session.just_happened(), session.now());
+  session.apply(Grab{});
+  const Tape held = session.just_happened();
+  EXPECT_TRUE(held.scenario("tape").events.empty());
+  EXPECT_EQ(hex(replayed_from_text(held).state_hash), hex(held.state_hash()));
+  session.apply(Release{{5.0, 6.0}});
   live(session);
   expect_replays(session.just_happened(), session.now());
 }
@@ -114,15 +122,6 @@ TEST(Tape, ThatBeginsInAHoldBeginsWithAGrab) {
   }
 }
 
-TEST(Tape, LeavesOutInputsOfAFrameToCome) {
-  Session session(shipped_core(), start());
-  play(session, 4);
-  session.apply(Grab{});
-  const Scenario scenario = session.just_happened().scenario("tape");
-  EXPECT_TRUE(scenario.events.empty());
-  EXPECT_EQ(hex(replayed_from_text(session.just_happened()).state_hash), scenario.expect->state_hash);
-}
-
 TEST(Ring, LetsTheOldestGoAndStillReplays) {
   Session session(shipped_core(), start());
   constexpr auto kTapes = static_cast<std::int64_t>(Ring::kTapesMax);
@@ -130,6 +129,69 @@ TEST(Ring, LetsTheOldestGoAndStillReplays) {
   const Tape tape = session.just_happened();
   EXPECT_EQ(tape.frames() / Ring::kTapeFrames, kTapes - 1) << "and those of the tape that is not full";
   expect_replays(tape, session.now());
+}
+
+constexpr std::int64_t kTicksPerS = 1000;
+
+Scenario fling_with_hash(const std::string& hash) {
+  Scenario scenario = fling_at(60.0, 120);
+  scenario.expect.emplace().state_hash = hash;
+  return scenario;
+}
+
+std::string right_hash() { return hex(replay(shipped_core(), fling_at(60.0, 120)).state_hash); }
+
+TEST(Playback, KeepsThePaceOfTheScenariosClock) {
+  const Scenario scenario = fling_at(60.0, 120);
+  Playback playback(shipped_core(), scenario, kTicksPerS, 500);
+  playback.play(500);
+  EXPECT_EQ(playback.now().row.step, 0);
+  playback.play(1500);
+  EXPECT_EQ(playback.now().row.step, 60);
+  EXPECT_FALSE(playback.is_over());
+  playback.play(9000);
+  EXPECT_TRUE(playback.is_over());
+}
+
+TEST(Playback, IsJudgedByItsHashWhenItIsPlayedOrReplayed) {
+  const Scenario agreeing = fling_with_hash(right_hash());
+  const PlaybackVerdict same = replayed(shipped_core(), agreeing);
+  EXPECT_EQ(same.exit_code, ExitCode::agreed);
+  EXPECT_EQ(same.sentence, "fling: state hash " + right_hash() + " agrees");
+  Playback playback(shipped_core(), agreeing, kTicksPerS, 0);
+  for (std::int64_t ticks = 0; !playback.is_over(); ticks += 17) playback.play(ticks);
+  EXPECT_EQ(playback.finish().sentence, same.sentence);
+  const PlaybackVerdict other = replayed(shipped_core(), fling_with_hash(std::string(32, '0')));
+  EXPECT_EQ(other.exit_code, ExitCode::disagreed);
+  EXPECT_EQ(other.sentence,
+            "fling: state hash differs (found " + right_hash() + "); expected " + std::string(32, '0'));
+  Scenario expects_another = fling_at(60.0, 120);
+  expects_another.expect.emplace().in_bounds = true;
+  for (const Scenario& scenario : {fling_at(60.0, 120), expects_another}) {
+    const PlaybackVerdict none = replayed(shipped_core(), scenario);
+    EXPECT_EQ(none.exit_code, ExitCode::agreed);
+    EXPECT_EQ(none.sentence, "fling: state hash " + right_hash() + "; the scenario expects none");
+  }
+}
+
+TEST(Playback, EndsWhereTheStateBecomesNonFinite) {
+  Scenario scenario = fling_at(60.0, 1000);
+  scenario.start_velocity.vy_px_per_s = std::numeric_limits<double>::infinity();
+  Playback playback(shipped_core(), scenario, kTicksPerS, 0);
+  playback.play(kTicksPerS);
+  EXPECT_TRUE(playback.is_over());
+  EXPECT_EQ(playback.now().row.step, 1);
+  const PlaybackVerdict verdict = playback.finish();
+  EXPECT_EQ(verdict.exit_code, ExitCode::disagreed);
+  EXPECT_EQ(verdict.sentence, "fling: vy is infinite from step 1 of 1000 (0.017 s)");
+}
+
+TEST(Playback, StaysAwakeWhenFramesAreTooShortForTheirTime) {
+  Scenario scenario = fling_at(1e9, 0);
+  scenario.length = std::int64_t{1'000'000'000'000};
+  Playback playback(shipped_core(), scenario, kTicksPerS, 0);
+  playback.play(10 * kTicksPerS);
+  EXPECT_LT(playback.now().row.step, 1'000'000);
 }
 
 }  // namespace

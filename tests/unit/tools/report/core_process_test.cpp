@@ -1,13 +1,16 @@
-// What a core does to its process reaches neither the card nor the program.
+// A card: what a core does to its process reaches neither it nor the program, and which core is the candidate
+// and which the base wherever it names them.
+#include <gtest/gtest.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
-#include <gtest/gtest.h>
-
 #include "sim/card/compared_core.h"
+#include "tests/unit/sim/result/described.h"
 #include "tools/files/failure.h"
+#include "tools/hyrax-compare/card_report.h"
 #include "tools/hyrax-compare/core_file.h"
 
 namespace hyrax {
@@ -58,6 +61,23 @@ TEST(CoreProcess, HowItEndsNamesTheCoreAndThePlace) {
             Ended(ExitCode::golden_missing, "none"));
   EXPECT_EQ(playing([] { throw std::runtime_error("oops"); }),
             Ended(ExitCode::program_fault, "hyrax-compare: internal error: oops"));
+}
+
+Result some_card() {
+  const Table lines{"card", "a library of 2", {{"line", "", "", std::vector<std::string>{"library"}}}};
+  return {.tables = {{"changes", "what changed", {}}},
+          .figures = {{.title = "rest"}},
+          .verdict = {.text = {lines}, .brief = "no bit differs"},
+          .summary = {{"library", "", {{"same", "1", "", std::vector{2.0}}}, JsonShape::one}}};
+}
+
+TEST(CardReport, NamesTheCandidateFirst) {
+  const BeforeAfter<std::string> headers{.before = "old/base.h", .after = "new/candidate.h"};
+  expect_approved("tests/unit/tools/report/card.txt",
+                  card_text(some_card(), headers) + card_json(some_card(), headers) +
+                      to_text(result_json(shown_card(some_card(), headers)), 1) + "\n");
+  EXPECT_EQ(shown_card(some_card(), {"old/physics.h", "new/physics.h"}).title,
+            "physics.h: candidate against base");
 }
 
 }  // namespace

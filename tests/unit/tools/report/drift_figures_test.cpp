@@ -58,6 +58,8 @@ TEST(DriftFigures, MarkNoMoreThanReadersCanDistinguishAndSaySo) {
   EXPECT_EQ(plot_of(energy_of(run)).series[0].x.size(), 10u) << "of the arcs that are kept";
   EXPECT_EQ(plot_of(restitution_of(MeasuredRun(20))).x.ticks.back().text, "20");
   EXPECT_TRUE(plot_of(restitution_of(MeasuredRun(21))).x.ticks.empty());
+  run.contacts[1].effective_restitution = 0.0;
+  EXPECT_EQ(plot_of(restitution_of(run)).series[0].x, std::vector<double>{1.0}) << "not what was put to rest";
 }
 
 TEST(EnergyFigure, HasOneToThreeDigitsBeforeThePointAndIsLogarithmicUnlessEnergyIsNegative) {
@@ -84,12 +86,6 @@ TEST(ErrorsFigure, HasAStripForRoundingAndNoLogarithmOfZero) {
   for (const Series& series : plot.series) EXPECT_TRUE(std::isnan(series.y.front()));
   for (DrawnRow& row : run.rows) row.errors.implementation_px *= 1e9;
   EXPECT_TRUE(std::isnan(plot_of(errors_of(run)).y.strip_below)) << "more than rounding";
-}
-
-TEST(RestitutionFigure, LeavesOutWhatWasPutToRest) {
-  MeasuredRun run(2);
-  run.contacts[1].effective_restitution = 0.0;
-  EXPECT_EQ(plot_of(restitution_of(run)).series[0].x, std::vector<double>{1.0});
 }
 
 }  // namespace

@@ -132,7 +132,10 @@ TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
   EXPECT_TRUE(std::ranges::is_sorted(causes.at("step")));
 }
 
-TEST(PageCore, PlaysAsFarAsAskedAndSaysWhenItRests) {
+TEST(PageCore, HasTheCoresFingerprintAndPlaysARecordAsFarAsAsked) {
+  fingerprint();
+  EXPECT_EQ(given_text(), hex(fingerprint_of(shipped_core())));
+  EXPECT_EQ(load(give({1.0})), -1.0) << "no record";
   const Scenario scenario = fling_at(60.0, 600);
   EXPECT_EQ(load(give(record_of(scenario))), 600.0);
   EXPECT_EQ(play_to(5.0), 5.0);
@@ -142,12 +145,9 @@ TEST(PageCore, PlaysAsFarAsAskedAndSaysWhenItRests) {
   EXPECT_EQ(given()[6], replay(shipped_core(), scenario, trace).at_rest_since_s.value());
 }
 
-TEST(PageCore, MeasuresRunsOfUpToTwoHundredThousandSteps) {
+TEST(PageCore, MeasuresTwoHundredThousandStepsAndDrawsAMillionRowsAndTenThousandContacts) {
   for (const std::int64_t steps : {200'000, 200'001})
     EXPECT_EQ(std::isnan(PlayedInPage(fling_at(60.0, steps)).came_to[7]), steps > 200'000) << steps;
-}
-
-TEST(PageCore, DrawsEachRowOfUpToAMillionAndTenThousandContacts) {
   EXPECT_EQ(ShownRows(999'999).every(), 1);
   EXPECT_EQ(ShownRows(1'000'000).every(), 2);
   ShownRows shown(1);
@@ -256,12 +256,6 @@ TEST(PageCore, FliesAtADisplaysRateOrExactly) {
     flight(0.0, 0.5);
     EXPECT_EQ(output_count(), 0) << "no exact fling";
   }
-}
-
-TEST(PageCore, RefusesARecordThatIsNoneAndHasTheCoresFingerprint) {
-  EXPECT_EQ(load(give({1.0})), -1.0);
-  fingerprint();
-  EXPECT_EQ(given_text(), hex(fingerprint_of(shipped_core())));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ test('charts have these series, units and values', () => {
   ]);
 });
 
-test('errors with the drag of 60 Hz are one line', () => {
+test('errors with the drag of 60 Hz are one line, another run is dashed, with its distance', () => {
   const errorNames = model => series.chartsOf({ ...result, errors: { ...errors, model } }, sizes).find(({ id }) => id === 'errors').series.map(({ name }) => name);
   assert.deepEqual(errorNames([0, 2e-3, 3]), ['model and truncation', 'implementation']);
   assert.deepEqual(errorNames([0, 2e-3, 3.00001]), ['model', 'truncation', 'implementation']);
@@ -155,15 +155,12 @@ test('a long run is played in pieces, which say how far it is', async () => {
 
 const number = (values, isGrid) => ({ values, isGrid });
 
-test('a cell is the mean of its members', () => {
+test('a cell is the mean of its members; of many values cells are even, and points at most 5000, evenly taken', () => {
   const x = number([1, 2, 4, 1, 2, 4, 1], true), y = number([0, 0, 0, 10, 10, 10, 0], true), tint = number([1, 2, 3, 4, NaN, 6, 9], false);
   const { edges, items } = cells.itemsOf({ x, y, tint });
   assert.deepEqual(edges, [[0.25, 1.5, 3, 4.75], [-5, 5, 15]]);
   assert.deepEqual(items.map(({ column, line, row, x: across, y: up, count: of, value }) => [column, line, row, across, up, of, value]),
     [[0, 0, 0, 1, 0, 2, 5], [1, 0, 1, 2, 0, 1, 2], [2, 0, 2, 4, 0, 1, 3], [0, 1, 3, 1, 10, 1, 4], [1, 1, 4, 2, 10, 0, NaN], [2, 1, 5, 4, 10, 1, 6]]);
-});
-
-test('of many values cells are even, and hold every member once', () => {
   for (const side of [1, 99, 100, 101, 250]) {
     const x = number(count(side * 2).map(i => i % side), true), y = number(count(side * 2).map(i => Math.floor(i / side)), true);
     const { edges: [across], items } = cells.itemsOf({ x, y, tint: number(x.values, false) });
@@ -172,9 +169,6 @@ test('of many values cells are even, and hold every member once', () => {
     assert.equal(items.reduce((sum, item) => sum + item.count, 0), 2 * side);
     for (const { column, value } of items) assert.ok(across[column] <= value && value <= across[column + 1], `${side}: ${value}`);
   }
-});
-
-test('points are at most 5000 members, evenly taken', () => {
   for (const [members, shown, stride] of [[1, 1, 1], [4999, 4999, 1], [5000, 5000, 1], [5001, 2501, 2], [10001, 3334, 3]]) {
     const x = number(count(members), true), { edges, items } = cells.itemsOf({ x, y: number(x.values.map(i => 2 * i), false), tint: number(x.values.map(i => 3 * i), false) });
     assert.deepEqual([edges, items.length, ...Object.values(items.at(-1))], [null, shown, ...[1, 1, 2, 3].map(factor => factor * stride * (shown - 1))]);
@@ -231,7 +225,7 @@ const ended = (since, contacts) => ({ contacts: { left: 0, right: 0, top: 0, gro
 const verdict = ({ run, ...rest } = {}) => verdictOf({ file: {}, outcome: 'none', ...rest,
   run: { golden: null, expect: [], row_count: 2, steps: 8, errors: null, result: ended(null, { left: 1, right: 2, top: 3 }), ...run } });
 
-test('the verdict says what was replayed, and how far it agrees', () => {
+test('the verdict says what was replayed, how far it agrees, and what the golden file and the expectations say', () => {
   const replayed = (rest, run) => tiles(verdict({ ...rest, run }).verdicts)[0];
   assert.equal(replayed({}), 'Replayed in this browser: not replayed; the scenario cannot be played here');
   assert.equal(replayed({ file: null, reason: 'too long' }), 'What you flung, replayed: not replayed; too long');
@@ -241,9 +235,6 @@ test('the verdict says what was replayed, and how far it agrees', () => {
   assert.equal(replayed(agrees, { blocks: {} }), 'Replayed in this browser: same bits; 2 rows by block hash and the state hash, 1.2 ms; good');
   for (const [firstDifference, where] of [[null, 'the state hash differs; no stored row does'], [0, 'first at step 0'], [5, 'first at step 5']])
     assert.equal(replayed({ outcome: 'differs', check: { compared: 7, firstDifference } }), `Replayed in this browser: differs; ${where}; bad`);
-});
-
-test('the verdict says what the golden file and the expectations say', () => {
   const golden = { agrees: false, class: 'contact', shape: 'other rows', first_divergence: { step: 3, field: 'vx' }, max_px: 0.12345, contacts_moved: 1 };
   const differs = 'contact; other rows; from step 3 in vx; at most 0.123 px apart; 1 contact moved';
   const same = { agrees: true, rows_compared: 1 };
@@ -273,7 +264,7 @@ test('the figures of a run have their units, the largest cause first', () => {
   assert.deepEqual(figures({ run: { errors: {} } }).slice(2), ['Implementation error', 'Truncation error', 'Model error', 'Energy drift'].map(label => `${label}: –; no flight arc`));
 });
 
-test('contacts have the speeds of their wall and the errors of their arc', () => {
+test('contacts have the speeds of their wall and the errors of their arc; a hand’s way is one line, and each size is written out', () => {
   const contacts = { step: [4, 4, 6, 7], wall: [1, 8, 4, 2], last_step: [4, 9, 6, 7], t: [1, 1, 2, 3], vx_before: [-5, 50, 51, 8], vx_after: [3, 52, 53, -6],
     vy_before: [60, 7, -9, 61], vy_after: [62, -4, 2, 63], overshoot: [0.1, 0.2, 0.3, 0.4] };
   const met = { step: [4, 7], wall: [8, 2], time_error: [0.002, 0.003], effective_restitution: [0.5, 0.75] };
@@ -287,9 +278,6 @@ test('contacts have the speeds of their wall and the errors of their arc', () =>
     assert.deepEqual(lists.contactsOf({ contacts: each, check: { contacts: {} } }).rows.map(({ step }) => step), count(Math.min(many, lists.shownMax)));
   }
   assert.deepEqual(lists.contactsOf({}).rows, []);
-});
-
-test('a hand’s way is one line, and each size is written out', () => {
   const place = frame => ({ kind: 'place', frame });
   assert.deepEqual(lists.inputsOf([place(1), place(2), place(3), place(5), { kind: 'release', frame: 6 }, place(7), ...inputs]).map(({ frame, text }) => `${frame} ${text}`),
     ['1 place', '5 place', '6 release', '7 place', '1 grab', '4 resize, window 200 × 130 px, sprite 20 × 30 px', '6 resize, window 210 × 140 px', '7 resize, sprite 21 × 31 px']);
@@ -305,14 +293,11 @@ test('what was exercised, and how it was made, is said under its own name', () =
   assert.equal(origin(null)[5], 'of this browser | – | true');
 });
 
-test('a table as CSV has its units, and no formulas', () => {
+test('as CSV a table has its units, and no formulas; a figure each point of each series, cells and lists', () => {
   assert.equal(csv.csvOfTable({ columns: [{ name: 'x', unit: 'px', values: [-0, 0.1, null] }, { name: 'n', unit: '1', values: [true, NaN, undefined] },
     { name: 'a, b', values: ['say "no"', '=1+1', '-x'] }, { name: 'c', values: ['one\ntwo', '-1.5', '@'] }] }),
   'x (px),n,"a, b",c\n-0.0,true,"say ""no""","one\ntwo"\n0.1,NaN,\'=1+1,-1.5\n,,\'-x,\'@\n');
   assert.equal(csv.csvOfTable({ columns: [] }), '\n');
-});
-
-test('a figure as a table has each point of each series, cells and lists', () => {
   const read = body => csv.csvOfTable(csv.tableOfFigure({ title: 'figure', body }));
   const line = (name, x, y, more) => ({ name, x, y, y_low: [], x_low: [], x_high: [], ...more });
   const axis = (label, categories = []) => ({ label, categories });

@@ -21,7 +21,7 @@ function drawn(scene, body = still, looks) {
 /** Without the window and the hyrax. */
 const layer = scene => drawn(scene).slice(1, -2);
 
-test('the stage is as large as its place, and has the pixels of the display', () => {
+test('the stage is as large as its place, and has the pixels and the points of the display', () => {
   const sized = ([width, height], room, all = 1000) => {
     canvas.parentElement.clientWidth = room;
     globalThis.innerHeight = all;
@@ -35,15 +35,12 @@ test('the stage is as large as its place, and has the pixels of the display', ()
   assert.deepEqual(sized([100, 100], 900, 9000), ['600px', '600px', 1200, 1200, 12]);
   assert.deepEqual(sized([1000, 10], 200), ['200px', '40px', 400, 80, 0.4]);
   sized([100, 80], 200);
-});
-
-test('a point of the screen is one of the window', () => {
   const painter = new Painter(canvas, () => {});
   painter.setScene({ sizes, inputs: [] });
   assert.deepEqual(painter.pointOf({ clientX: 10 + 50, clientY: 20 + 25 }), [25, 20]);
 });
 
-test('a path goes through the middles of the sprite, with its sizes', () => {
+test('a path goes through the middles of the sprite, with its sizes, and ends in a cross at the row before one that is not finite', () => {
   assert.deepEqual(layer({ rows }), ['stroke path 3: from 60,40 80,80 100,120 80,120 100,140']);
   const other = { ...rows, x: rows.x.map(x => x + 1), y: rows.y };
   assert.deepEqual(layer({ rows, other }), ['stroke bad 3 dashed: from 64,40 84,80 104,120 84,120 104,140', 'stroke path 3: from 60,40 80,80 100,120 80,120 100,140']);
@@ -52,9 +49,6 @@ test('a path goes through the middles of the sprite, with its sizes', () => {
   const slow = px => layer({ rows: { ...rows, x: [0, 1, 2, 3, 4].map(i => 10 + px * i), y: [0, 0, 0, 0, 0], vx: [0, 0, 0, 0, 0], vy: [0, 0, 0, 0, 0] } }).length;
   assert.deepEqual([slow(2), slow(2.25)], [1, 2]); // Up to 2 px need no speed.
   assert.deepEqual(layer({ rows: { ...rows, x: [10, 15, 15.1, 10, 15], y: [0, 10, 10.1, 20, 30] } }), ['stroke path 3: from 60,40 80,80 80,100 100,140']);
-});
-
-test('a run that is not finite ends in a cross at the row before', () => {
   const end = (x, bad) => layer({ rows: { ...rows, x: [10, 15, 20, x, x], vy: [10, 10, 10, 5, bad] } }).filter(line => line.includes('bad'));
   const cross = x => `stroke bad 6: from ${x - 14},134 ${x + 14},106 from ${x - 14},106 ${x + 14},134`;
   assert.deepEqual(end(10, NaN), [cross(80), 'text bad: not finite left 102.4,103.2']);
@@ -63,7 +57,7 @@ test('a run that is not finite ends in a cross at the row before', () => {
   assert.equal(layer({ rows, other: { ...rows, y: [0, 10, 20, 25, NaN] } }).length, 4);
 });
 
-test('a contact is a stroke along its wall, as long as the sprite, in the colour of the wall', () => {
+test('a contact is a stroke along its wall in its colour, an input a ring at its row with its name, a hand’s way dots at the row after', () => {
   const met = (step, wall, x, y) => layer({ rows, contacts: { step: [step], wall: [wall], x: [x], y: [y] } }).slice(1);
   // 3 px inside of a wall at 0, 400 and 320 px, or, in the smaller window, at 0, 200 and 160; from 0.3 to 0.7 of a side.
   for (const [step, wall, expected] of [[2, 1, 'sky-blue 6: from 3,144 3,176'], [2, 2, 'vermilion 6: from 397,144 397,176'], [2, 4, 'purple 6: from 132,3 148,3'],
@@ -73,9 +67,6 @@ test('a contact is a stroke along its wall, as long as the sprite, in the colour
   assert.deepEqual(wallColors, { 1: 'sky-blue', 2: 'vermilion', 4: 'purple', 8: 'orange' });
   const many = Array.from({ length: 501 }, () => 2);
   assert.equal(layer({ rows, contacts: { step: many, wall: many, x: many, y: many } }).length, 501);
-});
-
-test('an input is a ring at its row with its name, a hand’s way dots at the row after', () => {
   const of = (...inputs) => layer({ rows, inputs: inputs.map(([frame, kind]) => ({ frame, kind })) }).slice(1);
   assert.deepEqual(of([2, 'grab']), ['stroke ink 3: circle 80,80 r 8', 'text ink: grab left 96,68']);
   assert.deepEqual(of([2, 'place']), ['fill ink: circle 100,120 r 3']);
@@ -84,7 +75,7 @@ test('an input is a ring at its row with its name, a hand’s way dots at the ro
   assert.deepEqual(of([9, 'grab']), []);
 });
 
-test('the hyrax looks where it goes, stands on the ground and hangs in the hand', () => {
+test('the hyrax looks where it goes, stands and hangs; an arrow shows the velocity, 0.12 s long and at most 90 points', () => {
   const of = (body, looks) => drawn({}, { ...still, ...body }, looks);
   const whole = 'fill screen: box 0,0 400,320', box = 'stroke box 2: box 120,40 40,80';
   assert.deepEqual(of({}), [whole, box, 'image fly: 120,60 40,40']);
@@ -93,9 +84,6 @@ test('the hyrax looks where it goes, stands on the ground and hangs in the hand'
   assert.deepEqual(of({ step: 5 }), ['fill screen: box 0,0 200,160', 'stroke box 2: box 120,40 80,40', 'image fly: 140,40 40,40']);
   for (const [y, vy, pose] of [[58.9, 0, 'fly'], [59, 0, 'stand'], [60, -59, 'stand'], [60, 60, 'fly']]) assert.match(of({ y, vy })[2], new RegExp(`^image ${pose}:`));
   assert.match(of({ y: 60 }, { isHeld: true })[2], /held/);
-});
-
-test('an arrow shows the velocity, 0.12 s long and at most 90 points', () => {
   const arrow = (vx, vy) => drawn({}, { ...still, vx, vy }).slice(3);
   assert.deepEqual(arrow(0, 20), []);
   assert.deepEqual(arrow(0, 100), ['stroke ink 3: from 140,80 140,128', 'fill ink: from 140,140 132.8,128 147.2,128']);

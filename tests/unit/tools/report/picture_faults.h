@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -42,18 +41,12 @@ inline std::vector<ShownText> texts_in(const std::string& sheet) {
   return texts;
 }
 
-/// Where the first of these texts is.
-inline std::optional<SvgBox> box_of(const std::string& svg, const std::string& text) {
-  for (const ShownText& shown : texts_in(svg))
-    if (shown.text == text) return shown.box;
-  return std::nullopt;
-}
-
-/// Its middle; fails the test if it is missing.
+/// The middle of the first of these texts; fails the test if it is missing.
 inline SvgPoint place_of(const std::string& svg, const std::string& text) {
-  const std::optional<SvgBox> box = box_of(svg, text);
-  EXPECT_TRUE(box) << text;
-  return box.value_or(SvgBox{}).centre();
+  for (const ShownText& shown : texts_in(svg))
+    if (shown.text == text) return shown.box.centre();
+  ADD_FAILURE() << text;
+  return {};
 }
 
 /// The first rectangle of that colour; fails the test if there is none.

@@ -1,16 +1,24 @@
-// Pictures, compared with approved ones to the last line of their SVG.
+// Pictures, compared with approved ones to the last line of their SVG; figures, tables and verdicts as the
+// report page reads them; scales and colours.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <regex>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
 #include "sim/trajectory/stored_run.h"
-#include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
+#include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/report/picture_faults.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/temporary_folder.h"
+#include "tools/files/text_file.h"
 #include "tools/report/figure_json.h"
 #include "tools/report/figure_svg.h"
+#include "tools/report/look.h"
+#include "tools/report/page_file.h"
+#include "tools/report/plot_scale.h"
+#include "tools/report/result_page.h"
 #include "tools/report/run_scene.h"
 
 namespace hyrax {
@@ -21,155 +29,26 @@ void expect_picture(const std::string& name, const std::string& svg) {
   expect_approved("tests/unit/tools/report/pictures/" + name, svg);
 }
 
-// Plots below each other with all that a plot may have; the widest ticks are those of the second.
-Figure stacked_plots() {
-  const Axis time{.label = "time, s", .low = 0.0, .high = 12.0};
-  Plot errors{
-      .x = time,
-      .y = {.label = "distance, px", .is_logarithmic = true, .strip_below = 1e-9, .strip_name = "rounding"}};
-  errors.series = {
-      {.name = "a gap",
-       .look = {.tone = Tone::blue},
-       .x = {0, 3, 4, 5, 9},
-       .y = {0.01, 0.4, kNotGiven, 0.7, 20}},
-      {.name = "far below",
-       .look = {.tone = Tone::green, .width_px = 1.5, .dash = Dash::dots},
-       .x = {0, 12},
-       .y = {1e-12, 3e-11}},
-      {.name = "spread",
-       .look = {.form = Form::points, .tone = Tone::purple, .marker = Marker::square, .marker_size = 1.0},
-       .x = {2, 7},
-       .y = {2, 0.02},
-       .x_low = {1, 6.5},
-       .x_high = {2.25, 8},
-       .point_names = {"60 Hz", "144 Hz"}},
-      {.name = "joined",
-       .look = {.form = Form::line_and_points, .dash = Dash::short_dashes, .marker = Marker::ring},
-       .x = {10, 11.5},
-       .y = {0.1, 0.2}}};
-  errors.marks = {{.at = 6.0, .text = "six", .tone = Tone::vermilion},
-                  {.at = 5.9, .text = "a little earlier"},
-                  {.at = 13.0, .text = "beyond"},
-                  {.at = HUGE_VAL, .text = "never"},
-                  {.is_vertical = false, .at = -HUGE_VAL, .text = "below all"},
-                  {.is_vertical = false, .at = 0.1, .text = "allowed", .tone = Tone::orange}};
-  errors.texts = {{9, 20, "the end"}, {9, 20, "said twice", Tone::blue}, {2, 2, "two"}};
-  errors.spans = {{1, 2}, {11, 14}};
-  errors.top_dots = {{3, Tone::sky_blue}, {8, Tone::orange}};
-  Plot heights{
-      .x = time,
-      .y = {.label = "height, px", .is_reversed = true, .low = -3000.0, .high = 3000.0, .decimals = 1}};
-  heights.series = {{.name = "range",
-                     .look = {.form = Form::band, .tone = Tone::lavender},
-                     .x = {0, 6, 12},
-                     .y = {1000, 2500, 2000},
-                     .y_low = {-1000, 0, -2000}}};
-  Figure figure{
-      .suffix = "-all",
-      .title = "it's <b> & \"q\"\n\\",
-      .subtitle = "Below each other, with one axis of time",
-      .note = "a note",
-      .body = std::vector{errors, heights,
-                          Plot{.x = time, .y = {.label = "cost, ns"}, .when_empty = "not measured"}},
-      .remarks = {"First remark.", "Second remark."}};
-  for (const Plot& plot : {errors, heights})
-    for (const Series& series : plot.series) figure.legend.push_back({series.name, series.look});
-  figure.legend.push_back(
-      {"every other arc, which is a long text that has more than a line where the sheet is narrow and ends "
-       "below the others",
-       {.form = Form::band, .tone = Tone::shade}});
-  return figure;
-}
-
-// Beside each other: bars with their texts, points of equal scales in both directions, and ticks that were
-// chosen.
-Figure plots_beside() {
-  Plot bars{.x = {.label = "cost, ns",
-                  .is_logarithmic = true,
-                  .low = 0.5,
-                  .high = 50'000.0,
-                  .zero_at = 1.0,
-                  .zero_text = "none"},
-            .y = {.categories = {"gravity", "half-step", "lift"}}};
-  bars.series = {
-      {.name = "needed", .look = {.form = Form::bars, .tone = Tone::blue}, .x = {400, 0}, .y = {0, 1}},
-      {.name = "not needed", .look = {.form = Form::bars, .tone = Tone::orange}, .x = {20}, .y = {2}},
-      {.name = "again", .look = {.form = Form::points, .marker = Marker::ring}, .x = {40}, .y = {1}}};
-  bars.texts = {{400, 0, "941 px, 11 moved"}, {0, 1, "below"}, {20, 2, "20 ns", Tone::orange}};
-  Plot places{.x = {.label = "x, px"}, .y = {.label = "y, px"}, .has_equal_scales = true};
-  places.series = {
-      {.name = "circle", .look = {.tone = Tone::green}, .x = {0, 30, 60, 30, 0}, .y = {20, 0, 20, 40, 20}}};
-  places.texts = {{60, 20, "circle: 1 px"}};
-  Plot rates{.x = {.label = "rate",
-                   .low = 0.0,
-                   .high = 100.0,
-                   .ticks = {{60, "60 Hz"}, {24, "24 Hz"}, {120, "120 Hz"}}},
-             .y = {.label = "far away, px", .low = 1e7, .high = 3e7}};
-  rates.series = {{.name = "rates", .look = {.tone = Tone::vermilion}, .x = {24, 30}, .y = {2e7, 1.5e7}}};
-  rates.texts = {{30, 1.5e7, "rates: a few"}};
-  return {.title = "Beside each other",
-          .body = std::vector{bars, places, rates},
-          .legend = {{"bars", {.form = Form::bars, .tone = Tone::blue}},
-                     {"circle", {.tone = Tone::green}},
-                     {"dashes", {.dash = Dash::long_dashes}},
-                     {"good", {.form = Form::band, .tone = Tone::good}}}};
-}
-
-// On a narrow sheet a row's name is above its fields.
-Figure some_grid() {
-  Grid grid{.rows = {"comes to rest", "window-grows-under-the-sprite"},
-            .columns = {{"calm", Tone::ink}, {"wild", Tone::vermilion}}};
-  grid.columns.resize(16, {"stays-inside", Tone::ink});
-  grid.cells = {{0, 0, Tone::good, "25"},
-                {0, 15, Tone::good, "7", 0.0, 0.5},
-                {0, 15, Tone::bad, "17", 0.5, 1.0},
-                {1, 0, Tone::notable, "a text without room"},
-                {1, 1}};
-  return {.title = "Grid", .note = "all hold", .note_tone = Tone::green, .body = grid};
-}
-
-Figure some_list() {
-  Listing listing{.columns = {{"", 60.0, false, 0},
-                              {"what is claimed", 200.0, false, 20},
-                              {"verdict", 100.0, false, 0},
-                              {"measured", 90.0, true, 0}}};
-  listing.rows = {{{"3.1"},
-                   {"it comes to rest in a moment", "where the floor takes a little of its speed"},
-                   {"holds", "", Tone::good},
-                   {"0.6"}},
-                  {{"3.2"}, {"short"}, {"no", "why", Tone::bad}, {"12", "of 14"}}};
-  return {.title = "List", .body = listing};
-}
-
+// The JSON files are the figures. `stacked` has plots below each other with all that a plot may have, texts
+// that meet and that have no room; the widest ticks are those of the second. `beside` has bars with their
+// texts, points of equal scales in both directions, ticks that were chosen, a line without a text, which
+// takes no room, and a series whose name begins that of another. In `grid` a row's name is above its fields
+// on a narrow sheet. Long texts are broken there.
 TEST(Pictures, OfFiguresAreThoseApproved) {
-  for (const auto& [name, figure] : {std::pair("stacked", stacked_plots()),
-                                     {"beside", plots_beside()},
-                                     {"grid", some_grid()},
-                                     {"list", some_list()}}) {
-    expect_picture(std::string(name) + ".svg", figure_svg(figure));
-    const std::string json = to_text(Json::Array{figure_json(figure)});
-    expect_approved("tests/unit/tools/report/pictures/" + std::string(name) + ".json", json);
-    EXPECT_EQ(to_text(Json::Array{figure_json(figures_of(parse_json(json, "text"), "figures").front())}),
-              json)
-        << name;
+  for (const std::string name : {"stacked", "beside", "grid", "list"}) {
+    const std::string path = "tests/unit/tools/report/pictures/" + name + ".json";
+    const std::string json = read_text_file(HYRAX_SOURCE_DIR "/" + path);
+    const Figure figure = figures_of(parse_json(json, path), name).at(0);
+    expect_approved(path, to_text(Json::Array{figure_json(figure)}, 5) + "\n");
+    expect_picture(name + ".svg", figure_svg(figure));
+    expect_picture(name + ".html", figure_html(figure));
   }
-  expect_picture("beside.html", figure_html(plots_beside()));
-  expect_picture("grid.html", figure_html(some_grid()));
-  expect_picture("list.html", figure_html(some_list()));
 }
 
-// A throw into a corner, a hand's way, other sizes of window and sprite, and rows that were not recorded.
+// Of which rows were not recorded.
 TEST(Pictures, OfARunIsTheOneApproved) {
-  Scenario scenario = fling_at(60.0, 150,
-                               {{40, Grab{}},
-                                {41, Place{{200.0, 300.0}}},
-                                {44, Release{{900.0, -1200.0}}},
-                                {80, Resize{Size{800, 600}, {}}},
-                                {120, Resize{{}, Size{64, 160}}}});
-  scenario.name = "thrown twice";
-  scenario.window = {1000, 600};
-  scenario.start = {500.0, 100.0};
-  scenario.start_velocity = {3000.0, 3000.0};
+  const Scenario scenario =
+      load_scenario(HYRAX_SOURCE_DIR "/tests/unit/tools/report/pictures/thrown-twice.json");
   RunRecorder recorder(step_count(scenario));
   static_cast<void>(replay(shipped_core(), scenario, recorder));
   const StoredRun run = recorder.take();
@@ -179,5 +58,160 @@ TEST(Pictures, OfARunIsTheOneApproved) {
   expect_picture("run.svg", run_svg(scenario, rows, run.contacts));
 }
 
+TEST(FigureJson, RefusesWhatIsNoFigureAndSaysWhere) {
+  const std::string path = HYRAX_SOURCE_DIR "/tests/unit/tools/report/refused_figures.json";
+  const Json table = parse_json(read_text_file(path), path);
+  for (const auto& [refusal, refused] : *table.get<Json::Object>())
+    for (const Json& figures : *refused.get<Json::Array>())
+      EXPECT_EQ(refusal_of([&] { static_cast<void>(figures_of(figures, "figures")); }), refusal)
+          << to_text(figures);
+}
+
+// Whole numbers are exact in a page; of a table there are all rows, of one in JSON the first.
+TEST(ResultPage, OfTwoResultsIsTheOneApproved) {
+  constexpr std::int64_t kExact = std::int64_t{1} << 53;
+  const Table table{"t",
+                    "some table",
+                    {{"n", "px", "a count", std::vector<std::int64_t>{kExact, -kExact - 1, 3}, 3},
+                     {"x", "", "", std::vector<double>{0.5, kNotGiven, 1.0}},
+                     {"is", "", "", std::vector<bool>{true, false, true}},
+                     {"at", "", "", std::vector<std::optional<std::int64_t>>{{}, kExact + 1, 2}},
+                     {"word", "", "", std::vector<std::string>{"a", "b", "c"}}}};
+  const ShownResult bad{.title = "<b> & more",
+                        .subtitle = "what it is",
+                        .judgement = "a rule is broken",
+                        .verdict = {.text = {"first", table, "last"}, .broken = {"one <rule>", "another"}},
+                        .tables = {table},
+                        .figures = {{.title = "figure & <co>", .subtitle = "<of> it"}},
+                        .origin = {{"core", "paper"}, {"built_by", "g++"}}};
+  const Json good = result_json({.title = "good"});
+  EXPECT_FALSE(has_members(good));
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/page.html";
+  write_result_page(path, "report a.h5", {result_json(bad), good});
+  std::string page = read_text_file(path);
+  write_result_page(path, "report b.h5", {Json::Object{{"title", "swept"}, {"sweep", Json::Object{}}}});
+  page += "\n" + read_text_file(path);
+  expect_approved("tests/unit/tools/report/pictures/results.txt",
+                  std::regex_replace(page, std::regex("hyrax-sim [0-9.]+"), "hyrax-sim VERSION"));
+  const Json first = table_json(table, 2);
+  EXPECT_EQ(first.find("row_count")->number(), 3.0);
+  for (const Json& column : *first.find("columns")->get<Json::Array>())
+    EXPECT_EQ(column.find("values")->get<Json::Array>()->size(), 2u);
+}
+
+PlotScale scale_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {
+  PlotScale scale(axis, values);
+  scale.place(0.0, length_px, 80.0);
+  return scale;
+}
+
+std::string ticks_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {
+  std::string texts;
+  for (const Tick& tick : scale_of(axis, values, length_px).ticks()) texts += " " + tick.text;
+  return texts;
+}
+
+TEST(PlotScale, TicksAreRoundDistinctAndWithinTheEnds) {
+  EXPECT_EQ(ticks_of({.low = 0.0, .high = 11'000.0}, {}), " 0 5,000 10,000");
+  EXPECT_EQ(ticks_of({.low = 0.5996, .high = 0.6004, .decimals = 2}, {}),
+            " 0.5996 0.5998 0.6000 0.6002 0.6004")
+      << "more decimals than asked for, or two were the same";
+  EXPECT_EQ(ticks_of({.low = -3.0, .high = 3.0}, {}), " −2 0 2");
+  EXPECT_EQ(ticks_of({.low = 5.31, .high = 5.47}, {}, 180.0), " 5.35 5.40 5.45") << "one gives no scale";
+  const Axis powers{.is_logarithmic = true};
+  EXPECT_EQ(ticks_of(powers, {2.0, 8.0}, 300.0), " 2 5 10");
+  EXPECT_EQ(ticks_of(powers, {1e-9, 1e5}, 700.0), " 10⁻⁸ 10⁻⁶ 10⁻⁴ 0.01 1 100 10,000");
+  EXPECT_EQ(ticks_of(powers, {}, 300.0), " 1 10") << "no data";
+  EXPECT_EQ(ticks_of({}, {7.0}, 200.0), " 5 10") << "one value";
+}
+
+TEST(PlotScale, TicksEndWhereNumbersAreFarApart) {
+  const Axis huge{.low = 1e19, .high = 1e19 + 4096.0};
+  const std::vector<Tick> ticks = scale_of(huge, {}).ticks();
+  EXPECT_GE(ticks.size(), 2u);
+  EXPECT_LE(ticks.size(), 6u);
+  for (std::size_t index = 1; index < ticks.size(); ++index) EXPECT_LT(ticks[index - 1].at, ticks[index].at);
+}
+
+TEST(PlotScale, ZeroHasATickOnALogarithmicAxisWhereThereIsOneAndNoneBelow) {
+  const Axis axis{.is_logarithmic = true, .zero_at = 1e-4};
+  EXPECT_EQ(ticks_of(axis, {0.0, 1.0}), " 0 0.001 0.01 0.1 1");
+  EXPECT_EQ(ticks_of(axis, {0.05, 1.0}), " 0.1 1") << "no data is 0";
+  const Axis rounding{.is_logarithmic = true, .zero_at = 0.1, .zero_text = "≤ 0.1"};
+  EXPECT_TRUE(ticks_of(rounding, {1e-14, 100.0}).starts_with(" ≤ 0.1 "));
+  EXPECT_EQ(scale_of(rounding, {1e-14, 100.0}).at(1e-14), scale_of(rounding, {1e-14, 100.0}).at(0.1));
+}
+
+TEST(PlotScale, EqualScalesLeaveAnAxisWhoseEndsAreGiven) {
+  const Axis axis, given{.low = 0.0, .high = 10.0};
+  PlotScale fixed = scale_of(given, {}), y = scale_of(axis, {0.0, 10.0}, 100.0);
+  PlotScale::make_equal(fixed, y);
+  EXPECT_EQ(fixed.at(10.0), 400.0);
+}
+
+TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
+  const Axis axis{.is_logarithmic = true, .strip_below = 1e-8};
+  EXPECT_TRUE(scale_of(axis, {1e-9, 1.01e-7, 1.0}).end_of_strip());
+  EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).end_of_strip());
+  EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).end_of_strip()) << "nothing is empty between them";
+  EXPECT_FALSE(scale_of(axis, {1e-10, 1e-9}).end_of_strip()) << "there is no rest";
+}
+
+TEST(Look, TextHasContrastAndSeriesDiffer) {
+  for (const Tone tone : {Tone::ink, Tone::quiet, Tone::vermilion, Tone::orange, Tone::blue, Tone::green,
+                          Tone::purple, Tone::sky_blue, Tone::lavender}) {
+    const std::string colour = colour_of(tone), card = colour_named("card");
+    EXPECT_GE(contrast_of(colour, card), 4.5) << name_of(tone);
+    EXPECT_GE(contrast_of(dark_of(colour), dark_of(card)), 4.5) << name_of(tone);
+  }
+  for (const auto& [good, bad] :
+       {std::pair("good", "bad"), {"fill-good", "fill-bad"}, {"good-tint", "bad-tint"}})
+    for (const bool is_dark : {false, true}) {
+      const auto hue = [is_dark = is_dark](const std::string& name) {  // Green less red.
+        const std::string colour = is_dark ? dark_of(colour_named(name)) : colour_named(name);
+        return std::stoi(colour.substr(3, 2), nullptr, 16) - std::stoi(colour.substr(1, 2), nullptr, 16);
+      };
+      EXPECT_GT(hue(good), 0) << good;
+      EXPECT_LT(hue(bad), 0) << bad;
+    }
+}
+
+// Each fault is found in a picture that has it.
+TEST(PictureFaults, FindsOverlapsCutTextsAndPaleOnes) {
+  struct Text {
+    SvgPoint at;
+    const char* text;
+    Tone tone = Tone::ink;
+  };
+  const auto first_fault = [](const std::vector<Text>& texts) {
+    Sheet sheet{200, 100};
+    for (const Text& each : texts) sheet.svg.text(each.at, each.text, {.tone = each.tone});
+    const std::vector<std::string> faults = picture_faults(svg_text("t", sheet));
+    return faults.empty() ? "" : faults.front();
+  };
+  EXPECT_EQ(first_fault({{{20, 20}, "one"}, {{20, 50}, "two"}}), "");
+  EXPECT_EQ(first_fault({{{20, 20}, "one"}, {{25, 24}, "two"}}), "overlap: one and two");
+  EXPECT_EQ(first_fault({{{180, 20}, "long text"}}), "cut: long text");
+  EXPECT_EQ(first_fault({{{20, 20}, "pale", Tone::hairline}}), "pale: pale");
+  EXPECT_EQ(picture_faults("<svg><style>svg{height:auto}</style></svg>").size(), 1u);
+  const Series one{.name = "a", .x = {1}, .y = {1}};
+  EXPECT_EQ(shared_looks({one, one}).size(), 1u);
+}
+
 }  // namespace
+
+// Replaces the page templates, which an everyday build lacks.
+std::string_view page_template(PageKind kind) {
+  switch (kind) {
+    case PageKind::runs:
+      return "runs";
+    case PageKind::results:
+      return "results\n<!--without JavaScript-->\n{\"hyrax\":\"report data\"}";
+    case PageKind::sweeps:
+      return "sweeps\n<!--without JavaScript-->\n{\"hyrax\":\"report data\"}";
+  }
+  return {};
+}
+
 }  // namespace hyrax

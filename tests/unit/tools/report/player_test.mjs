@@ -26,16 +26,13 @@ function shown(from, act, met = contacts) {
 }
 const press = (key, more) => () => windowEvents.fire('keydown', { key, target: element('replay'), ...more });
 
-test('keys step, jump and go from contact to contact', () => {
+test('keys step, jump and go from contact to contact, and are left to the browser, to a list and to the playground', () => {
   for (const [key, ...places] of [['ArrowLeft', [0, 0], [5, 4], [20, 19]], ['ArrowRight', [0, 1], [19, 20], [20, 20]], ['Home', [5, 0]], ['End', [5, 20]],
     // Contacts are at steps 7, 12 and 30: shown in rows 4 (of step 8), 6 and 15.
     [']', [0, 4], [3, 4], [4, 6], [6, 15], [14, 15], [15, 15], [20, 20]], ['[', [20, 15], [16, 15], [15, 6], [6, 4], [5, 4], [0, 0], [3, 3]], ['0', [5, 'zoom 1']], ['x', [5, 5]]])
     for (const [from, to] of places) assert.equal(shown(from, press(key)), to, `${key} at row ${from}`);
   assert.deepEqual([shown(5, press('ArrowRight', { shiftKey: true })), shown(15, press('ArrowLeft', { shiftKey: true }))], [15, 5]);
   assert.deepEqual([']', '['].map(key => shown(5, press(key), null)), [5, 5]);
-});
-
-test('keys are left to the browser, to a list and to the playground', () => {
   for (const more of [{ ctrlKey: true }, { metaKey: true }, { altKey: true }, { target: { tagName: 'SELECT' } }, { target: { tagName: 'SUMMARY' } }])
     assert.equal(shown(5, press('End', more)), 5);
   assert.equal(shown(5, press('End', { target: { tagName: 'BUTTON' } })), 20);

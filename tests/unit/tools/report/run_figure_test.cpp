@@ -1,29 +1,24 @@
+// Pictures of runs: what they show as data, the texts, the path, and windows of odd sizes.
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <regex>
 #include <string>
 
-#include <gtest/gtest.h>
-
+#include "sim/core/shipped_core.h"
+#include "sim/replay/replay.h"
+#include "sim/trajectory/stored_run.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/report/picture_faults.h"
+#include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/report/look.h"
 #include "tools/report/run_scene.h"
 
 namespace hyrax {
 namespace {
-
-Scenario some_fling() {
-  Scenario scenario;
-  scenario.name = "some-fling";
-  scenario.window = {1920, 1080};
-  scenario.sprite = {128, 128};
-  scenario.start = {60, 900};
-  scenario.start_velocity = {1000, -1350};
-  scenario.clock.base = FixedRate{60};
-  scenario.length = std::int64_t{600};
-  return scenario;
-}
 
 // Back and forth through the window on a wave, ever faster and slower: no two rows have the same
 // colour, so that no picture is larger.
@@ -53,10 +48,6 @@ std::vector<Contact> contacts_at_each_wall(std::int64_t count) {
 // What the picture shows where there is room for it.
 std::string wide(const std::string& svg) { return svg.substr(0, svg.find("<svg class=\"narrow\"")); }
 
-bool has_text(const std::string& svg, const std::string& text) {
-  return wide(svg).find(">" + text + "</text>") != std::string::npos;
-}
-
 // The part of the picture with this name.
 std::string part_of(const std::string& svg, const std::string& name) {
   const std::string begin = "\"><title>" + name + "</title>";
@@ -64,100 +55,98 @@ std::string part_of(const std::string& svg, const std::string& name) {
   return at == std::string::npos ? "" : svg.substr(at, svg.find("</g>", at) - at);
 }
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 SvgBox window_of(const std::string& svg) { return rectangle_of(part_of(svg, "window"), "[^\"]*"); }
 
-Columns dropped_rows(std::int64_t count) {
+Columns dropped_rows(std::int64_t count, double dt_s = 1.0 / 60) {
   Columns rows;
-  for (std::int64_t i = 0; i < count; ++i)
-    rows.append(
-        {i, static_cast<double>(i) / 60, 1.0 / 60, 900, 100.0 + 10.0 * static_cast<double>(i), 0, 600, 0});
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double t_s = dt_s * static_cast<double>(i);
+    rows.append({i, t_s, dt_s, 900, 100.0 + 600.0 * t_s, 0, 600, 0});
+  }
   return rows;
 }
 
-TEST(RunSvg, TheLegendCountsContactsThatAreNotDrawn) {
-  const std::string svg =
-      run_svg(some_fling(), colourful_rows(10), contacts_at_each_wall(4), WallCounts{5, 6, 7, 1'234'567});
-  for (const std::string label : {"contacts: left 5", "right 6", "top 7", "ground 1,234,567"})
-    EXPECT_TRUE(has_text(svg, label)) << label;
+Columns two_rows(const Position& from, const Position& to, std::int64_t last_step = 1) {
+  Columns rows;
+  rows.append({0, 0.0, 0.0, from.x_px, from.y_px, 600, 0, 0});
+  rows.append({last_step, static_cast<double>(last_step) / 60, 1.0 / 60, to.x_px, to.y_px, 600, 0, 9});
+  return rows;
 }
 
-TEST(RunSvg, CountsAndSpeedsAreWrittenForPeople) {
-  Columns rows = dropped_rows(2);
-  const auto subtitle_says = [&rows](const Clock& clock, const std::string& text) {
-    Scenario scenario = some_fling();
-    scenario.clock = clock;
-    EXPECT_TRUE(has_text(run_svg(scenario, rows, {}),
-                         "1 step · 0.0166667 s · " + text + " · window 1920 × 1080 px · sprite 128 × 128 px"))
-        << text;
-  };
+// All texts of a picture, and whether its path has a cross.
+std::string shown(const std::string& what, const std::string& svg) {
+  const std::string path = part_of(svg, "path of the centre");
+  for (const char* const number : {"inf", "nan"}) EXPECT_EQ(path.find(number), std::string::npos) << what;
+  std::string text = what;
+  if (path.find(colour_of(Tone::vermilion)) != path.npos) text += ", a cross";
+  for (const ShownText& each : texts_in(wide(svg))) text += " | " + each.text;
+  return text + "\n";
+}
+
+TEST(RunSvg, HasTheTextsApproved) {
+  const Scenario fling = fling_at(60.0, 600);
+  std::string text =
+      shown("contacts that are not drawn",
+            run_svg(fling, colourful_rows(10), contacts_at_each_wall(4), WallCounts{5, 6, 7, 1'234'567}));
+
   const Jitter jitter{Jitter::Kind::uniform, 0.1, 1};
-  subtitle_says({FixedRate{60}, {}}, "60 Hz");
-  subtitle_says({FixedRate{59.94}, jitter}, "59.94 Hz with jitter");
-  subtitle_says({FixedStep{0.02}, {}}, "dt 0.02 s");
-  subtitle_says({RecordedSteps{{1.0 / 60.0}}, {}}, "recorded frames");
-  Scenario fast = some_fling();
-  fast.start_velocity = {11'400, 0};
-  rows.vx_px_per_s[0] = 11'400;
-  EXPECT_TRUE(has_text(run_svg(fast, rows, {}), "11,400 px/s"));
-}
-
-TEST(RunSvg, TheLegendSaysHowManyFramesABeadIsForAndWhatIsNotRecorded) {
-  for (const auto& [dt_s, label] : {std::pair(0.1, "every frame"),
-                                    {0.05, "every 2 frames"},
-                                    {1.0 / 60, "every 6 frames"},
-                                    {0.0016, ""}}) {
-    Columns rows;
-    for (std::int64_t i = 0; i < 50; ++i) {
-      const double t_s = dt_s * static_cast<double>(i);
-      rows.append({i, t_s, dt_s, 900, 100 + 600 * t_s, 0, 600, 0});
-    }
-    const std::string svg = run_svg(some_fling(), rows, {});
-    EXPECT_EQ(svg.find(">every ") != std::string::npos, label[0] != '\0') << dt_s;
-    EXPECT_TRUE(label[0] == '\0' || has_text(svg, label)) << label;
+  for (const Clock& clock : {Clock{FixedRate{60}, {}},
+                             {FixedRate{59.94}, jitter},
+                             {FixedStep{0.02}, {}},
+                             {RecordedSteps{{1.0 / 60.0}}, {}}}) {
+    Scenario scenario = fling;
+    scenario.clock = clock;
+    text += shown("a clock", run_svg(scenario, dropped_rows(2), {}));
   }
-  for (const auto& [x_px, is_far] : {std::pair(120.0, false), {300.0, true}}) {
-    Columns rows;
-    rows.append({0, 0.0, 0.0, 100, 100, 600, 0, 0});
-    rows.append({2, 2.0 / 60, 1.0 / 60, x_px, 100, 600, 0, 0});
-    Scenario scenario = some_fling();
-    scenario.events = {{std::int64_t{1}, Fling{{5.0, 6.0}}}, {std::int64_t{2}, Stop{}}};
-    const std::string svg = run_svg(scenario, rows, {});
-    EXPECT_EQ(has_text(svg, "not recorded"), is_far) << x_px;
-    EXPECT_TRUE(has_text(svg, "stop 0.0333 s"));
-    EXPECT_EQ(svg.find(">fling "), std::string::npos) << "of a row that is not recorded";
-  }
-}
+  Columns fast = dropped_rows(2);
+  fast.vx_px_per_s[0] = 11'400;
+  text += shown("fast", run_svg(fling, fast, {}));
 
-TEST(RunSvg, ARunThatBecomesNonFiniteSaysSoMarksThePlaceAndLeavesOutTheseRows) {
+  for (const double dt_s : {0.1, 0.05, 1.0 / 60, 0.0016})
+    text +=
+        shown("beads of frames of " + six_digits(dt_s) + " s", run_svg(fling, dropped_rows(50, dt_s), {}));
+  Scenario flung = fling;
+  flung.events = {{std::int64_t{1}, Fling{{5.0, 6.0}}}, {std::int64_t{2}, Stop{}}};
+  for (const double x_px : {120.0, 300.0})
+    text += shown("a row between is not recorded", run_svg(flung, two_rows({100, 100}, {x_px, 100}, 2), {}));
+
   Columns rows = colourful_rows(100);
-  const auto has_mark = [&] {
-    const std::string svg = run_svg(some_fling(), rows, {});
-    const bool has_note = has_text(svg, "vx is NaN from step 100 of 600 (1.67 s)");
-    const bool has_cross =
-        part_of(svg, "path of the centre").find(colour_of(Tone::vermilion)) != std::string::npos;
-    EXPECT_EQ(has_note, has_cross);
-    EXPECT_EQ(has_cross, has_text(svg, "not finite"));
-    return has_cross;
-  };
-  EXPECT_FALSE(has_mark());
+  text += shown("finite", run_svg(fling, rows, {}));
   rows.append({100, 100.0 / 60, 1.0 / 60, std::nan(""), 500.0, std::nan(""), 0.0, 0});
-  EXPECT_TRUE(has_mark());
+  text += shown("not finite", run_svg(fling, rows, {}));
   rows.x_px[50] = std::numeric_limits<double>::quiet_NaN();
   rows.vy_px_per_s[51] = std::numeric_limits<double>::infinity();
-  const std::string path = part_of(run_svg(some_fling(), rows, {}), "path of the centre");
-  EXPECT_EQ(path.find("inf"), std::string::npos);
-  EXPECT_EQ(path.find("nan"), std::string::npos);
+  text += shown("not finite earlier", run_svg(fling, rows, {}));
+
+  const Position far{-1'000'000, 1'000'000}, corner{0, 952};
+  for (const auto& [what, from, to, window, steps] :
+       std::initializer_list<std::tuple<const char*, Position, Position, Size, std::int64_t>>{
+           {"starts far outside", far, corner, {1920, 1080}, 1},
+           {"no part of the window is visited", far, far, {4000, 200}, 1},
+           {"ends far outside", corner, {30'000, 0.5}, {1920, 1080}, 1},
+           {"the first step of many", corner, corner, {1920, 1080}, 600}}) {
+    Scenario scenario = fling;
+    scenario.window = window;
+    scenario.length = steps;
+    const std::string svg = run_svg(scenario, two_rows(from, to), {});
+    EXPECT_GT(window_of(svg).width(), 700.0) << what;
+    text += shown(what, svg);
+  }
+
+  std::vector<Contact> at_rest(20, {.wall = Wall::ground, .y_px = 952});
+  for (std::size_t i = 0; i < at_rest.size(); ++i) at_rest[i].x_px = 900 + static_cast<double>(i);
+  const std::string piled = run_svg(fling, dropped_rows(60), at_rest);
+  text += shown("contacts at rest", piled);
+  const std::regex ground("r=\"2.8\" fill=\"" + colour_of(Tone::orange));
+  const std::string seen = wide(piled);
+  EXPECT_EQ(std::distance(std::sregex_iterator(seen.begin(), seen.end(), ground), {}), 2)
+      << "in the picture and in the legend";
+  expect_approved("tests/unit/tools/report/run_texts.txt", text);
 }
 
 TEST(RunSvg, APathAndAPictureHaveABound) {
   constexpr std::size_t kSvgBytesMax = 400'000;
-  Scenario scenario = some_fling();
+  Scenario scenario = fling_at(60.0, 600);
   scenario.length = std::int64_t{100'000};
   for (std::int64_t i = 1; i < 100; ++i) {
     scenario.events.push_back({i, Resize{Size{static_cast<std::int32_t>(1920 - 9 * i), 1080}, std::nullopt}});
@@ -173,52 +162,17 @@ TEST(RunSvg, APathAndAPictureHaveABound) {
   EXPECT_LT(svg.size(), kSvgBytesMax);
 }
 
-TEST(RunSvg, NotesWhatItDoesNotShow) {
-  Scenario scenario = some_fling();
-  scenario.length = std::int64_t{1};
-  const auto says = [&scenario](const Position& from, const Position& to, const std::string& note) {
-    Columns rows;
-    rows.append({0, 0.0, 0.0, from.x_px, from.y_px, 0, 0, 0});
-    rows.append({1, 1.0 / 60, 1.0 / 60, to.x_px, to.y_px, 0, 0, 9});
-    const std::string svg = run_svg(scenario, rows, {});
-    EXPECT_GT(window_of(svg).width(), 700.0);
-    EXPECT_TRUE(has_text(svg, note)) << note;
-  };
-  says({-1'000'000, 1'000'000}, {0, 952}, "starts far outside, at x -1,000,000, y 1,000,000 px");
-  scenario.window = {4000, 200};  // No part of it is visited.
-  says({-1'000'000, 1'000'000}, {-1'000'000, 1'000'000},
-       "starts far outside, at x -1,000,000, y 1,000,000 px");
-  scenario.window = {1920, 1080};
-  says({0, 952}, {30'000, 0.5}, "ends far outside, at x 30,000, y 0.5 px");
-  scenario.length = std::int64_t{600};
-  says({0, 952}, {0, 952}, "the first 1 of 600 steps");
-  says({0, 952}, {0, 952}, "start, end");
-}
-
 TEST(RunSvg, ThePathHasTheColourOfItsSpeedInTheBar) {
   for (const double fastest : {4e4, 1e5}) {  // An even scale, and a logarithmic one.
     Columns rows = dropped_rows(60);
     std::fill(rows.vy_px_per_s.begin(), rows.vy_px_per_s.begin() + 12, 200.0);
     std::fill(rows.vy_px_per_s.begin() + 12, rows.vy_px_per_s.end(), 1e4);
     rows.vy_px_per_s[0] = fastest;
-    const std::string svg = run_svg(some_fling(), rows, {}), path = part_of(svg, "path of the centre");
+    const std::string svg = run_svg(fling_at(60.0, 600), rows, {}), path = part_of(svg, "path of the centre");
     const std::string colour = path.substr(path.rfind("stroke=\"#") + 8, 7);
     const SvgBox box = rectangle_of(svg, colour);
     EXPECT_NEAR(place_of(svg, "10,000").y, box.centre().y, 1.5 * box.height()) << fastest;
   }
-}
-
-TEST(RunSvg, ContactsAtRestDoNotPileUp) {
-  std::vector<Contact> contacts(20);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    contacts[i].wall = Wall::ground;
-    contacts[i].x_px = 900 + static_cast<double>(i);
-    contacts[i].y_px = 952;
-  }
-  const std::string svg = run_svg(some_fling(), dropped_rows(60), contacts);
-  EXPECT_EQ(count_of(wide(svg), "r=\"2.8\" fill=\"" + colour_of(Tone::orange)), 2u)
-      << "in the picture and in the legend";
-  EXPECT_TRUE(has_text(svg, "contacts: ground 20"));
 }
 
 // Windows much longer than wide, and larger and smaller than any picture: every tick within the window, every
@@ -226,7 +180,7 @@ TEST(RunSvg, ContactsAtRestDoNotPileUp) {
 TEST(RunSvg, OddWindowsHaveNoTickOutsideAndNoTextThatOverlaps) {
   for (const Size& size : {Size{200, 4000}, Size{8000, 200}, Size{1920, 1080}, Size{40, 40}}) {
     SCOPED_TRACE(testing::Message() << size.width_px << " x " << size.height_px);
-    Scenario scenario = some_fling();
+    Scenario scenario = fling_at(60.0, 600);
     scenario.window = size;
     scenario.sprite = {32, 32};
     Columns rows;
@@ -251,6 +205,59 @@ TEST(RunSvg, OddWindowsHaveNoTickOutsideAndNoTextThatOverlaps) {
     }
     EXPECT_GE(ticks, 4u);
   }
+}
+
+std::string described(const PathPoint& point) {
+  return " (" + six_digits(point.x_px) + ", " + six_digits(point.y_px) + ")";
+}
+std::string described(const Box& box) {
+  return described(PathPoint{box.left_px, box.top_px}) + " .." +
+         described(PathPoint{box.right_px, box.bottom_px});
+}
+
+std::string described(const RunScene& scene) {
+  constexpr const char* kKinds[] = {"flown", "moved", "unrecorded"};
+  std::string text = "view" + described(scene.view);
+  for (const Size& window : scene.windows)
+    text += "\nwindow " + std::to_string(window.width_px) + " x " + std::to_string(window.height_px);
+  for (const auto& sprite : {scene.start, scene.end})
+    text += "\nsprite" + (sprite ? described(*sprite) : " -");
+  if (scene.not_finite) text += "\nnot finite" + described(*scene.not_finite);
+  text += "\nspeeds " + six_digits(scene.path.speed_px_per_s_low) + " .. " +
+          six_digits(scene.path.speed_px_per_s_max);
+  for (const Stroke& stroke : scene.path.strokes)
+    text += std::string("\n") + kKinds[static_cast<std::size_t>(stroke.kind)] + " " +
+            std::to_string(stroke.points.size()) + described(stroke.points.front()) + " .." +
+            described(stroke.points.back());
+  text += "\nbeads every " + std::to_string(scene.path.frames_per_bead) + ":";
+  for (const PathPoint& bead : scene.path.beads) text += described(bead);
+  for (const Throw& one : scene.throws)
+    text += "\nthrow" + described(PathPoint{one.x_px, one.y_px}) + " by" +
+            described(PathPoint{one.velocity.vx_px_per_s, one.velocity.vy_px_per_s});
+  for (const TimedInput& input : scene.inputs)
+    text += "\ninput " + std::string(input.what) + " at " + six_digits(input.t_s) + " s" +
+            described(PathPoint{input.x_px, input.y_px});
+  for (const Wall wall : kWalls) text += "\ncontacts " + std::to_string(scene.contacts[wall]);
+  for (const Bounce& bounce : scene.bounces)
+    text += "\n" + std::string(kWallNames[wall_index(bounce.wall)]) + described(bounce.sprite);
+  for (const Box& ghost : scene.ghosts) text += "\nghost" + described(ghost);
+  return text + "\n\n";
+}
+
+TEST(RunScene, OfRunsAreThoseApproved) {
+  const std::string path = HYRAX_SOURCE_DIR "/tests/unit/tools/report/run_scenes.json";
+  const Json listed = parse_json(read_text_file(path), path);
+  std::vector<Scenario> scenarios = {eventful_fling()};
+  for (const Json& each : *listed.get<Json::Array>()) scenarios.push_back(to_scenario(each, path, ""));
+  std::string text;
+  for (const Scenario& scenario : scenarios) {
+    RunRecorder recorder(step_count(scenario));
+    static_cast<void>(replay(shipped_core(), scenario, recorder));
+    StoredRun run = recorder.take();
+    if (scenario.name == "not-finite") run.rows.vx_px_per_s.back() = run.rows.x_px.back() = kNotGiven;
+    text += described(make_run_scene(scenario, run.rows, run.contacts, 640.0));
+  }
+  expect_approved("tests/unit/tools/report/run_scene.txt", text);
 }
 
 }  // namespace

@@ -19,10 +19,6 @@
 
 namespace hyrax {
 
-inline std::vector<Input> inputs_taken(const Scenario& scenario) {
-  return inputs_of(scenario, step_count(scenario));
-}
-
 /// Plays the scenario into a file, as `run` does.
 inline RunSummary write_run(const std::string& path, const Scenario& scenario) {
   const std::int64_t steps = step_count(scenario);
@@ -30,7 +26,7 @@ inline RunSummary write_run(const std::string& path, const Scenario& scenario) {
   const RunSummary summary = replay(shipped_core(), scenario, writer);
   writer.finish(
       {scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash), *shipped_core().constants},
-      inputs_taken(scenario), summary.contacts.total());
+      inputs_of(scenario, steps), summary.contacts.total());
   return summary;
 }
 
