@@ -1,10 +1,9 @@
-#!/usr/bin/python3
 """Files as a big-endian machine writes them, every number in its byte order, are read right."""
 
 import h5py
 import numpy
 
-from program import AGREED, DISAGREED, ProgramTest, fling, main
+from program import AGREED, DISAGREED, ProgramTest, fling
 
 EVENTS = [{"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -800}}, {"step": 40, "hitch": {"dt_s": 0.25}},
           {"step": 90, "resize": {"window": {"width_px": 1280, "height_px": 720}}}]
@@ -80,7 +79,3 @@ class BigEndian(ProgramTest):
         firsts = [entry["first_divergence"] for entry in results]
         return [(entry["class"], first and (first["step"], first["field"]), entry["max_px"])
                 for entry, first in zip(results, firsts)]
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`bless` with --accept, --update-hash and --prune."""
 
 import json
@@ -7,7 +6,7 @@ import shutil
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling
 
 
 class Accept(ProgramTest):
@@ -306,7 +305,3 @@ class Prune(ProgramTest):
         self.expect(BAD_INPUT, "bless", "--prune", cwd=self.folder / "golden", says="(found scenarios, which does not exist)")
         self.expect(BAD_INPUT, "bless", "--reason", "x", says="SCENARIO: at least 1 needed")
         self.assertEqual(self.state_of("."), before)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`bless`: the only command that changes golden files, deliberately and with a reason."""
 
 import json
@@ -10,7 +9,7 @@ import h5py
 
 from process import run
 from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, ProgramTest,
-                     fling, main)
+                     fling)
 
 
 class Bless(ProgramTest):
@@ -202,7 +201,3 @@ class Memory(ProgramTest):
             wall, first, last = (contacts[name][:1000] for name in ("wall", "step", "last_step"))
             self.assertEqual(last[wall == 8][-1], 10**9)
             self.assertTrue((last[wall != 8] == first[wall != 8]).all())
-
-
-if __name__ == "__main__":
-    main()

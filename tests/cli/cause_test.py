@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """What `check` says of scenarios that differ: causes, consequences, and the documents for CI.
 
 HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
@@ -15,7 +14,7 @@ import xxhash
 
 from check_program import CheckTest
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling
 
 ALTERED = os.environ["HYRAX_ALTERED_SIM"]
 
@@ -295,7 +294,3 @@ class Documents(CauseTest):
         self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report-1.svg", says="report-1.svg")
         self.expect(CANNOT_ACCESS, "check", "--summary", "no/such/report.md", says="no/such/report.md")
         self.assertEqual(self.names(), ["golden", "scenarios"])
-
-
-if __name__ == "__main__":
-    main()

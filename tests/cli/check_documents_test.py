@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The JUnit document of `check`, and the commands that it suggests."""
 
 import json
@@ -9,7 +8,7 @@ import xml.etree.ElementTree
 
 from check_program import CheckTest
 from process import run
-from program import AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, fling, main
+from program import AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, fling
 
 
 class Document(CheckTest):
@@ -102,7 +101,3 @@ class Suggested(CheckTest):
         self.expect(DISAGREED, "check", "--summary", "check.md")
         self.assertIn("\n`no picture: long runs keep no rows`\n", (self.folder / "check.md").read_text())
         self.assert_mended(DISAGREED, "check", "scenarios/long.json")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,11 +1,10 @@
-#!/usr/bin/python3
 """`check` of changed golden pairs: one verdict by every command, and no fault hidden by a summary."""
 
 import h5py
 import xxhash
 
 from check_program import THIRD, nudge
-from program import AGREED, DISAGREED, ProgramTest, fling, main
+from program import AGREED, DISAGREED, ProgramTest, fling
 
 DT_S = {"dt_s": 1 / 60}
 
@@ -158,7 +157,3 @@ class Seal(PairTest):
         text = txt.read_text()
         txt.write_text(text.replace(text.split()[-1], xxhash.xxh3_128_hexdigest(h5.read_bytes())))
         self.expect(AGREED, "check")
-
-
-if __name__ == "__main__":
-    main()

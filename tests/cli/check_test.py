@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`check`: verdicts, and that it changes nothing."""
 
 import json
@@ -9,7 +8,7 @@ import h5py
 
 from check_program import THIRD, CheckTest, nudge
 from process import run, succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, few_threads, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, few_threads, fling
 
 
 class Verdict(CheckTest):
@@ -293,7 +292,3 @@ class ReadOnly(CheckTest):
         self.assertEqual(self.names(), ["golden", "scenarios"])
         for path in (self.folder / "golden").rglob("*"):
             path.chmod(0o755)
-
-
-if __name__ == "__main__":
-    main()

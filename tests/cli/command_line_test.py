@@ -1,11 +1,10 @@
-#!/usr/bin/python3
 """Arguments are taken literally, wherever they are; output that cannot be written is an error."""
 
 import os
 import re
 
 from process import skip_for_lack_of
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling
 
 ESCAPE = "\x1b[31m"
 HOSTILE = f"a{ESCAPE}\x7f\u009b1m\udc9b\udcff.json"  # ESC, DEL, CSI as one character, and bytes that are no UTF-8.
@@ -205,7 +204,3 @@ class Streams(ProgramTest):
                                      (AGREED, ("validate", "many"))):
             outcome = self.closed(2, *arguments)
             self.assertEqual(outcome.exit_code, exit_code, f"{arguments}: {outcome}")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """One flipped bit anywhere in a golden file is found by `check`."""
 
 import json
@@ -7,7 +6,7 @@ import shutil
 import h5py
 import numpy
 
-from program import AGREED, ProgramTest, fling, main
+from program import AGREED, ProgramTest, fling
 
 # Rows and all inputs; and blocks, of a jittered run too long for rows.
 SHORT = fling(events=[
@@ -93,7 +92,3 @@ class Damage(ProgramTest):
 
     def test_in_the_golden_file_of_a_long_run(self):
         self.find_all(LONG)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`diff`: two trajectory files, value by value."""
 
 import contextlib
@@ -9,7 +8,7 @@ import shutil
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling
 
 
 class Diff(ProgramTest):
@@ -209,7 +208,3 @@ class Diff(ProgramTest):
             self.expect(AGREED, "diff", "a.h5", "b.h5")
             fcntl.flock(file, fcntl.LOCK_EX)
             self.expect(CANNOT_ACCESS, "drift", "b.h5", says=says)
-
-
-if __name__ == "__main__":
-    main()

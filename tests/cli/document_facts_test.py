@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Numbers and totals that a document states are those of the source that decides them."""
 
 import json
@@ -533,7 +532,3 @@ class Facts(unittest.TestCase):
             self.assertEqual([each["holds"] for each in held["expect"]], [limit == "latest", bounds == "in", bounds == "in"])
             self.assertEqual([agrees("trajectory/vx", 5, -0.0), agrees("trajectory/x", 5, 60.001, "--abs", "0.1", "--ulps", "1"), agrees("contacts/step", 0, 9, "--abs", "1e9"),
                               agrees("trajectory/vx", 5, math.nan)], [zeros == "agree", count == "any", contacts == "never", nan == "never"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """What a document says of the program in words, its source says too."""
 
 import functools
@@ -191,7 +190,3 @@ class Words(unittest.TestCase):
                 of_source = its[0] if its else r"\A" + "".join(f"(?=.*({re.escape(group)}))" for group in found.groups())
                 again = re.search(of_source, words_of(source), re.IGNORECASE)
                 self.assertEqual(found.groups(), again and again.groups(), source)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The numbers of `drift` against their published definitions: of arcs and contacts in 50 digits, on random flights into
 corners with uneven clocks; of the whole run by the exact fling of tests/oracle, on random throws that settle, too."""
 
@@ -12,7 +11,7 @@ import sys
 import h5py
 
 from drift_program import DriftTest
-from program import AGREED, SOURCE, main
+from program import AGREED, SOURCE
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import flings  # noqa: E402 pylint: disable=wrong-import-position
@@ -375,7 +374,3 @@ class Numbers(DriftTest):
 
     def assert_near(self, actual, expected, tolerance):
         self.assertLessEqual(abs(D(actual) - expected), tolerance, (actual, float(expected)))
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`drift`: its measurements and its output."""
 
 import math
@@ -6,7 +5,7 @@ import math
 import h5py
 
 from drift_program import DriftTest, flight
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, fling
 
 WIDTH_MAX = 100
 
@@ -104,7 +103,3 @@ class Table(DriftTest):
 
     def test_at_20_hz_it_does_not_say_that_the_step_does_not_converge(self):
         self.assertNotIn("does not converge", self.expect(AGREED, "drift", self.write("scenario.json", flight(20))).out)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """fuzz: random scenarios, parts of them, another program, bad options. HYRAX_ALTERED_SIM is a
 hyrax-sim with altered cores; must_fail/fuzz_test.py has what it finds."""
 
@@ -7,7 +6,7 @@ import re
 import signal
 
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, PROGRAM, ProgramTest
 
 
 class Fuzz(ProgramTest):
@@ -80,7 +79,3 @@ class Refused(ProgramTest):
         self.expect(BAD_INPUT, "fuzz", "--runs", "1", "--against", "false", says="printed no state hash (exit code 1)",
                     preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
         self.expect(BAD_INPUT, "fuzz", "--runs", "1", "--against", "echo", says="printed no state hash (exit code 0)")
-
-
-if __name__ == "__main__":
-    main()

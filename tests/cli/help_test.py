@@ -1,9 +1,8 @@
-#!/usr/bin/python3
 """Help, version, schema; and messages about a bad command line."""
 
 import re
 
-from program import AGREED, BAD_INPUT, SOURCE, ProgramTest, main
+from program import AGREED, BAD_INPUT, SOURCE, ProgramTest
 
 
 class Help(ProgramTest):
@@ -52,7 +51,3 @@ class Schema(ProgramTest):
     def test_it_is_that_of_the_reader(self):
         schema = (SOURCE / "tools/files/scenario.schema.json").read_text(encoding="utf-8")
         self.assertEqual(self.expect(AGREED, "schema").out, schema)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """new: a scenario to start from, and clocks from recorded frame times."""
 
 import json
@@ -6,7 +5,7 @@ import os
 
 import jsonschema
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling
 
 PRESENTMON = ('"Application",ProcessID,MsBetweenPresents,PresentMode\r\n'
               "game.exe,42,16.6667,Hardware: Independent Flip\r\n"
@@ -144,7 +143,3 @@ class New(ProgramTest):
         for encoding in ("utf-16-le", "utf-16-be"):
             (self.folder / "frames.csv").write_bytes("\ufeffMsBetweenPresents\n5\n".encode(encoding))
             self.expect(BAD_INPUT, "new", "my-fling", "--clock-from", "frames.csv", says="frames.csv: is UTF-16; save it as UTF-8")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A project with a class physics of its own, and one without, which use hyrax as an installed package only."""
 
 import re
@@ -11,7 +10,7 @@ import numpy as np
 import program
 from installed_package import PLAIN, InstalledPackage
 from process import run, succeed
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, main
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
 HYRAX_SIM = program.PROGRAM
@@ -220,7 +219,3 @@ class OwnPhysics(InstalledPackage):
         header = self.example / "elastic_box.h"
         self.expect_refused(f"scenarios PHYSICS {header})\nhyrax_add_scenarios(scenarios PHYSICS {EXAMPLE}/elastic_box.h",
                             "NAME: elastic_box is the core of", language="CXX")
-
-
-if __name__ == "__main__":
-    main()

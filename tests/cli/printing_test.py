@@ -1,11 +1,10 @@
-#!/usr/bin/python3
 """How much is printed (--quiet, --verbose), colour and progress on a terminal, and scenarios on standard input."""
 
 import json
 import os
 import resource
 
-from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, ProgramTest, fling
 
 GREEN, RED = "\x1b[32m", "\x1b[31m"
 
@@ -174,7 +173,3 @@ class StandardInput(ProgramTest):
             outcome = self.piped(BAD_INPUT, *arguments)
             self.assertIn("-: standard input has no golden file", outcome.out + outcome.err)
         self.assertEqual(self.names(), [])
-
-
-if __name__ == "__main__":
-    main()

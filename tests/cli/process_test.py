@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """process.py, which runs the programs of all tests: captures output, ends in time, and leaves no process running."""
 
 import os
@@ -65,7 +64,3 @@ class Running(unittest.TestCase):
         (_, little), (_, much) = (run_measured("/usr/bin/python3", "-S", "-E", "-c", allocate, size) for size in (1, 25_000_000))
         self.assertLess(little, 20_000_000)
         self.assertGreater(much, 25_000_000)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Other people's readers open a run file and find axes, units and names: h5py, xarray.
 
 The type, unit and name of each dataset is in outputs.md.
@@ -10,7 +9,7 @@ import h5py
 import numpy
 import xarray
 
-from program import AGREED, SOURCE, ProgramTest, fling, main
+from program import AGREED, SOURCE, ProgramTest, fling
 
 KINDS = {"fling": 0, "place": 1, "stop": 2, "resize-window": 3, "resize-sprite": 4, "hitch": 5, "grab": 6, "release": 7}
 EVENTS = [{"step": 20, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -800}}, {"step": 40, "hitch": {"dt_s": 0.25}},
@@ -149,7 +148,3 @@ class EveryGroup(Reader):
                 self.assertEqual({name: opened[name].dims[0] for name in opened.variables},
                                  dict.fromkeys(opened.variables, member))
                 self.assertEqual([opened[name].dims[1] for name in ("contacts", "state_hash") if name in opened], [wall, digest][:len(sizes) - 1])
-
-
-if __name__ == "__main__":
-    main()

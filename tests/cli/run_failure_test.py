@@ -1,7 +1,6 @@
-#!/usr/bin/python3
 """`run` when something is wrong: the message, the exit code, and that no file is damaged. Killed: killed_test.py."""
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling
 
 
 class BadInput(ProgramTest):
@@ -79,7 +78,3 @@ class UnwritableOutput(ProgramTest):
             outcome = self.expect(CANNOT_ACCESS, "run", self.scenario, option, path,
                                   says=f"{path}: cannot be written: No such file or directory\n")
             self.assertEqual((outcome.out, self.names()), ("", ["fling.json"]))
-
-
-if __name__ == "__main__":
-    main()

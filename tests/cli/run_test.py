@@ -1,11 +1,10 @@
-#!/usr/bin/python3
 """`run`: the files it writes, their paths, and memory. The second program has its numbers, outputs.md what it prints."""
 
 import os
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling
 
 MEBIBYTE = 2**20
 
@@ -140,7 +139,3 @@ class Golden(ProgramTest):
         os.truncate(self.folder / "golden/fling.h5", 5000)
         self.expect(BAD_INPUT, "run", self.path, says="golden/fling.h5: ")
         self.assertEqual(self.names(), ["golden", "scenarios"])
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The scripts of tools/: exit codes, options, packages, what tools/run refuses, and what the functions of setup.sh return,
 print and call."""
 
@@ -7,7 +6,7 @@ import pty
 import re
 
 from process import run
-from program import BAD_INPUT, PROGRAM, SOURCE, ProgramTest, main
+from program import BAD_INPUT, PROGRAM, SOURCE, ProgramTest
 
 SCRIPTS = ("run", "check", "compare", "test", "package")
 
@@ -215,7 +214,3 @@ class Scripts(ProgramTest):
                 self.assertRegex(printed, rf"(?s)\A{err}\Z")
                 calls = [re.sub(r"(?<=^apt-get -qq install ).*=300 ", "", line.replace(str(self.folder.resolve()), "PROJECT")) for line in calls.splitlines()]
                 self.assertEqual(calls, called)
-
-
-if __name__ == "__main__":
-    main()

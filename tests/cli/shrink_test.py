@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """shrink: the smallest scenario on which a command ends the same way."""
 
 import json
@@ -7,7 +6,7 @@ import signal
 import time
 
 from process import is_alive
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling
 
 EVENTS = [{"step": 20, "hitch": {"dt_s": 0.25}}, {"step": 100, "grab": {}}, {"step": 110, "place": {"x_px": 5, "y_px": 5}},
           {"step": 120, "release": {"vx_px_per_s": 12.25, "vy_px_per_s": 99}}]
@@ -87,7 +86,3 @@ class Refused(ProgramTest):
         self.expect(AGREED, "shrink", "fling.json", "--fails", "test -d {}", "-o", "other.json", "--force")
         self.project("one")
         self.expect(BAD_INPUT, "shrink", "fling.json", "--fails", "test {}", "-o", "golden/x.json", says="golden")
-
-
-if __name__ == "__main__":
-    main()

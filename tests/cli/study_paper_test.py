@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`study paper`: its measurements, its output, and the comparison with expected verdicts."""
 
 import functools
@@ -8,7 +7,7 @@ import sys
 import tempfile
 
 from process import succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, SOURCE, ProgramTest, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, PROGRAM, SOURCE, ProgramTest
 
 ORACLE = SOURCE / "tests/oracle"
 EXPECTED = SOURCE / "tests/cli/paper_verdicts.json"
@@ -76,7 +75,3 @@ class Paper(ProgramTest):
         self.study(BAD_INPUT, "--expect", self.write("empty.json", "{}"), says=("/format: is missing", "/verdicts: is missing"))
         self.study(CANNOT_ACCESS, "--expect", "none.json", says="none.json: cannot be read")
         self.assertFalse((self.folder / "out").exists())
-
-
-if __name__ == "__main__":
-    main()

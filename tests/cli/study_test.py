@@ -1,9 +1,8 @@
-#!/usr/bin/python3
 """The command study: the files, output and errors of needs, speed-error and hard-cases."""
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling
 
 HARD = SOURCE / "scenarios/hard"
 CALM = fling(name="calm", steps=900)
@@ -98,7 +97,3 @@ class Usage(ProgramTest):
         ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()
         for suffix in (".csv", ".h5", ".svg", ".html"):
             self.assertIn("/*" + suffix, ignored)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """sweep in parts, and interrupted: the file is that of one process."""
 
 import contextlib
@@ -17,7 +16,7 @@ import h5py
 import numpy
 
 from process import Process, run
-from program import BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, SOURCE, main
+from program import BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, SOURCE
 from sweep_members import ALL, base
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
@@ -346,8 +345,3 @@ class Interrupted(FilesTest):
             file.attrs["rows_done"] = numpy.int64(100)
             file.move("members/z", "members/x")
         self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 0)
-
-
-if __name__ == "__main__":
-    print(f"HYRAX_SEED={SEED}", flush=True)
-    main()

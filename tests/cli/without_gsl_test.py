@@ -1,10 +1,8 @@
-#!/usr/bin/python3
 """Commands that never call GSL: run, check, bless and the closed form, in a program whose solver is a trap."""
 
 import os
 import pathlib
 import shutil
-import unittest
 
 import program
 from program import AGREED, SOURCE, ProgramTest
@@ -36,7 +34,3 @@ class WithoutGsl(ProgramTest):
     def test_control_the_trap_is_where_gsl_is_entered(self):
         self.expect(ENTERED, "drift", MEASURED[0], says="entered GSL")
         self.expect(ENTERED, "run", MEASURED[0], "--drift", "--reference", "gsl", says="entered GSL")
-
-
-if __name__ == "__main__":
-    unittest.main()
