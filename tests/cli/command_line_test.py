@@ -1,13 +1,28 @@
-"""Arguments are taken literally, wherever they are; output that cannot be written is an error."""
+"""Help; arguments are taken literally, wherever they are; output that cannot be written is an error."""
 
 import os
 import re
 
 from process import skip_for_lack_of
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, SOURCE, ProgramTest, fling
 
 ESCAPE = "\x1b[31m"
 HOSTILE = f"a{ESCAPE}\x7f\u009b1m\udc9b\udcff.json"  # ESC, DEL, CSI as one character, and bytes that are no UTF-8.
+
+
+class Help(ProgramTest):
+    def test_it_has_several_names(self):
+        for names in (("--help", "-h", "help", ""), ("run --help", "run -h", "help run")):
+            texts = {self.expect(AGREED, *name.split()).out for name in names}
+            self.assertEqual(len(texts), 1, names)
+
+    def test_the_version_is_one_line(self):
+        for option in ("--version", "-V"):
+            self.assertRegex(self.expect(AGREED, option).out, r"\Ahyrax-sim \d+\.\d+\.\d+\n\Z")
+
+    def test_the_schema_is_that_of_the_reader(self):
+        schema = (SOURCE / "tools/files/scenario.schema.json").read_text(encoding="utf-8")
+        self.assertEqual({self.expect(AGREED, "schema", *option).out for option in ((), ("--json",))}, {schema})
 
 
 class Literal(ProgramTest):
@@ -128,7 +143,8 @@ class OneDocument(ProgramTest):
         self.assertEqual(sorted([*commands, *with_page]), sorted(listed))
         for command, arguments in commands.items():
             self.assertIsInstance(self.expect(AGREED, command, *arguments, "--json").json, dict, command)
-        self.assertEqual(self.expect(AGREED, "schema").out, self.expect(AGREED, "schema", "--json").out)
+            outcome = self.expect(BAD_INPUT, command, "--colour", says=f"hyrax-sim {command}: unknown option (found --colour)")
+            self.assertEqual((outcome.out, outcome.err.count("\n")), ("", 1), command)
 
     def test_a_path_of_bad_utf_8_leaves_it_well_formed(self):
         path = self.write(HOSTILE, fling(name="fling"))
