@@ -145,9 +145,12 @@ class Causes(CauseTest):
         core, = self.expect(BAD_INPUT, "check", "--core", "--json").json["cores"]
         self.assertEqual((core["status"], core["why"]), ("not_proved", f"{why}this program's is hyrax-physics/1"))
         bless = ("bless", "--core", "--reason", "x", "--json", "--accept")
-        document = self.expect(DISAGREED, *bless, "contacts", says=f"nothing written: golden/core: {why}--accept shape replaces it\n").json
-        self.assertEqual((document["written"], document["cores"]),
-                         (False, [{"golden": "golden", "accepted": False, "why_not": f"{why}--accept shape replaces it"}]))
+        for of_scenarios in ((), ("scenarios",)):
+            command = [part for part in bless if part != "--core" or not of_scenarios]
+            document = self.expect(DISAGREED, *command, "contacts", *of_scenarios,
+                                   says=f"nothing written: golden/core: {why}--accept shape replaces it\n").json
+            self.assertEqual((document["written"], document["cores"]),
+                             (False, [{"golden": "golden", "accepted": False, "why_not": f"{why}--accept shape replaces it"}]))
         document = self.expect(AGREED, *bless, "shape").json
         self.assertEqual((document["written"], document["cores"]), (True, [{"golden": "golden", "accepted": True, "why_not": None}]))
         self.expect(AGREED, "check", "--core")
