@@ -21,21 +21,6 @@ class Detail(ProgramTest):
         """What is printed by default, with -q and with -v."""
         return [self.expect(AGREED, *arguments, *option).out for option in ((), ("-q",), ("--verbose",))]
 
-    def test_quiet_is_the_verdict_and_verbose_is_more_than_the_default(self):
-        """Of `run` and `validate`, documents print all three."""
-        for arguments, verdict, more in (
-                (("check",), "1 checked: 1 agreed, 0 disagreed, 0 without golden file, 0 failed\n", f"{self.path}: agreed\n"),
-                (("diff", "fling.h5", "fling.h5"), "fling.h5 and fling.h5: agree, 301 rows compared\n",
-                 "  build settings: identical\n")):
-            normal, quiet, verbose = self.printed(*arguments)
-            self.assertEqual(quiet, verdict, arguments)
-            self.assertIn(more, verbose)
-            self.assertNotIn(more, normal)
-        for arguments, verdict in ((("new", "other"), "written: other.json (600 steps)\n"),
-                                   (("info",), "self_test        strict IEEE-754 double arithmetic\n")):
-            self.assertEqual(self.expect(AGREED, *arguments, "-q").out, verdict)
-        self.assertRegex(self.expect(AGREED, "drift", self.path, "-q").out, r"^fling: largest errors: implementation .* px\n$")
-
     def test_of_more_than_three_scenarios_a_line_each(self):
         names = [self.write(f"many/{name}.json", fling(name=name)) for name in "abcd"]
         self.assertEqual(self.expect(AGREED, "run", "many", "-o", "out/").out,
