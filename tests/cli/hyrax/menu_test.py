@@ -1,11 +1,8 @@
-#!/usr/bin/python3
 """The menu of the hyrax, by a right click and a key: its entries are inputs of the scene, or write files that replay."""
 
 import time
-import unittest
 
 from hyrax_program import FOLDER, HYRAX, HyraxTest, read_log
-from process import skip_without
 from program import AGREED
 
 ESCAPE, RETURN = 27, 13
@@ -75,8 +72,3 @@ class Menu(HyraxTest):
         self.wait_for_sleep()
         self.hand("key", RETURN)
         self.choose("Q", lambda: not process.is_running)
-
-
-if __name__ == "__main__":
-    skip_without("wine")
-    unittest.main()
