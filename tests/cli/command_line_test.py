@@ -58,8 +58,9 @@ class Literal(ProgramTest):
         self.expect(BAD_INPUT, "run", "", says="SCENARIO: must not be empty")
         self.assertEqual(self.names(), ["fling.json"])
 
-    def test_a_flag_takes_no_value(self):
+    def test_a_flag_takes_no_value_and_an_unknown_option_is_refused(self):
         self.expect(BAD_INPUT, "check", "--json=false", says="--json: takes no value (found --json=false)")
+        self.expect(BAD_INPUT, "run", "a.json", "--outptu", "x.h5", says=("(found --outptu); allowed: --output, ", "(did you mean --output?)"))
 
 
 class Order(ProgramTest):
