@@ -102,9 +102,7 @@ class Update(ProgramTest):
         self.write("scenarios/fling.json", f"{self.text} ,\n\n\t\"expect\":{expect}  }}\n ")
         return self.path.read_text()
 
-
-class UpdateHash(Update):
-    """`--update-hash`: the scenario file gets the new state hash, and nothing else in it changes."""
+    # --- --update-hash: the scenario file gets the new state hash, and nothing else in it changes
 
     def test_a_stale_hash_is_replaced_and_the_mode_of_the_file_kept(self):
         before = self.scenario('{"finite": true , "state_hash":"' + 32 * "0" + '"}')
@@ -145,9 +143,7 @@ class UpdateHash(Update):
         self.assertEqual(self.path.read_text(), before)
         self.assertFalse((self.folder / "golden").exists())
 
-
-class UpdateExpect(Update):
-    """`--update-expect`: new values for counts and ranges that no longer hold, too."""
+    # --- --update-expect: new values for counts and ranges that no longer hold, too
 
     def update(self, exit_code=AGREED, *options, **expected):
         """Blesses with --update-expect; the text of the scenario file then."""

@@ -70,6 +70,8 @@ class Suggested(CheckTest):
         self.assertIn("\n  to accept it    hyrax-sim bless scenarios/third.json --reason TEXT\n", self.expect(DISAGREED, "check").out)
 
     def test_with_golden(self):
+        self.write("-x.json", fling(name="x"))
+        self.assert_mended(GOLDEN_MISSING, "check", "--golden=golden", "./-x.json")
         self.assert_mended(GOLDEN_MISSING, "check", "scenarios/third.json", "--golden=-else where")
         self.write("scenarios/third.json", fling(steps=200))
         self.assert_mended(DISAGREED, "check", "scenarios/third.json", "--golden=-else where")
@@ -79,10 +81,6 @@ class Suggested(CheckTest):
         suggested, = self.suggestions(self.expect(GOLDEN_MISSING, "check", "my/x.json").out)
         self.assertEqual(self.paste(suggested), AGREED)
         self.expect(AGREED, "check", "my/x.json", "--golden", "golden")
-
-    def test_for_a_file_beginning_with_a_dash(self):
-        self.write("-x.json", fling(name="x"))
-        self.assert_mended(GOLDEN_MISSING, "check", "--golden=golden", "./-x.json")
 
     def test_by_run(self):
         path, golden = "scenarios/it's a.json", ("--golden", "g h")

@@ -260,10 +260,11 @@ class Selection(CheckTest):
         self.assertEqual(self.state_of("."), before)
 
 
-class Workers(CheckTest):
-    """Any number of them gives the same document; if some threads cannot be started, the others do the work."""
+class Everything(CheckTest):
+    """Verdicts of all kinds."""
 
-    def test_all_verdicts_are_the_same_though_every_golden_file_is_read(self):
+    def test_any_number_of_workers_gives_the_same_document_though_every_golden_file_is_read(self):
+        """If some threads cannot be started, the others do the work."""
         self.project("fourth", "fifth")
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         (self.folder / "golden/a/first.h5").unlink()
@@ -274,10 +275,6 @@ class Workers(CheckTest):
         for jobs, environment in ((2, os.environ), (64, os.environ), (8, few_threads(0)), (8, few_threads(1))):
             outcome = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", str(jobs), env=environment)
             self.assertEqual(outcome.out, one.out)
-
-
-class ReadOnly(CheckTest):
-    """`check` never writes into golden/."""
 
     def test_golden_files_are_unchanged_for_every_verdict(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)

@@ -142,10 +142,6 @@ class Expectations(DriftTest):
         self.assertIn(says, self.expect(DISAGREED, "check").out)
         self.expect(DISAGREED, "bless", path, "--reason", "x", says=("its expectations do not hold; ", says))
 
-
-class Printed(DriftTest):
-    """Its text, and its figures."""
-
     def test_with_pictures_it_is_one_document_all_the_same(self):
         document = self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out", "--json").json
         self.assertEqual((list(document), len(self.names("out"))), (["runs"], 5))

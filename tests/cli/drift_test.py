@@ -93,13 +93,9 @@ class Files(DriftTest):
         self.assertEqual(none["status"], "failed")
         self.assertIn("arcs", good)
 
-
-class Table(DriftTest):
-    """The text for a terminal."""
-
-    def test_it_fits_a_terminal(self):
+    def test_the_text_fits_a_terminal(self):
         for line in self.expect(AGREED, "drift", *(SOURCE / f"scenarios/{folder}" for folder in ("flings", "hard"))).out.splitlines():
             self.assertLessEqual(len(line), WIDTH_MAX, line)
 
-    def test_at_20_hz_it_does_not_say_that_the_step_does_not_converge(self):
+    def test_at_20_hz_the_text_does_not_say_that_the_step_does_not_converge(self):
         self.assertNotIn("does not converge", self.expect(AGREED, "drift", self.write("scenario.json", flight(20))).out)
