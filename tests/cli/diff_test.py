@@ -127,8 +127,6 @@ class Diff(ProgramTest):
         for part in ("at most 0.25 px apart", "class values, no contact moved", "a.h5", "b.h5", "first difference"):
             self.assertIn(part, svg)
         (self.folder / "golden/a.h5").write_bytes((self.folder / "a.h5").read_bytes())
-        self.expect(DISAGREED, "diff", str(self.folder / "golden/a.h5"), str(self.folder / "b.h5"), "--figure", "diff.svg")
-        self.assertNotIn(str(self.folder), (self.folder / "diff.svg").read_text())
         self.expect(AGREED, "diff", str(self.folder / "golden/a.h5"), str(self.folder / "a.h5"), "--figure", "diff.svg")
         svg = (self.folder / "diff.svg").read_text()
         for part in ("golden/a.h5", f"{self.folder.name}/a.h5", "the same place at every time"):

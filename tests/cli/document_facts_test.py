@@ -20,7 +20,7 @@ HEADER, SCENARIO, STATE = "sim/physics/physics.h", "sim/scenario/scenario.h", "s
 HASH, ROUNDING, REST = "sim/trajectory/state_hash.h", "sim/compare/run_distance.cpp", "sim/trajectory/run_summary.h"
 CARD, STUDIES, PAGE, HYRAX = "sim/card/README.md", "sim/study/README.md", "tools/report/page/README.md", "tools/hyrax/README.md"
 PHYSICS_CONSTANTS = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"
-TESTS, BENCHMARKS, SWEEPS, OWN = "tests/README.md", "tests/benchmarks/README.md", "sim/ensemble/README.md", "tools/own_core/README.md"
+TESTS, SWEEPS, OWN = "tests/README.md", "sim/ensemble/README.md", "tools/own_core/README.md"
 FLINGS, COMPARE, SCHEMA, MODEL = "sim/card/flings.cpp", "tools/hyrax-compare/main.cpp", "tools/files/scenario.schema.json", "sim/reference/model.h"
 
 # Document and its words, with `{}` for each number; source, and the names that have these numbers there (with commas, or
@@ -191,9 +191,6 @@ SAID_AGAIN = (
     (STUDIES, "spreads less in {} of {} flings.", (STUDIES, "every frame the same: drag and friction by time spread less in {} of {} flings")),
     (STUDIES, "frame move the typical fling from {} to {} px off, and\n  {} of {} meet", (STUDIES, "\n  the paper's step                {} ("),
      (STUDIES, "\n  the paper's step, 4 to a frame  {} ("), (STUDIES, "{} of {}\n  the paper's step, drag by time")),
-    (BENCHMARKS, "either ({}, at least {}); those of 100 s ({}) and of jitter seeds ({}) do", (SWEEPS, "sweep of 10 s at 60 Hz, keep final                          {} ("),
-     (BENCHMARKS, "sweep of 10 s at 60 Hz, times faster than naive                      13.05    (12.69 .. 13.31)  at least {}"),
-     (SWEEPS, "sweep of 100 s at 60 Hz, keep final                          {} ("), (SWEEPS, "keep final (naive: mt19937_64)       {} (")),
 )
 SCENARIOS = len([path for path in (SOURCE / "scenarios").rglob("*.json") if not path.name.endswith(".schema.json")])
 WORDS = "zero one two three four five six seven eight nine ten".split()

@@ -93,11 +93,9 @@ class Progress(ProgramTest):
         self.assertEqual((self.folder / "run.h5").read_bytes(), rows)
         return unwatched
 
-    def test_a_run_that_repeats_is_the_same(self):
+    def test_a_run_that_repeats_and_one_that_is_computed_are_the_same(self):
         out = self.assert_same_when_watched(steps=10**8, record={"every": 10**6})
         self.assertNotIn('"periodic_from_step": null', out)
-
-    def test_a_run_that_is_computed_is_the_same(self):
         self.assert_same_when_watched(
             steps=300_000, record={"every": 1000}, events=[{"step": 70_000, "stop": {}}],
             clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}})

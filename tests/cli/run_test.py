@@ -9,19 +9,6 @@ from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fl
 MEBIBYTE = 2**20
 
 
-class Skipping(ProgramTest):
-    def test_skipping_repetition_changes_nothing(self):
-        self.write("soak.json", fling(name="soak", steps=120_000, record={"every": 777}))
-        skipped = self.expect(AGREED, "run", "soak.json", "--json", "-o", "skipped.h5").json["runs"][0]
-        computed = self.expect(AGREED, "run", "soak.json", "--json", "-o", "all.h5", "--no-skip").json["runs"][0]
-        self.assertIsNotNone(skipped["periodic_from_step"])
-        self.assertIn("of 120000 steps", skipped["not_computed"][0])
-        self.assertNotIn("of 120000 steps", computed["not_computed"][0])
-        for key in computed.keys() - {"output", "periodic_from_step", "not_computed"}:
-            self.assertEqual(skipped[key], computed[key], key)
-        self.assertEqual((self.folder / "skipped.h5").read_bytes(), (self.folder / "all.h5").read_bytes())
-
-
 class Memory(ProgramTest):
     """Memory does not grow with the size of the output."""
 
@@ -104,10 +91,9 @@ class Output(ProgramTest):
         self.assertEqual((self.folder / "file").read_text(), "in the way")
 
 
-class Override(ProgramTest):
-    """--set puts a value over the file's; which ones are possible, a unit test of scenario files shows."""
-
-    def test_the_file_has_their_name_and_holds_the_scenario_with_them(self):
+class Options(ProgramTest):
+    def test_an_override_names_the_file_which_holds_the_scenario_with_it(self):
+        """Which ones are possible, a unit test of scenario files shows."""
         self.write("fling.json", fling())
         run, = self.expect(AGREED, "run", "fling.json", "--json", "--set", "/clock/rate_hz=144",
                            "--set", "/name=somewhere-else", "--set", '/events=[{"step": 3, "hitch": {"dt_s": 0.5}}]',
@@ -118,6 +104,17 @@ class Override(ProgramTest):
             self.write("stored.json", file.attrs["scenario"])
         again = self.expect(AGREED, "run", "stored.json", "--json").json["runs"][0]
         self.assertEqual(again["state_hash"], run["state_hash"])
+
+    def test_skipping_repetition_changes_nothing(self):
+        self.write("soak.json", fling(name="soak", steps=120_000, record={"every": 777}))
+        skipped = self.expect(AGREED, "run", "soak.json", "--json", "-o", "skipped.h5").json["runs"][0]
+        computed = self.expect(AGREED, "run", "soak.json", "--json", "-o", "all.h5", "--no-skip").json["runs"][0]
+        self.assertIsNotNone(skipped["periodic_from_step"])
+        self.assertIn("of 120000 steps", skipped["not_computed"][0])
+        self.assertNotIn("of 120000 steps", computed["not_computed"][0])
+        for key in computed.keys() - {"output", "periodic_from_step", "not_computed"}:
+            self.assertEqual(skipped[key], computed[key], key)
+        self.assertEqual((self.folder / "skipped.h5").read_bytes(), (self.folder / "all.h5").read_bytes())
 
 
 class Golden(ProgramTest):
