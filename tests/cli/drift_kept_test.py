@@ -5,7 +5,7 @@ import re
 import h5py
 import numpy
 
-from drift_program import DriftTest, flight
+from drift_test import DriftTest, flight
 from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, fling
 
 DOCUMENT = (SOURCE / "sim/reference/README.md").read_text(encoding="utf-8")

@@ -10,7 +10,7 @@ import sys
 
 import h5py
 
-from drift_program import DriftTest
+from drift_test import DriftTest
 from program import AGREED, SOURCE, fling
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
