@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`bless`: the only command that changes golden files, deliberately and with a reason."""
 
 import json
@@ -10,7 +9,7 @@ import h5py
 
 from process import run
 from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, ProgramTest,
-                     fling, main)
+                     fling)
 
 
 class Bless(ProgramTest):
@@ -187,22 +186,3 @@ class Bless(ProgramTest):
         self.assertEqual(self.names("golden"), ["a", "core", "fling.h5", "fling.txt", "new.txt"])
         self.write("file", "in the way")
         self.expect(CANNOT_ACCESS, "bless", "scenarios/new.json", "--reason", "x", "--golden", "file")
-
-
-class Memory(ProgramTest):
-    """Memory grows neither with the run nor with its contacts."""
-
-    def test_a_million_contacts_stay_below_100_megabytes(self):
-        self.write("scenarios/wide.json", fling(name="wide", window={"width_px": 100, "height_px": 1080}, steps=10**9))
-        self.expect_below(100e6, AGREED, "bless", "scenarios", "--reason", "x")
-        self.expect_below(100e6, AGREED, "check")
-        with h5py.File(self.folder / "golden/wide.h5") as file:
-            contacts = file["contacts"]
-            self.assertEqual(contacts["step"].shape, (1_000_000,))
-            wall, first, last = (contacts[name][:1000] for name in ("wall", "step", "last_step"))
-            self.assertEqual(last[wall == 8][-1], 10**9)
-            self.assertTrue((last[wall != 8] == first[wall != 8]).all())
-
-
-if __name__ == "__main__":
-    main()

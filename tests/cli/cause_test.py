@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """What `check` says of scenarios that differ: causes, consequences, and the documents for CI.
 
 HYRAX_ALTERED_SIM is a hyrax-sim whose core is changed on purpose; HYRAX_ALTERED_CORE selects the change.
@@ -15,7 +14,7 @@ import xxhash
 
 from check_program import THIRD, CheckTest
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling
 
 ALTERED = os.environ["HYRAX_ALTERED_SIM"]
 
@@ -146,9 +145,12 @@ class Causes(CauseTest):
         core, = self.expect(BAD_INPUT, "check", "--core", "--json").json["cores"]
         self.assertEqual((core["status"], core["why"]), ("not_proved", f"{why}this program's is hyrax-physics/1"))
         bless = ("bless", "--core", "--reason", "x", "--json", "--accept")
-        document = self.expect(DISAGREED, *bless, "contacts", says=f"nothing written: golden/core: {why}--accept shape replaces it\n").json
-        self.assertEqual((document["written"], document["cores"]),
-                         (False, [{"golden": "golden", "accepted": False, "why_not": f"{why}--accept shape replaces it"}]))
+        for of_scenarios in ((), ("scenarios",)):
+            command = [part for part in bless if part != "--core" or not of_scenarios]
+            document = self.expect(DISAGREED, *command, "contacts", *of_scenarios,
+                                   says=f"nothing written: golden/core: {why}--accept shape replaces it\n").json
+            self.assertEqual((document["written"], document["cores"]),
+                             (False, [{"golden": "golden", "accepted": False, "why_not": f"{why}--accept shape replaces it"}]))
         document = self.expect(AGREED, *bless, "shape").json
         self.assertEqual((document["written"], document["cores"]), (True, [{"golden": "golden", "accepted": True, "why_not": None}]))
         self.expect(AGREED, "check", "--core")
@@ -301,7 +303,3 @@ class Documents(CauseTest):
         self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report-1.svg", says="report-1.svg")
         self.expect(CANNOT_ACCESS, "check", "--summary", "no/such/report.md", says="no/such/report.md")
         self.assertEqual(self.names(), ["golden", "scenarios"])
-
-
-if __name__ == "__main__":
-    main()

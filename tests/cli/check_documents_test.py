@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The JUnit document of `check`, and the commands that it suggests."""
 
 import json
@@ -9,7 +8,7 @@ import xml.etree.ElementTree
 
 from check_program import CheckTest
 from process import run
-from program import AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, fling, main
+from program import AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, fling
 
 
 class Document(CheckTest):
@@ -71,6 +70,8 @@ class Suggested(CheckTest):
         self.assertIn("\n  to accept it    hyrax-sim bless scenarios/third.json --reason TEXT\n", self.expect(DISAGREED, "check").out)
 
     def test_with_golden(self):
+        self.write("-x.json", fling(name="x"))
+        self.assert_mended(GOLDEN_MISSING, "check", "--golden=golden", "./-x.json")
         self.assert_mended(GOLDEN_MISSING, "check", "scenarios/third.json", "--golden=-else where")
         self.write("scenarios/third.json", fling(steps=200))
         self.assert_mended(DISAGREED, "check", "scenarios/third.json", "--golden=-else where")
@@ -80,10 +81,6 @@ class Suggested(CheckTest):
         suggested, = self.suggestions(self.expect(GOLDEN_MISSING, "check", "my/x.json").out)
         self.assertEqual(self.paste(suggested), AGREED)
         self.expect(AGREED, "check", "my/x.json", "--golden", "golden")
-
-    def test_for_a_file_beginning_with_a_dash(self):
-        self.write("-x.json", fling(name="x"))
-        self.assert_mended(GOLDEN_MISSING, "check", "--golden=golden", "./-x.json")
 
     def test_by_run(self):
         path, golden = "scenarios/it's a.json", ("--golden", "g h")
@@ -102,7 +99,3 @@ class Suggested(CheckTest):
         self.expect(DISAGREED, "check", "--summary", "check.md")
         self.assertIn("\n`no picture: long runs keep no rows`\n", (self.folder / "check.md").read_text())
         self.assert_mended(DISAGREED, "check", "scenarios/long.json")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """tools/check --watch repeats the check after a change of a source or a scenario, and builds hyrax-sim if it is needed.
 
 Runs a copy of the scripts in a project whose build folder has a ninja file of one target: it copies the program.
@@ -10,7 +9,7 @@ import signal
 import time
 
 from process import Process, skip_unless_installed
-from program import PROGRAM, SOURCE, ProgramTest, fling, main
+from program import PROGRAM, SOURCE, ProgramTest, fling
 
 
 class CheckScript(ProgramTest):
@@ -57,7 +56,3 @@ class CheckScript(ProgramTest):
         while log.read_text().count(text) < times:
             self.assertLess(time.monotonic(), end, log.read_text())
             time.sleep(0.05)
-
-
-if __name__ == "__main__":
-    main()

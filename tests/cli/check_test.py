@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`check`: verdicts, and that it changes nothing."""
 
 import json
@@ -9,7 +8,7 @@ import h5py
 
 from check_program import THIRD, CheckTest, nudge
 from process import run, succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, few_threads, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, few_threads, fling
 
 
 class Verdict(CheckTest):
@@ -261,10 +260,11 @@ class Selection(CheckTest):
         self.assertEqual(self.state_of("."), before)
 
 
-class Workers(CheckTest):
-    """Any number of them gives the same document; if some threads cannot be started, the others do the work."""
+class Everything(CheckTest):
+    """Verdicts of all kinds."""
 
-    def test_all_verdicts_are_the_same_though_every_golden_file_is_read(self):
+    def test_any_number_of_workers_gives_the_same_document_though_every_golden_file_is_read(self):
+        """If some threads cannot be started, the others do the work."""
         self.project("fourth", "fifth")
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         (self.folder / "golden/a/first.h5").unlink()
@@ -275,10 +275,6 @@ class Workers(CheckTest):
         for jobs, environment in ((2, os.environ), (64, os.environ), (8, few_threads(0)), (8, few_threads(1))):
             outcome = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", str(jobs), env=environment)
             self.assertEqual(outcome.out, one.out)
-
-
-class ReadOnly(CheckTest):
-    """`check` never writes into golden/."""
 
     def test_golden_files_are_unchanged_for_every_verdict(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
@@ -293,7 +289,3 @@ class ReadOnly(CheckTest):
         self.assertEqual(self.names(), ["golden", "scenarios"])
         for path in (self.folder / "golden").rglob("*"):
             path.chmod(0o755)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,14 +1,28 @@
-#!/usr/bin/python3
-"""Arguments are taken literally, wherever they are; output that cannot be written is an error."""
+"""Help; arguments are taken literally, wherever they are; output that cannot be written is an error."""
 
 import os
 import re
 
 from process import skip_for_lack_of
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, SOURCE, ProgramTest, fling
 
 ESCAPE = "\x1b[31m"
 HOSTILE = f"a{ESCAPE}\x7f\u009b1m\udc9b\udcff.json"  # ESC, DEL, CSI as one character, and bytes that are no UTF-8.
+
+
+class Help(ProgramTest):
+    def test_it_has_several_names(self):
+        for names in (("--help", "-h", "help", ""), ("run --help", "run -h", "help run")):
+            texts = {self.expect(AGREED, *name.split()).out for name in names}
+            self.assertEqual(len(texts), 1, names)
+
+    def test_the_version_is_one_line(self):
+        for option in ("--version", "-V"):
+            self.assertRegex(self.expect(AGREED, option).out, r"\Ahyrax-sim \d+\.\d+\.\d+\n\Z")
+
+    def test_the_schema_is_that_of_the_reader(self):
+        schema = (SOURCE / "tools/files/scenario.schema.json").read_text(encoding="utf-8")
+        self.assertEqual({self.expect(AGREED, "schema", *option).out for option in ((), ("--json",))}, {schema})
 
 
 class Literal(ProgramTest):
@@ -44,8 +58,9 @@ class Literal(ProgramTest):
         self.expect(BAD_INPUT, "run", "", says="SCENARIO: must not be empty")
         self.assertEqual(self.names(), ["fling.json"])
 
-    def test_a_flag_takes_no_value(self):
+    def test_a_flag_takes_no_value_and_an_unknown_option_is_refused(self):
         self.expect(BAD_INPUT, "check", "--json=false", says="--json: takes no value (found --json=false)")
+        self.expect(BAD_INPUT, "run", "a.json", "--outptu", "x.h5", says=("(found --outptu); allowed: --output, ", "(did you mean --output?)"))
 
 
 class Order(ProgramTest):
@@ -66,7 +81,7 @@ class Order(ProgramTest):
                 ("run", files, lambda outcome: outcome.out.count("  contacts  "),
                  (["--set", "/steps=9"], ["-o", "out"], ["--golden", "golden"], ["--drift"], ["--no-skip"])),
                 ("check", files, lambda outcome: outcome.json["checked"],
-                 (["--golden", "golden"], ["--jobs", "2"], ["--junit", "x.xml"], ["--quick"], ["--json"])),
+                 (["--golden", "golden"], ["--jobs", "08"], ["--junit", "x.xml"], ["--quick"], ["--json"])),
                 ("diff", ["out/one.h5", "out/one.h5"], lambda outcome: 2 * outcome.out.count(" agree, "),
                  (["--abs", "1"], ["--rel", "1"], ["--ulps", "1"]))):
             self.assert_any_order(command, given, options, count)
@@ -106,10 +121,6 @@ class Number(ProgramTest):
             self.expect(AGREED, *arguments[:-1], f"{arguments[-1]}={limit}")
             self.expect(BAD_INPUT, *arguments[:-1], f"{arguments[-1]}={past}", says=arguments[-1])
 
-    def test_a_leading_zero_does_not_mean_octal(self):
-        self.project("fling")
-        self.expect(AGREED, "check", "--jobs", "08")
-
 
 class OneDocument(ProgramTest):
     """--json gives one JSON document on stdout, for every command."""
@@ -129,7 +140,8 @@ class OneDocument(ProgramTest):
         self.assertEqual(sorted([*commands, *with_page]), sorted(listed))
         for command, arguments in commands.items():
             self.assertIsInstance(self.expect(AGREED, command, *arguments, "--json").json, dict, command)
-        self.assertEqual(self.expect(AGREED, "schema").out, self.expect(AGREED, "schema", "--json").out)
+            outcome = self.expect(BAD_INPUT, command, "--colour", says=f"hyrax-sim {command}: unknown option (found --colour)")
+            self.assertEqual((outcome.out, outcome.err.count("\n")), ("", 1), command)
 
     def test_a_path_of_bad_utf_8_leaves_it_well_formed(self):
         path = self.write(HOSTILE, fling(name="fling"))
@@ -205,7 +217,3 @@ class Streams(ProgramTest):
                                      (AGREED, ("validate", "many"))):
             outcome = self.closed(2, *arguments)
             self.assertEqual(outcome.exit_code, exit_code, f"{arguments}: {outcome}")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """What the build records of a core's header: tools/cmake/record_core.cmake, with the settings of this build.
 
 The cases that need no compiler of their own are in tests/unit/sim/trace/host.
@@ -9,7 +8,7 @@ import pathlib
 import re
 
 from process import skip_unless_installed, succeed
-from program import SOURCE, ProgramTest, main
+from program import SOURCE, ProgramTest
 
 SETTINGS = pathlib.Path(os.environ["HYRAX_RECORD_SETTINGS"])
 LISTING = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
@@ -90,7 +89,3 @@ class CoreRecord(ProgramTest):
                 with self.subTest(compiler=compiler, kind=kind):
                     self.assertRegex(self.record(header, **options), r"^memory outside the body: (physics::.*)?calls$")
             self.assertEqual(self.record(constant, **options), (SETTINGS.parent / "step.txt").read_text(encoding="utf-8"))
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`diff`: two trajectory files, value by value."""
 
 import contextlib
@@ -9,7 +8,7 @@ import shutil
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling
 
 
 class Diff(ProgramTest):
@@ -129,8 +128,6 @@ class Diff(ProgramTest):
         for part in ("at most 0.25 px apart", "class values, no contact moved", "a.h5", "b.h5", "first difference"):
             self.assertIn(part, svg)
         (self.folder / "golden/a.h5").write_bytes((self.folder / "a.h5").read_bytes())
-        self.expect(DISAGREED, "diff", str(self.folder / "golden/a.h5"), str(self.folder / "b.h5"), "--figure", "diff.svg")
-        self.assertNotIn(str(self.folder), (self.folder / "diff.svg").read_text())
         self.expect(AGREED, "diff", str(self.folder / "golden/a.h5"), str(self.folder / "a.h5"), "--figure", "diff.svg")
         svg = (self.folder / "diff.svg").read_text()
         for part in ("golden/a.h5", f"{self.folder.name}/a.h5", "the same place at every time"):
@@ -210,7 +207,3 @@ class Diff(ProgramTest):
             self.expect(AGREED, "diff", "a.h5", "b.h5")
             fcntl.flock(file, fcntl.LOCK_EX)
             self.expect(CANNOT_ACCESS, "drift", "b.h5", says=says)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Options that documents and help texts name are those of the programs and scripts, and what is said of one is not of another."""
 
 import collections
@@ -104,7 +103,3 @@ class Options(unittest.TestCase):
                     settled += right > wrong
                     self.assertGreaterEqual(right, wrong, (str(document.relative_to(SOURCE)), one, other))
         self.assertGreater(settled, 100)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -26,6 +26,7 @@ What a README may print, by the first word after the fence:
 A picture whose name a file in the scratch folder has, after all blocks, says what that one says, and is as large.
 """
 
+import collections
 import dataclasses
 import functools
 import json
@@ -146,8 +147,10 @@ class Scratch:
             return None, None
         if block.kind == "json":
             self.write(block)
-        if block.kind == "python":
-            code, output = self.run(f"/usr/bin/python3 - << 'END'\n{block.body}END", self.call(PROGRAM))
+        is_scenario = block.kind == "json" and json.loads(block.body).get("format") == "hyrax-scenario/1"
+        if is_scenario or block.kind == "python":
+            command = "hyrax-sim run - -o -" if is_scenario else "/usr/bin/python3 -"
+            code, output = self.run(f"{command} << 'END'\n{block.body}END", self.call(PROGRAM))
             return ("", 0), (output if code else "", code)
         if block.kind == "console":
             self.text, code = self.print_of(block)
@@ -221,22 +224,38 @@ class Documents(unittest.TestCase):
     def on_each(self, document):
         return self.subTest(document=str(document.relative_to(SOURCE)))
 
-    def test_every_block_has_a_known_kind(self):
+    def test_what_each_names_exists(self):
+        """Kinds of blocks, targets of links, paths, scripts, presets; and the lines about embedding, which a test builds."""
+        listed = json.loads((SOURCE / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
+        presets = {preset["name"] for preset in listed if not preset.get("hidden")}
+        projects = [SOURCE / "tests/cli/outside_project", SOURCE / "tests/cli/own_physics"]
+        built = {kind: "".join(file.read_text(encoding="utf-8") for project in projects for file in project.glob(pattern))
+                 for kind, pattern in (("cmake", "CMakeLists.txt"), ("cpp", "*.cpp"))}
         for document in DOCUMENTS:
+            text, blocks = document.read_text(encoding="utf-8"), blocks_of(document)
             with self.on_each(document):
-                fences = re.findall(r"^```", document.read_text(encoding="utf-8"), re.MULTILINE)
-                self.assertEqual(len(fences), 2 * len(blocks_of(document)), "a fence without a kind")
-                self.assertLessEqual({block.kind for block in blocks_of(document)}, RUN | NOT_RUN)
+                self.assertEqual(len(re.findall(r"^```", text, re.MULTILINE)), 2 * len(blocks), "a fence without a kind")
+                self.assertLessEqual({block.kind for block in blocks}, RUN | NOT_RUN)
+                self.assertEqual(dead_links_of(document), [])
+                for path in re.findall(r"`((?:\.ci|sim|tools|tests|scenarios|golden)/[\w./-]*)`", words_outside_blocks(document)):
+                    self.assertTrue("FOLDER/" in path or (SOURCE / path).exists(), f"no such file in the project: {path}")
+                self.assertLessEqual(set(re.findall(r"--preset ([a-z-]+)", text)), presets)
+                for block in blocks:
+                    for script in re.findall(r"^((?:\.ci|tools|tests)/\S+)", block.body, re.MULTILINE):
+                        self.assertTrue(block.kind != "sh" or os.access(SOURCE / script, os.X_OK), script)
+                    for line in block.body.splitlines() if block.kind in built else ():
+                        self.assertIn(line, built[block.kind])
 
     def test_every_block_prints_what_the_program_prints(self):
-        seen = pictures = 0
+        """A scenario is valid, and its expectations hold."""
+        seen, pictures = collections.Counter(), 0
         for document in DOCUMENTS:
             blocks = [block for block in blocks_of(document) if block.kind in RUN]
             if not blocks:
                 continue
             with self.on_each(document), Scratch(blocks) as scratch:
                 for block in blocks:
-                    seen += block.kind == "console"
+                    seen[block.kind] += 1
                     with self.subTest(block="; ".join(block.commands)):
                         self.assertEqual(*scratch.try_out(block))
                 for picture, drawn in pictures_of(document, scratch):
@@ -244,8 +263,7 @@ class Documents(unittest.TestCase):
                     self.assertEqual(said_by(picture), said_by(drawn), picture)
                 if document == SOURCE / "README.md":
                     self.try_the_task_table(document, scratch)
-        self.assertGreater(seen, 10, "the console blocks were not found")
-        self.assertGreater(pictures, 2, "the pictures were not found")
+        self.assertTrue(seen["console"] > 10 and seen["json"] > 1 and pictures > 2, "blocks or pictures were not found")
 
     def try_the_task_table(self, document, scratch):
         """Every command of the table works after the document's blocks."""
@@ -261,33 +279,6 @@ class Documents(unittest.TestCase):
                 else:
                     self.assertEqual(code, 0, output)
 
-    def test_every_scenario_is_valid_and_its_expectations_hold(self):
-        scenarios = 0
-        for document in DOCUMENTS:
-            for block in blocks_of(document):
-                if block.kind != "json" or json.loads(block.body).get("format") != "hyrax-scenario/1":
-                    continue
-                scenarios += 1
-                with self.on_each(document), tempfile.TemporaryDirectory(prefix="hyrax-documentation-") as folder:
-                    pathlib.Path(folder, "printed.json").write_text(block.body, encoding="utf-8")
-                    outcome = run(PROGRAM, "run", "printed.json", cwd=folder)
-                    self.assertEqual(outcome.exit_code, 0, outcome)
-        self.assertGreater(scenarios, 1, "the scenarios were not found")
-
-    def test_every_link_leads_somewhere(self):
-        for document in DOCUMENTS:
-            with self.on_each(document):
-                self.assertEqual(dead_links_of(document), [])
-
-    def test_every_path_exists(self):
-        for document in DOCUMENTS:
-            with self.on_each(document):
-                for path in re.findall(r"`((?:\.ci|sim|tools|tests|scenarios|golden)/[\w./-]*)`",
-                                       words_outside_blocks(document)):
-                    if "FOLDER/" in path:
-                        continue
-                    self.assertTrue((SOURCE / path).exists(), f"no such file in the project: {path}")
-
     def test_every_name_exists(self):
         """A key, column, option, file, command or program in backquotes; of the changelog, in its newest version."""
         everywhere = names_of_sources(("sim", "tools", "scenarios", "golden", ".ci", ".github"))
@@ -300,42 +291,13 @@ class Documents(unittest.TestCase):
             missing |= names_in("\n".join(re.findall("`([^`]+)`", text))) - known
         self.assertEqual(missing, NAMED_NOWHERE)
 
-    def test_every_script_exists(self):
-        for document in DOCUMENTS:
-            for block in blocks_of(document):
-                for script in re.findall(r"^((?:\.ci|tools|tests)/\S+)", block.body, re.MULTILINE):
-                    with self.on_each(document):
-                        self.assertTrue(block.kind != "sh" or os.access(SOURCE / script, os.X_OK), script)
-
-    def test_every_line_about_embedding_is_built_by_a_test(self):
-        projects = [SOURCE / "tests/cli/outside_project", SOURCE / "tests/cli/own_physics"]
-        built = {kind: "".join(file.read_text(encoding="utf-8") for project in projects for file in project.glob(pattern))
-                 for kind, pattern in (("cmake", "CMakeLists.txt"), ("cpp", "*.cpp"))}
-        for document in DOCUMENTS:
-            for block in blocks_of(document):
-                if block.kind in built:
-                    with self.on_each(document):
-                        for line in block.body.splitlines():
-                            self.assertIn(line, built[block.kind])
-
-    def test_every_preset_exists(self):
-        presets = json.loads((SOURCE / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
-        names = {preset["name"] for preset in presets if not preset.get("hidden")}
-        for document in DOCUMENTS:
-            with self.on_each(document):
-                used = re.findall(r"--preset ([a-z-]+)", document.read_text(encoding="utf-8"))
-                self.assertLessEqual(set(used), names)
-
-    def test_the_readme_links_to_every_other_one(self):
+    def test_the_readme_is_short_and_links_to_every_other_one(self):
         text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        self.assertLessEqual(len(text.split()), README_WORDS_MAX)
         for document in DOCUMENTS:
             folder = document.parent.relative_to(SOURCE)
             if document.name == "README.md" and folder.parts:
                 self.assertRegex(text, rf"\]\({folder}(/README\.md)?[)#]", f"README.md: no link to {folder}")
-
-    def test_the_readme_is_short(self):
-        words = len((SOURCE / "README.md").read_text(encoding="utf-8").split())
-        self.assertLessEqual(words, README_WORDS_MAX)
 
 
 class Controls(unittest.TestCase):
@@ -355,17 +317,13 @@ class Controls(unittest.TestCase):
         self.document.with_name("old.svg").write_text("<text>old", encoding="utf-8")
         self.document.with_name("same.svg").write_text("<text>new\n<", encoding="utf-8")
 
-    def test_wrong_blocks_and_pictures_are_detected(self):
+    def test_what_is_wrong_is_detected_and_an_update_rewrites_only_what_differs(self):
         with Scratch(()) as scratch:
             tried = [scratch.try_out(block) for block in blocks_of(self.document)]
             pictures = [said_by(picture) == said_by(drawn) for picture, drawn in pictures_of(self.document, scratch)]
         self.assertEqual([promised == came for promised, came in tried], [False, True, False, True])
         self.assertEqual(pictures, [False, True])
-
-    def test_dead_links_are_detected(self):
         self.assertEqual(dead_links_of(self.document), ["none.md", "#no-title"])
-
-    def test_an_update_rewrites_only_what_differs(self):
         update(self.document)
         self.assertEqual(self.document.read_text(encoding="utf-8"), self.WRONG.replace("\nno\n", "\nyes\n"))
         self.assertEqual(self.document.with_name("old.svg").read_text(encoding="utf-8"), "<text>new\n")

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Results of a drift: in files, in `run`, in expectations, in digests and in pictures."""
 
 import re
@@ -6,8 +5,8 @@ import re
 import h5py
 import numpy
 
-from drift_program import DriftTest, flight
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, fling, main
+from drift_test import DriftTest, flight
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, fling
 
 DOCUMENT = (SOURCE / "sim/reference/README.md").read_text(encoding="utf-8")
 
@@ -143,14 +142,6 @@ class Expectations(DriftTest):
         self.assertIn(says, self.expect(DISAGREED, "check").out)
         self.expect(DISAGREED, "bless", path, "--reason", "x", says=("its expectations do not hold; ", says))
 
-
-class Printed(DriftTest):
-    """Its text, and its figures."""
-
     def test_with_pictures_it_is_one_document_all_the_same(self):
         document = self.expect(AGREED, "drift", self.write("fling.json", fling()), "--figures", "out", "--json").json
         self.assertEqual((list(document), len(self.names("out"))), (["runs"], 5))
-
-
-if __name__ == "__main__":
-    main()

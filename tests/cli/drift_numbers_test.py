@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The numbers of `drift` against their published definitions: of arcs and contacts in 50 digits, on random flights into
 corners with uneven clocks; of the whole run by the exact fling of tests/oracle, on random throws that settle, too."""
 
@@ -11,8 +10,8 @@ import sys
 
 import h5py
 
-from drift_program import DriftTest
-from program import AGREED, DISAGREED, SOURCE, main
+from drift_test import DriftTest
+from program import AGREED, DISAGREED, SOURCE, fling
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import flings  # noqa: E402 pylint: disable=wrong-import-position
@@ -29,6 +28,11 @@ KEPT = D(0.999)  # The binary64 number.
 DRAG = -KEPT.ln()
 LEFT, RIGHT, TOP, GROUND = WALLS = (1, 2, 4, 8)
 NAMES = {LEFT: "left", RIGHT: "right", TOP: "top", GROUND: "ground"}
+
+
+def scenario(name, begin, clock, steps=None, **length):
+    start = dict(zip(("x_px", "y_px", "vx_px_per_s", "vy_px_per_s"), begin))
+    return fling(name=name, start=start, clock=clock, steps=steps, **length)
 
 
 def random_clock(draw, frames):
@@ -53,9 +57,7 @@ def random_corner(draw, name):
         if 0 <= x <= RIGHT_PX and 0 <= y <= BOTTOM_PX:
             break
     clock, length = random_clock(draw, draw.randrange(20, 80))
-    return {"format": "hyrax-scenario/1", "name": name, "window": {"width_px": 1920, "height_px": 1080},
-            "sprite": {"width_px": 128, "height_px": 128}, "clock": clock, **length,
-            "start": {"x_px": x, "y_px": y, "vx_px_per_s": vx, "vy_px_per_s": vy}}
+    return scenario(name, (x, y, vx, vy), clock, **length)
 
 
 DEFINITIONS = " ".join((SOURCE / "sim/reference/README.md").read_text(encoding="utf-8").split())
@@ -93,9 +95,7 @@ def least_squares(points):
 
 def throw(number, begin, rate_hz):
     """A random throw that settles, on a steady clock."""
-    return {"format": "hyrax-scenario/1", "name": f"throw-{number:02}", "window": {"width_px": 1920, "height_px": 1080},
-            "sprite": {"width_px": 128, "height_px": 128}, "clock": {"rate_hz": rate_hz}, "duration_s": 6,
-            "start": dict(zip(("x_px", "y_px", "vx_px_per_s", "vy_px_per_s"), begin))}
+    return scenario(f"throw-{number:02}", begin, {"rate_hz": rate_hz}, duration_s=6)
 
 
 class Axis:
@@ -284,7 +284,7 @@ class Numbers(DriftTest):
 
     def check_whole(self, case, run, rows):
         """Distances are hypot of the differences, energies heights; 1e-6 px is far below each, and above rounding."""
-        exact = flings.ExactFling(*(case["start"][key] for key in ("x_px", "y_px", "vx_px_per_s", "vy_px_per_s")))
+        exact = flings.ExactFling(*case["start"].values())
         at = [exact.at(t) for t in rows["t"]]
         here = list(zip(*(rows[name].tolist() for name in ("x", "y", "vx", "vy"))))
         apart = [math.hypot(a[0] - b[0], a[1] - b[1]) for a, b in zip(here, at)]
@@ -375,7 +375,3 @@ class Numbers(DriftTest):
 
     def assert_near(self, actual, expected, tolerance):
         self.assertLessEqual(abs(D(actual) - expected), tolerance, (actual, float(expected)))
-
-
-if __name__ == "__main__":
-    main()

@@ -1,9 +1,8 @@
-#!/usr/bin/python3
 """Folders of scenarios, and where their golden files are: with links and unreadable entries."""
 
 import os
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling
 
 
 class Folders(ProgramTest):
@@ -79,7 +78,3 @@ class Folders(ProgramTest):
         self.assertEqual(self.listed(BAD_INPUT), ["scenarios/a/TWO.JSON", "scenarios/a/one.json"])
         self.expect(BAD_INPUT, "validate", "scenarios",
                     says="scenarios/a/TWO.JSON: unknown suffix (found .JSON); allowed: .json")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The folder golden/: a pair of files of each scenario, small files and no others."""
 
 import pathlib
@@ -56,7 +55,3 @@ class Goldens(unittest.TestCase):
         pairs = [str(path.with_suffix(suffix)) for path in scenarios for suffix in (".h5", ".txt")]
         self.assertEqual(sorted(str(path.relative_to(SOURCE / "golden")) for path in files),
                          sorted(["README.md", "core/accepted.txt", "core/physics.h", "core/step.txt", *pairs]))
-
-
-if __name__ == "__main__":
-    unittest.main()

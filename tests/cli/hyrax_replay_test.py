@@ -1,10 +1,9 @@
-#!/usr/bin/python3
 """hyrax-replay: the hash of every row, on every target that can be built for."""
 
 import os
 
 from process import preloading, run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE, ProgramTest, fling
 from replay_check import ReplayCheckCases
 
 REPLAY = os.environ["HYRAX_REPLAY"]
@@ -64,7 +63,3 @@ class HyraxReplay(ProgramTest):
 class Check(ReplayCheckCases, ProgramTest):
     def run_replay(self, *arguments, **options):
         return run(REPLAY, *arguments, **{"cwd": self.folder, **options})
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """No output overwrites an input, a golden file or a scenario. Allowed names of outputs."""
 
 import csv
@@ -6,7 +5,7 @@ import os
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling
 
 
 class Guarded(ProgramTest):
@@ -182,7 +181,3 @@ class Names(ProgramTest):
                                      (BAD_INPUT, ("bless", "bad.json", "--golden", "new", "--reason", "x"))):
             self.expect(exit_code, *arguments)
             self.assertEqual(self.names(), ["bad.json", "fling.json"], arguments)
-
-
-if __name__ == "__main__":
-    main()

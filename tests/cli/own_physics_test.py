@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A project with a class physics of its own, and one without, which use hyrax as an installed package only."""
 
 import re
@@ -11,7 +10,7 @@ import numpy as np
 import program
 from installed_package import PLAIN, InstalledPackage
 from process import run, succeed
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, main
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
 HYRAX_SIM = program.PROGRAM
@@ -57,17 +56,6 @@ class WithoutPhysics(InstalledPackage):
         self.write(FLING, scenario.replace('"x_px": 60', '"x_px": 61'))
         self.assertEqual(self.ctest(self.folder, CTEST_FAILED),
                          {"hyrax.first-fling": False, "hyrax.corner-fling": True, "hyrax.new/renamed": False})
-
-    def test_the_core_is_a_test_of_its_own_whatever_the_folder_is_called(self):
-        shutil.move(self.folder / "scenarios/flings", self.folder / "throws")
-        self.write("CMakeLists.txt", PLAIN.format(arguments="throws GOLDEN accepted", language="NONE"))
-        self.expect(AGREED, "bless", "throws", "--golden", "accepted", "--reason", "first", "--accept", "shape")
-        self.assertEqual(self.configure(self.folder).exit_code, 0)
-        names = ("hyrax.first-fling", "hyrax.corner-fling", "hyrax.accepted_core")
-        self.assertEqual(self.all_tests(self.folder, 0), dict.fromkeys(names, True))
-        step = self.folder / "accepted/core/step.txt"
-        step.write_bytes(step.read_bytes() + b"\n")
-        self.assertFalse(self.all_tests(self.folder, CTEST_FAILED)["hyrax.accepted_core"])
 
     def test_wrong_arguments_are_refused(self):
         self.expect_refused("nowhere", "no scenario file, *.json, in")
@@ -159,21 +147,6 @@ class OwnPhysics(InstalledPackage):
         outcome = self.expect(BAD_INPUT, "check", SOURCE / FLING)
         self.assertIn("is of another core (found hyrax-physics/1); this program's core is elastic_box", outcome.out)
 
-    def test_the_accepted_core_of_another_class_is_not_replaced_without_accept(self):
-        self.bless("scenarios")
-        for path in self.folder.glob("golden/**/billiard.*"):
-            path.unlink()
-        shutil.rmtree(self.folder / "golden/long")
-        before = self.state_of("golden")
-        program.PROGRAM = HYRAX_SIM
-        says = "the accepted core is of another class (found elastic_box); this program's is hyrax-physics/1"
-        self.assertEqual(self.expect(BAD_INPUT, "check", "--core").out, f"core: not proved equal to the accepted one: {says}\n")
-        self.expect(DISAGREED, "bless", "scenarios", "--reason", "by mistake",
-                    says="nothing written: golden/core: the accepted core is of another class (found elastic_box); --accept shape replaces it")
-        self.assertEqual(self.state_of("golden"), before)
-        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--accept", "shape")
-        self.expect(AGREED, "check", "--core")
-
     def test_what_needs_the_papers_step_is_refused(self):
         self.bless("scenarios")
         found = "needs the paper's step, with any constants (found in the core elastic_box: dt * vx)"
@@ -182,7 +155,6 @@ class OwnPhysics(InstalledPackage):
         sentence = f"{path}: /expect/truncation_px_max: {found}"
         self.expect(BAD_INPUT, "run", path, says=sentence)
         self.assertIn(sentence, self.expect(BAD_INPUT, "check", path).out)
-        self.expect(BAD_INPUT, "bless", path, "--reason", "x", says=sentence)
         first_screen = self.expect(AGREED).out
         self.assertIn("This program's core is elastic_box, not the paper's step", first_screen)
         self.assertNotIn("\n  drift ", first_screen)
@@ -220,7 +192,3 @@ class OwnPhysics(InstalledPackage):
         header = self.example / "elastic_box.h"
         self.expect_refused(f"scenarios PHYSICS {header})\nhyrax_add_scenarios(scenarios PHYSICS {EXAMPLE}/elastic_box.h",
                             "NAME: elastic_box is the core of", language="CXX")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Cores of the paper's shape with constants of their own, and cores of other shapes, in a project that uses the package."""
 
 import json
@@ -12,7 +11,7 @@ import numpy as np
 import program
 from installed_package import PLAIN, InstalledPackage
 from process import succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import replay  # noqa: E402 pylint: disable=wrong-import-position
@@ -185,7 +184,3 @@ class Shapes(InstalledPackage):
         outcome = self.expect(DISAGREED, "fuzz", "--runs", "200")
         self.assertIn("breaks an invariant: in-bounds", outcome.out)
         self.assertIn(f"\n  {program.PROGRAM} run ", outcome.out)  # No study of hard cases for this shape.
-
-
-if __name__ == "__main__":
-    main()

@@ -1,11 +1,10 @@
-#!/usr/bin/python3
 """How much is printed (--quiet, --verbose), colour and progress on a terminal, and scenarios on standard input."""
 
 import json
 import os
 import resource
 
-from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, ProgramTest, fling
 
 GREEN, RED = "\x1b[32m", "\x1b[31m"
 
@@ -21,21 +20,6 @@ class Detail(ProgramTest):
     def printed(self, *arguments):
         """What is printed by default, with -q and with -v."""
         return [self.expect(AGREED, *arguments, *option).out for option in ((), ("-q",), ("--verbose",))]
-
-    def test_quiet_is_the_verdict_and_verbose_is_more_than_the_default(self):
-        """Of `run` and `validate`, documents print all three."""
-        for arguments, verdict, more in (
-                (("check",), "1 checked: 1 agreed, 0 disagreed, 0 without golden file, 0 failed\n", f"{self.path}: agreed\n"),
-                (("diff", "fling.h5", "fling.h5"), "fling.h5 and fling.h5: agree, 301 rows compared\n",
-                 "  build settings: identical\n")):
-            normal, quiet, verbose = self.printed(*arguments)
-            self.assertEqual(quiet, verdict, arguments)
-            self.assertIn(more, verbose)
-            self.assertNotIn(more, normal)
-        for arguments, verdict in ((("new", "other"), "written: other.json (600 steps)\n"),
-                                   (("info",), "self_test        strict IEEE-754 double arithmetic\n")):
-            self.assertEqual(self.expect(AGREED, *arguments, "-q").out, verdict)
-        self.assertRegex(self.expect(AGREED, "drift", self.path, "-q").out, r"^fling: largest errors: implementation .* px\n$")
 
     def test_of_more_than_three_scenarios_a_line_each(self):
         names = [self.write(f"many/{name}.json", fling(name=name)) for name in "abcd"]
@@ -109,11 +93,9 @@ class Progress(ProgramTest):
         self.assertEqual((self.folder / "run.h5").read_bytes(), rows)
         return unwatched
 
-    def test_a_run_that_repeats_is_the_same(self):
+    def test_a_run_that_repeats_and_one_that_is_computed_are_the_same(self):
         out = self.assert_same_when_watched(steps=10**8, record={"every": 10**6})
         self.assertNotIn('"periodic_from_step": null', out)
-
-    def test_a_run_that_is_computed_is_the_same(self):
         self.assert_same_when_watched(
             steps=300_000, record={"every": 1000}, events=[{"step": 70_000, "stop": {}}],
             clock={"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}})
@@ -174,7 +156,3 @@ class StandardInput(ProgramTest):
             outcome = self.piped(BAD_INPUT, *arguments)
             self.assertIn("-: standard input has no golden file", outcome.out + outcome.err)
         self.assertEqual(self.names(), [])
-
-
-if __name__ == "__main__":
-    main()

@@ -44,10 +44,8 @@ class ReplayCheckCases:
                          (AGREED, f"{count} checked: {count} agreed, 0 disagreed, 0 without golden file, 0 failed\n"), str(found))
         self.assertEqual([line for line in found.err.splitlines() if not line.startswith("wine: ")], [])
 
-    def test_the_default_is_scenarios_and_golden_of_this_folder(self):
+    def test_it_takes_files_and_folders_and_else_those_of_this_folder(self):
         self.assertEqual(self.check(AGREED), "3 checked: 3 agreed, 0 disagreed, 0 without golden file, 0 failed\n")
-
-    def test_it_takes_files_and_folders(self):
         self.assertIn("2 checked", self.check(AGREED, "scenarios/a"))
         self.assertIn("2 checked", self.check(AGREED, "scenarios/a/"))
         self.assertIn("2 checked", self.check(AGREED, "scenarios/third.json", "scenarios/a/first.json"))

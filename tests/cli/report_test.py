@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The command report, and run --report, in a program that was built without the page: usage, inputs, outputs.
 
 The numbers in the page are those of the file. What the page shows is tested in a browser: tests/browser.
@@ -147,7 +146,3 @@ class Numbers(ProgramTest):
         self.assertEqual((page["command"], run["steps"], run["golden"]["file"]), ("hyrax-sim check scenarios/fling.json", 20, "golden/fling.h5"))
         self.assertRegex(run["cause"], r"^1 of 1 scenario differs: .*: /steps 300 -> 20\. Another shape \(class shape\): ")
         self.assertIn("\n[The same run, played step by step](<page.html>)\n", (self.folder / "page.md").read_text())
-
-
-if __name__ == "__main__":
-    program.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """shrink: the smallest scenario on which a command ends the same way."""
 
 import json
@@ -7,7 +6,7 @@ import signal
 import time
 
 from process import is_alive
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, main
+from program import AGREED, ProgramTest, fling
 
 EVENTS = [{"step": 20, "hitch": {"dt_s": 0.25}}, {"step": 100, "grab": {}}, {"step": 110, "place": {"x_px": 5, "y_px": 5}},
           {"step": 120, "release": {"vx_px_per_s": 12.25, "vy_px_per_s": 99}}]
@@ -57,37 +56,3 @@ class Shrink(ProgramTest):
     def test_a_command_that_prints_without_end_takes_no_memory(self):
         self.write("still.json", fling(name="still", steps=0))
         self.expect_below(40e6, AGREED, "shrink", "still.json", "--fails", "yes {}", "--time-limit", "0.1", "-o", "small.json")
-
-
-class Refused(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        self.write("fling.json", fling())
-        self.before = self.state_of(".")
-
-    def refuse(self, *arguments, says, exit_code=BAD_INPUT, **options):
-        """Nothing is written."""
-        self.expect(exit_code, "shrink", *arguments, says=says, **options)
-        self.assertEqual(self.state_of("."), self.before)
-
-    def test_options_and_commands_that_do_not_exist(self):
-        self.refuse("fling.json", "--fails", "test {}", "--against", "x", "-o", "small.json", says="exactly one is needed")
-        self.refuse("none.json", "--fails", "test {}", "-o", "small.json", says="none.json", exit_code=CANNOT_ACCESS)
-        self.refuse("fling.json", "--fails", "test {}", "--time-limit", "0", "-o", "small.json", says="--time-limit")
-        says = ("/none/hyrax-sim-", ": cannot be created: No such file or directory")
-        self.refuse("fling.json", "--fails", "false {}", "-o", "small.json", says=says, exit_code=CANNOT_ACCESS, env={**os.environ, "TMPDIR": "/none"})
-        for command in ("./no-such-command {}", "./fling.json {}"):
-            self.refuse("fling.json", "--fails", command, "-o", "small.json", says=f"the shell cannot run `{command}`: ")
-
-    def test_outputs_are_protected(self):
-        self.refuse("fling.json", "--fails", "test {}", "-o", "fling.json", "--force", says="an input of this command")
-        self.write("other.json", fling(name="other"))
-        self.before = self.state_of(".")
-        self.refuse("fling.json", "--fails", "test {}", "-o", "other.json", says="other.json: exists; `--force` replaces it")
-        self.expect(AGREED, "shrink", "fling.json", "--fails", "test -d {}", "-o", "other.json", "--force")
-        self.project("one")
-        self.expect(BAD_INPUT, "shrink", "fling.json", "--fails", "test {}", "-o", "golden/x.json", says="golden")
-
-
-if __name__ == "__main__":
-    main()

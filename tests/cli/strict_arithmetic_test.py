@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Where arithmetic is not strict IEEE-754, nothing is computed: exit 5, found at start.
 
 HYRAX_DISTURBED_ARITHMETIC names the library that changes it, disturbed_arithmetic.c.
@@ -7,7 +6,7 @@ HYRAX_DISTURBED_ARITHMETIC names the library that changes it, disturbed_arithmet
 import os
 
 from process import preloading
-from program import AGREED, NOT_STRICT, ProgramTest, main
+from program import AGREED, NOT_STRICT, ProgramTest
 
 LIBRARY = os.environ["HYRAX_DISTURBED_ARITHMETIC"]
 
@@ -48,7 +47,3 @@ class Disturbed(ProgramTest):
 
     def test_an_undisturbed_process_with_the_library_computes(self):
         self.expect(AGREED, "check", env=self.disturbed("not at all"))
-
-
-if __name__ == "__main__":
-    main()

@@ -1,9 +1,8 @@
-#!/usr/bin/python3
 """The command study: the files, output and errors of needs, speed-error and hard-cases."""
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, ProgramTest, fling
 
 HARD = SOURCE / "scenarios/hard"
 CALM = fling(name="calm", steps=900)
@@ -22,15 +21,11 @@ class Needs(ProgramTest):
         document = self.expect(AGREED, *study, "--json").json
         self.assertEqual((document["study"], document["files"], document["broken"]), ("needs", ["needs.h5", "needs.csv"], []))
 
-    def verdicts(self, *arguments):
-        """{part: verdict} of one scene."""
-        document = self.expect(AGREED, "study", "needs", *arguments, "--quick", "--no-figures", "--json").json
-        return {part["part"]: part["verdict"] for part in document["scenes"][0]["parts"]}
-
     def test_what_counts_depends_on_the_tolerance(self):
-        path = self.write("fling.json", fling())
-        self.assertEqual(self.verdicts(path, "--within", "100000")["drag"], "below the tolerance")
-        self.assertEqual(self.verdicts(path, "--within", "0.001 px")["drag"], "needed")
+        self.write("fling.json", fling())
+        for within, verdict in (("100000", "below the tolerance"), ("0.001 px", "needed")):
+            study = self.expect(AGREED, "study", "needs", "fling.json", "--within", within, "--quick", "--no-figures", "--json").json
+            self.assertEqual([part["verdict"] for part in study["scenes"][0]["parts"] if part["part"] == "drag"], [verdict])
 
     def test_a_scene_without_exact_solution_says_so(self):
         self.assertIn("No cheapest method: its window cannot hold its sprite, so that it has no exact solution.", self.expect(
@@ -67,38 +62,7 @@ class HardCases(ProgramTest):
         self.assertEqual(names, ["a-fling-a-minute", "a-fling-a-minute/an-hour"])
         self.study(BAD_INPUT, HARD / "ten-million-steps.json", says="hyrax-sim study hard-cases: no case is left with --quick; run it without")
 
-
-class Usage(ProgramTest):
-    def test_what_is_wrong_is_reported_before_anything_is_written(self):
-        for path, document in (("fling.json", fling()), ("bad.json", fling(steps=-1)), ("one/calm.json", CALM), ("two/calm.json", CALM),
-                               ("large.json", fling(sprite={"width_px": 4000, "height_px": 128}))):
-            self.write(path, document)
-        before = self.state_of(".")
-        no_length = "--within: must be a length of at least 0, as 1px (found "
-        for exit_code, says, *arguments in (
-                (BAD_INPUT, ("unknown study (found speed)", "speed-error", "needs"), "speed"),
-                (BAD_INPUT, "speed-error: takes no --within", "speed-error", "--within", "1px"),
-                (BAD_INPUT, "large.json: cannot be studied for speed against error: its window cannot hold its sprite",
-                 "speed-error", "large.json", "--quick"),
-                (BAD_INPUT, "fling.json: /name: must differ from the other problems' (found fling); give it another name", "speed-error", "fling.json", "--quick"),
-                (BAD_INPUT, "a scenario must be given; `hyrax-sim study needs scenarios` takes all", "needs"),
-                (BAD_INPUT, no_length, "needs", "fling.json", "--within=-1px"),
-                (BAD_INPUT, no_length, "needs", "fling.json", "--within", "nan"),
-                (BAD_INPUT, "bad.json: /steps", "needs", "bad.json", "-o", "out"),
-                (CANNOT_ACCESS, "none.json: cannot be read", "needs", "none.json"),
-                (CANNOT_ACCESS, "fling.json: ", "needs", "fling.json", "--quick", "--no-figures", "-o", "fling.json"),
-                (CANNOT_ACCESS, "scenarios/hard", "hard-cases"),
-                (BAD_INPUT, "bad.json: /steps", "hard-cases", "bad.json"),
-                (BAD_INPUT, "two/calm.json: /name: duplicate scenario name (found calm)",
-                 "hard-cases", "one/calm.json", "two/calm.json")):
-            self.expect(exit_code, "study", *arguments, says=says)
-            self.assertEqual(self.state_of("."), before, arguments)
-
     def test_in_a_checkout_version_control_ignores_them(self):
         ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()
         for suffix in (".csv", ".h5", ".svg", ".html"):
             self.assertIn("/*" + suffix, ignored)
-
-
-if __name__ == "__main__":
-    main()

@@ -7,7 +7,7 @@ import sys
 import h5py
 import numpy
 
-from program import AGREED, FLING, SOURCE
+from program import AGREED, SOURCE, fling
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import sweep as oracle  # noqa: E402 pylint: disable=wrong-import-position
@@ -27,7 +27,7 @@ EVENTS = [{"step": 30, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -800}}, {"st
 
 def base(**changes):
     """The throw of the tests, without its name."""
-    return {key: value for key, value in {**FLING, **changes}.items() if key != "name" and value is not None}
+    return fling(**{**changes, "name": None})
 
 
 def any_clock(draws):

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """sweep in parts, and interrupted: the file is that of one process."""
 
 import contextlib
@@ -14,10 +13,9 @@ import signal
 import time
 
 import h5py
-import numpy
 
 from process import Process, run
-from program import BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, SOURCE, main
+from program import BAD_INPUT, CANNOT_ACCESS, GOLDEN_MISSING, PROGRAM, SOURCE
 from sweep_members import ALL, base
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
@@ -37,6 +35,12 @@ class FilesTest(SweepTest):
     def two_parts(self):
         """The names of the sweep's two parts."""
         return tuple(self.file(f"out.part-{part}-of-2.h5", "--part", f"{part}/2") for part in (0, 1))
+
+    def leave(self, name, rows_done):
+        """Makes of a file the partial one of a process that was stopped after so many rows."""
+        with h5py.File(self.folder / name, "a") as file:
+            file.attrs["rows_done"] = rows_done
+        os.rename(self.folder / name, self.folder / f"{name}.partial")
 
     def whole(self, sweep):
         """The file of one process."""
@@ -66,76 +70,58 @@ class Parts(FilesTest):
         whole = self.whole(document(base=base(steps=1), members=2**18 + 5, vary=vary, keep=["final"]))
         self.assertTrue(self.merged(3) == whole)
 
-    def test_missing_parts_are_named(self):
-        self.write("sweep.json", document())
-        for part in (0, 2):
-            self.sweep("sweep.json", "--part", f"{part}/4", "-o", "out.h5")
-        outcome = self.sweep("--merge", "out.part-0-of-4.h5", "out.part-2-of-4.h5", "-o", "merged.h5",
-                             exit_code=GOLDEN_MISSING)
-        for part in (1, 3):
-            self.assertIn(f"out.part-{part}-of-4.h5: is missing; nothing was written\n", outcome.err)
-        os.rename(self.folder / "out.part-0-of-4.h5", self.folder / "first.h5")
-        self.sweep("--merge", "first.h5", "-o", "merged.h5", exit_code=GOLDEN_MISSING, says="part-1-of-4: is missing")
-        self.assertNotIn("merged.h5", self.names())
+    def refuse(self, *parts, says, exit_code=BAD_INPUT):
+        """They are not merged, and nothing is written."""
+        before = self.names()
+        self.sweep("--merge", *parts, "-o", "merged.h5", exit_code=exit_code, says=says)
+        self.assertEqual(self.names(), before)
 
-    def test_parts_of_another_sweep_are_refused(self):
+    def test_parts_that_are_missing_or_of_another_sweep_are_refused(self):
         self.write("other.json", document(seed=8))
         self.sweep("other.json", "--part", "1/2", "-o", "other.h5")
-        self.file("out.part-0-of-2.h5", "--part", "0/2")
-        self.file("out.part-1-of-3.h5", "--part", "1/3")
+        for part in ("0/4", "2/4", "0/2", "1/3"):
+            self.file("", "--part", part)
         self.file("out.h5")
+        self.refuse("out.part-0-of-4.h5", "out.part-2-of-4.h5", exit_code=GOLDEN_MISSING,
+                    says=[f"out.part-{part}-of-4.h5: is missing; nothing was written\n" for part in (1, 3)])
+        os.rename(self.folder / "out.part-0-of-4.h5", self.folder / "first.h5")
+        self.refuse("first.h5", exit_code=GOLDEN_MISSING, says="part-1-of-4: is missing")
         for other, says in (("other.part-1-of-2.h5", "is a part of another sweep"),
                             ("out.part-1-of-3.h5", "is one of 3 parts"), ("out.part-0-of-2.h5", "given twice"),
                             ("out.h5", "is no part of a sweep"), ("sweep.json", "is no result file")):
-            self.sweep("--merge", "out.part-0-of-2.h5", other, "-o", "merged.h5", exit_code=BAD_INPUT,
-                       says=(other, says))
-        self.sweep("--merge", "out.part-0-of-2.h5", "nowhere.h5", "-o", "merged.h5", exit_code=CANNOT_ACCESS)
-        self.assertNotIn("merged.h5", self.names())
+            self.refuse("out.part-0-of-2.h5", other, says=(other, says))
+        self.refuse("out.part-0-of-2.h5", "nowhere.h5", exit_code=CANNOT_ACCESS, says="nowhere.h5")
 
     def test_an_unfinished_part_is_refused(self):
         first, second = self.two_parts()
-        os.rename(self.folder / second, self.folder / f"{second}.partial")
-        with h5py.File(self.folder / f"{second}.partial", "a") as file:
-            file.attrs["rows_done"] = numpy.int64(7)
-        says = (f"{second}.partial", "is not complete: 7 of 50 members are done", "--resume")
-        self.sweep("--merge", first, f"{second}.partial", "-o", "merged.h5", exit_code=BAD_INPUT, says=says)
-        self.assertEqual(self.names(), [first, f"{second}.partial", "sweep.json"])
+        self.leave(second, rows_done=7)
+        self.refuse(first, f"{second}.partial", says=(f"{second}.partial", "is not complete: 7 of 50 members are done", "--resume"))
         self.sweep("sweep.json", "--part", "1/2", "-o", "out.h5", "--resume")
         self.sweep("--merge", first, second, "-o", "merged.h5")
 
-    def test_a_part_of_another_physics_model_is_neither_merged_nor_continued(self):
+    def test_a_part_of_another_physics_model_is_neither_merged_nor_continued_and_a_result_is_computed_again(self):
         first, second = self.two_parts()
-        with h5py.File(self.folder / second, "a") as file:
-            file.attrs["physics"] = "other-physics/9"
-        self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT,
-                   says=(second, "was computed by the physics model other-physics/9, the first file by hyrax-physics/1"))
-        self.assertNotIn("merged.h5", self.names())
-        with h5py.File(self.folder / second, "a") as file:
-            file.attrs["rows_done"] = numpy.int64(7)
-        os.rename(self.folder / second, self.folder / f"{second}.partial")
+        for name in (second, self.file("out.h5")):
+            with h5py.File(self.folder / name, "a") as file:
+                file.attrs["physics"] = "other-physics/9"
+        self.refuse(first, second, says=(second, "was computed by the physics model other-physics/9, the first file by hyrax-physics/1"))
+        self.leave(second, rows_done=7)
         self.sweep("sweep.json", "--part", "1/2", "-o", "out.h5", "--resume", exit_code=BAD_INPUT,
                    says="is of another sweep, part or physics model; `--force` starts over")
-
-    def test_a_result_of_another_physics_model_is_computed_again(self):
-        self.file("out.h5")
-        with h5py.File(self.folder / "out.h5", "a") as file:
-            file.attrs["physics"] = "other-physics/9"
         self.assertEqual(self.sweep("sweep.json", "-o", "out.h5", "--resume", "--json").json["computed"], 100)
 
     def test_altered_inputs_are_refused(self):
         first, second = self.two_parts()
-        with h5py.File(self.folder / second, "a") as file:
-            file["inputs/start.vx_px_per_s"][4] += 1
         rule = re.search(r"plays every member i with\s+(.*?) into", (SOURCE / "sim/ensemble/README.md").read_text())[1]
         members = [i for i in range(100) if eval(rule.replace("mod", "%").replace("=", "=="), {}, {"i": i, "N": 2, "I": 1})]  # pylint: disable=eval-used
-        self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT,
-                   says=f"{second}: inputs/start.vx_px_per_s: the input of member {members[4]} is not the sweep's")
-        for change, says in ((lambda file: file.move("members/x", "members/z"), "is damaged: a column is missing, or has another length"),
+        vx = "inputs/start.vx_px_per_s"
+        for change, says in ((lambda file: file[vx].write_direct(file[vx][:] + [0, 0, 0, 0, 1, *45 * [0]]),
+                              f"{vx}: the input of member {members[4]} is not the sweep's"),
+                             (lambda file: file.move("members/x", "members/z"), "is damaged: a column is missing, or has another length"),
                              (lambda file: file.attrs.update(part=2), "is no result file of a sweep")):
             with h5py.File(self.folder / second, "a") as file:
                 change(file)
-            self.sweep("--merge", first, second, "-o", "merged.h5", exit_code=BAD_INPUT, says=f"{second}: {says}")
-        self.assertEqual(self.names(), [first, second, "sweep.json"])
+            self.refuse(first, second, says=f"{second}: {says}")
 
     def test_a_merged_file_replaces_no_link_of_another_name(self):
         parts = self.two_parts()
@@ -279,7 +265,7 @@ class Interrupted(FilesTest):
     def test_the_progress_of_a_resumed_sweep_is_of_what_is_left(self):
         self.partial(document(members=400_000, keep=ALL))
         with h5py.File(self.folder / "out.h5.partial", "a") as file:
-            file.attrs["rows_done"] = numpy.int64(250_000)
+            file.attrs["rows_done"] = 250_000
         keeper, terminal = pty.openpty()
         self.addCleanup(os.close, keeper)
         process = self.begin("sweep", "sweep.json", "--resume", "-o", "out.h5", "--threads=1", env=NO_CLUSTER, stderr=terminal)
@@ -314,18 +300,14 @@ class Interrupted(FilesTest):
             self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
             self.sweep("sweep.json", "--force")
             self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
-        with h5py.File(self.folder / "sweep.h5", "a") as file:  # One that could be continued.
-            file.attrs["rows_done"] = numpy.int64(0)
-        os.rename(self.folder / "sweep.h5", self.folder / "precious.h5")
-        os.link(self.folder / "precious.h5", self.folder / "sweep.h5.partial")
+        self.leave("sweep.h5", rows_done=0)  # One that could be continued.
+        os.link(self.folder / "sweep.h5.partial", self.folder / "precious.h5")
         before = self.state_of(".")
         self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="sweep.h5.partial")
         self.assertEqual(self.state_of("."), before)
 
     def test_only_the_same_sweep_is_resumed(self):
-        with h5py.File(self.folder / self.file("out.h5"), "a") as file:  # As if nothing was done yet.
-            file.attrs["rows_done"] = numpy.int64(0)
-        os.rename(self.folder / "out.h5", self.folder / "out.h5.partial")
+        self.leave(self.file("out.h5"), rows_done=0)
         (self.folder / "other.h5.partial").write_bytes((self.folder / "out.h5.partial").read_bytes())
         self.write("other.json", document(seed=8))
         self.sweep("other.json", "--resume", exit_code=BAD_INPUT, says=("other.h5.partial", "another sweep"))
@@ -338,16 +320,11 @@ class Interrupted(FilesTest):
         os.rename(self.folder / self.file("out.h5"), self.folder / "sweep.h5.partial")
         for rows, column in ((-1, "x"), (101, "x"), (0, "z")):
             with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
-                file.attrs["rows_done"] = numpy.int64(rows)
+                file.attrs["rows_done"] = rows
                 file.move("members/x", f"members/{column}")
             self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="is damaged; `--force` starts over")
             self.assertEqual(self.names(), ["sweep.h5.partial", "sweep.json"])
         with h5py.File(self.folder / "sweep.h5.partial", "a") as file:
-            file.attrs["rows_done"] = numpy.int64(100)
+            file.attrs["rows_done"] = 100
             file.move("members/z", "members/x")
         self.assertEqual(self.sweep("sweep.json", "--resume", "--json").json["computed"], 0)
-
-
-if __name__ == "__main__":
-    print(f"HYRAX_SEED={SEED}", flush=True)
-    main()

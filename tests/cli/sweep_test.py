@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """sweep: every number equals that of the member's own run, whatever the threads; what is refused, and what is written."""
 
 import json
@@ -7,7 +6,7 @@ import re
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, few_threads, fling, main
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, few_threads, fling
 from sweep_members import ALL, COLUMNS, WALLS, Members, any_sweep, assert_same_bits, base, datasets
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
@@ -123,8 +122,3 @@ class Outputs(SweepTest):
     def test_memory_does_not_grow_with_the_members(self):
         self.write("sweep.json", document(members=400_000, base=base(steps=1)))
         self.expect_below(100e6, AGREED, "sweep", "sweep.json")
-
-
-if __name__ == "__main__":
-    print(f"HYRAX_SEED={SEED}", flush=True)
-    main()

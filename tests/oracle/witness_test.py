@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Compares hyrax-sim with the second program: summary, rows and contacts of every scenario of moderate length, bit for bit, and
 the vectors; and the second program with the formulas of the documents."""
 
@@ -271,7 +270,3 @@ class Witness(ProgramTest):
     def test_the_vectors_are_what_the_second_program_makes(self):
         stored = pathlib.Path(__file__).with_name("vectors.json").read_text(encoding="utf-8")
         self.assertTrue(json.dumps(vectors.all_vectors(), indent=1) + "\n" == stored, "vectors.json is not what `vectors.py` prints")
-
-
-if __name__ == "__main__":
-    unittest.main()

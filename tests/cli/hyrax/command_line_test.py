@@ -1,10 +1,6 @@
-#!/usr/bin/python3
 """The command line of hyrax.exe: its output, and the exit codes that a script can rely on."""
 
-import unittest
-
 from hyrax_program import HYRAX, HyraxTest
-from process import skip_without
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, fling
 
 HASH_OF_FLING = "0" * 32  # Of another run.
@@ -53,8 +49,3 @@ class CommandLine(HyraxTest):
     def test_a_file_may_have_any_name(self):
         self.expect_of_hyrax(AGREED, "--record", "Ein Flug über Ærø.json", "--seconds", "0.5")
         self.expect(AGREED, "run", "Ein Flug über Ærø.json", "-o", "flight.h5")
-
-
-if __name__ == "__main__":
-    skip_without("wine")
-    unittest.main()

@@ -1,11 +1,8 @@
-#!/usr/bin/python3
 """Disturbances by the desktop, in flight and at rest: no input is lost, and the window keeps following the model."""
 
 import signal
-import unittest
 
 from hyrax_program import HyraxTest
-from process import skip_without
 
 SCREEN = [1024, 768]
 SMALL_SCREEN = [800, 600]
@@ -77,8 +74,3 @@ class Disturbance(HyraxTest):
                              "/d", dpi, "/f")
         self.assertEqual(done.exit_code, 0, done.err)
         self.wine.end()
-
-
-if __name__ == "__main__":
-    skip_without("wine")
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """hyrax.exe as a file: its dependencies, contents and protections. package.packages builds it twice."""
 
 import os
@@ -13,6 +12,7 @@ from process import skip_without, succeed
 
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
 TOOLS = "x86_64-w64-mingw32-"
+skip_without(TOOLS + "objdump", TOOLS + "g++-posix")
 
 # Parts of every Windows 10, of the compiler's nothing.
 WINDOWS_DLLS = {"advapi32.dll", "gdi32.dll", "gdiplus.dll", "kernel32.dll", "msvcrt.dll", "ole32.dll", "shcore.dll",
@@ -99,8 +99,3 @@ class Executable(unittest.TestCase):
         for program in (HYRAX, HYRAX_REPLAY):
             self.assertNotRegex(program.read_bytes(), rb"gsl_(odeiv2|error|strerror)")
         self.assertRegex(HYRAX_SIM.read_bytes(), rb"gsl_(odeiv2|error|strerror)")  # Control: found where GSL is linked.
-
-
-if __name__ == "__main__":
-    skip_without(TOOLS + "objdump", TOOLS + "g++-posix")
-    unittest.main()

@@ -1,12 +1,8 @@
-#!/usr/bin/python3
 """A real drag and fling: the window moves as the model does, and as the recording replays."""
 
-import json
 import multiprocessing
-import unittest
 
 from hyrax_program import HyraxTest
-from process import skip_without
 from program import AGREED
 
 BURNERS = 4
@@ -56,16 +52,3 @@ class Fling(HyraxTest):
         flight.frames[-3]["window_rect_px"][2] += 1
         with self.assertRaises(AssertionError):
             self.assert_is_the_model(flight)
-        flight.frames[-3]["window_rect_px"][0] -= 1
-        flight.frames[-3]["window_rect_px"][2] -= 1
-        self.assert_is_the_model(flight)
-        document = flight.document
-        document["clock"]["dt_s"][3] += 1e-7
-        flight.path.write_text(json.dumps(document))
-        with self.assertRaises(AssertionError):
-            self.assert_is_the_model(flight)
-
-
-if __name__ == "__main__":
-    skip_without("wine")
-    unittest.main()

@@ -4,7 +4,6 @@
 //   flinger ACTION [NUMBER]...
 //
 //   find SECONDS          waits until the hyrax has a window, which all other actions use
-//   where                 prints left, top, right and bottom of the window
 //   point X Y             moves the mouse to X, Y from the window's top left corner
 //   by DX DY TIMES MS     moves the mouse TIMES times by DX, DY, and waits MS before each
 //   grab, release         the left button
@@ -113,11 +112,6 @@ struct Act {
 
 constexpr Act kActs[] = {
     {L"find", 1, [](Hand& hand, const long* n) { hand.window = find(static_cast<DWORD>(n[0]) * 1000); }},
-    {L"where", 0,
-     [](Hand& hand, const long*) {
-       const RECT rect = place_of(hand.window);
-       std::printf("%ld %ld %ld %ld\n", rect.left, rect.top, rect.right, rect.bottom);
-     }},
     {L"point", 2, [](Hand& hand, const long* n) { hand.point(n[0], n[1]); }},
     {L"by", 4, [](Hand& hand, const long* n) { hand.move_by(n[0], n[1], n[2], static_cast<DWORD>(n[3])); }},
     {L"grab", 0, [](Hand&, const long*) { send_mouse(MOUSEEVENTF_LEFTDOWN); }},

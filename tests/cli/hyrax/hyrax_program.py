@@ -11,9 +11,11 @@ import time
 import h5py
 import numpy
 
-from process import run
+from process import run, skip_without
 from program import AGREED, DISAGREED, ProgramTest
 from wine import Wine
+
+skip_without("wine")
 
 FOLDER = pathlib.Path(os.environ.get("HYRAX_WINE", "no-such-folder")).resolve()
 FLINGER = FOLDER / "flinger.exe"

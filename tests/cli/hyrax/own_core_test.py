@@ -1,12 +1,10 @@
-#!/usr/bin/python3
 """hyrax_add_scenarios in a MinGW build: its tests are the checks of hyrax-replay.exe, under Wine."""
 
 import os
 import shutil
-import unittest
 
 from hyrax_program import HyraxTest
-from process import run, skip_without, succeed
+from process import run, succeed
 from program import SOURCE
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
@@ -63,8 +61,3 @@ class MinGW(HyraxTest):
         self.assertIn("billiard.txt: state hash differs (found ", text)
         self.replace("accepted/first-fling.txt", "state hash: ", "state hash: 0")
         self.assertFalse(self.ctest(CTEST_FAILED)[0]["hyrax.first-fling"])
-
-
-if __name__ == "__main__":
-    skip_without("wine")
-    unittest.main()

@@ -1,10 +1,8 @@
-#!/usr/bin/python3
 """The hyrax on a desktop with a compositor, pixel by pixel: its edge is blended, transparent pixels are unchanged."""
 
 import pathlib
 import subprocess
 import time
-import unittest
 
 import numpy
 
@@ -12,6 +10,8 @@ from hyrax_program import HyraxTest, read_log
 from process import Process, skip_without, succeed
 from sprite_test import SPRITE, read_png
 from wine import Screen
+
+skip_without("Xvfb", "picom", "hsetroot", "import", "xdotool")
 
 SIZE_PX = (1280, 720)
 DESKTOP = (0x20, 0xA0, 0xC0)
@@ -122,8 +122,3 @@ class NoScreen(HyraxTest):
         self.assertEqual(flight.exit_code, 3)
         self.assertIn("the window cannot be created", flight.err)
         self.assertFalse(flight.path.exists())
-
-
-if __name__ == "__main__":
-    skip_without("wine", "Xvfb", "picom", "hsetroot", "import", "xdotool")
-    unittest.main()

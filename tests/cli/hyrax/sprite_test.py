@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The committed pictures are the rendered drawings, in the form that the program expects."""
 
 import pathlib
@@ -9,6 +8,8 @@ import unittest
 import numpy
 
 from process import skip_without, succeed
+
+skip_without("rsvg-convert", "convert")
 
 SPRITE = pathlib.Path(__file__).resolve().parents[3] / "tools/hyrax/sprite"
 POSES = ("stand", "fly", "held", "sleep")
@@ -86,8 +87,3 @@ class Sprite(unittest.TestCase):
         reserved, kind, count = struct.unpack("<HHH", data[:6])
         sides = [data[6 + 16 * entry] or 256 for entry in range(count)]
         self.assertEqual((reserved, kind, sides), (0, 1, [16, 20, 24, 32, 48, 64, 256]))
-
-
-if __name__ == "__main__":
-    skip_without("rsvg-convert", "convert")
-    unittest.main()

@@ -42,7 +42,7 @@ test('charts have these series, units and values', () => {
   ]);
 });
 
-test('errors with the drag of 60 Hz are one line, another run is dashed, with its distance', () => {
+test('errors with the drag of 60 Hz are one line', () => {
   const errorNames = model => series.chartsOf({ ...result, errors: { ...errors, model } }, sizes).find(({ id }) => id === 'errors').series.map(({ name }) => name);
   assert.deepEqual(errorNames([0, 2e-3, 3]), ['model and truncation', 'implementation']);
   assert.deepEqual(errorNames([0, 2e-3, 3.00001]), ['model', 'truncation', 'implementation']);
