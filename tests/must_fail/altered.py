@@ -10,7 +10,7 @@ import re
 import tempfile
 
 from process import run
-from program import SOURCE, ProgramTest
+from program import SOURCE
 
 CONTROLS = pathlib.Path(os.environ["HYRAX_CONTROLS"])
 ALTERED = CONTROLS / "control_altered"
@@ -45,9 +45,3 @@ def studied(core, name, *options):
     """The outcome of the study with that core and --gate, with its JSON document."""
     with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
         return run_altered(core, "study", name, "--quick", "--gate", "--no-figures", "--json", "-o", folder, *options)
-
-
-class StudyControl(ProgramTest):
-    """A study by a program whose core is altered, played once in a file."""
-
-    study = staticmethod(studied)

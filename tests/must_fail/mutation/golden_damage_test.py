@@ -6,20 +6,16 @@ HYRAX_DAMAGE=all flips thousands of bits instead of a sample.
 
 import concurrent.futures
 import io
-import json
 import multiprocessing
 import os
-import pathlib
 import random
-import tempfile
-import unittest
+import shutil
 
 import h5py
 import numpy
 
 from damage_test import LONG, SHORT
-from process import run, succeed
-from program import BAD_INPUT, DISAGREED, PROGRAM
+from program import BAD_INPUT, DISAGREED, ProgramTest, main
 
 _H5_FLIPS = 6000 if os.environ.get("HYRAX_DAMAGE") == "all" else 150
 _BATCH = 250
@@ -117,81 +113,70 @@ def with_columns(content, group, columns):
     return buffer.getvalue()
 
 
-class GoldenPair:
-    """A blessed scenario: its golden file's bytes, and its digest."""
+class Damage(ProgramTest):
+    """The same for the two kinds of golden file: of rows, and of blocks."""
 
-    def __init__(self, document):
-        self.document = json.dumps(document)
-        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-            scenario = pathlib.Path(folder, "scenarios/whole.json")
-            scenario.parent.mkdir()
-            scenario.write_text(self.document, encoding="utf-8")
-            succeed(PROGRAM, "bless", "scenarios", "--reason", "for the test", cwd=folder)
-            self.h5 = pathlib.Path(folder, "golden/whole.h5").read_bytes()
-            self.txt = pathlib.Path(folder, "golden/whole.txt").read_bytes()
+    def empty_folders(self):
+        for name in ("scenarios", "golden"):
+            shutil.rmtree(self.folder / name, ignore_errors=True)
+            (self.folder / name).mkdir()
 
-    def verdicts(self, damaged):
+    def blessed(self, document):
+        """The bytes of a scenario's golden file, and its digest."""
+        self.empty_folders()
+        self.write("scenarios/whole.json", document)
+        self.bless("scenarios")
+        return [(self.folder / f"golden/whole.{suffix}").read_bytes() for suffix in ("h5", "txt")]
+
+    def verdicts(self, document, damaged):
         """The verdict of `check` on each (.h5 file or None, summary or None): "agreed", "noted" (it agrees, with a note
         that its bytes differ from the blessed ones), a class, "missing" or "failed"; a batch by one process."""
         if len(damaged) > _BATCH:
-            return self.verdicts(damaged[:_BATCH]) + self.verdicts(damaged[_BATCH:])
-        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as place:
-            folder = pathlib.Path(place)
-            for name in ("scenarios", "golden"):
-                (folder / name).mkdir()
-            for number, (h5, txt) in enumerate(damaged):
-                (folder / f"scenarios/{number:04}.json").write_text(self.document, encoding="utf-8")
-                for suffix, content in (("h5", h5), ("txt", txt)):
-                    if content is not None:
-                        (folder / f"golden/{number:04}.{suffix}").write_bytes(content)
-            outcome = run(PROGRAM, "check", "--json", cwd=folder)
-        if outcome.exit_code not in EXIT_CODES or not outcome.out:  # A sanitizer's exit code is 1.
-            raise AssertionError(f"check of {len(damaged)} damaged files: {outcome}")
+            return self.verdicts(document, damaged[:_BATCH]) + self.verdicts(document, damaged[_BATCH:])
+        self.empty_folders()
+        for number, files in enumerate(damaged):
+            self.write(f"scenarios/{number:04}.json", document)
+            for suffix, content in zip(("h5", "txt"), files):
+                if content is not None:
+                    (self.folder / f"golden/{number:04}.{suffix}").write_bytes(content)
+        outcome = self.hyrax_sim("check", "--json")
+        self.assertIn(outcome.exit_code, EXIT_CODES)
+        self.assertTrue(outcome.out, outcome)  # A sanitizer's exit code is 1.
         noted = {line.partition(": agrees, but ")[0] for line in outcome.err.splitlines()}
         return ["noted" if f"golden/{number:04}.h5" in noted else entry["class"] or entry["status"]
                 for number, entry in enumerate(outcome.json["results"])]
 
-
-class Damage(unittest.TestCase):
-    """The same for the two kinds of golden file."""
-
-    maxDiff = None
-
-    @classmethod
-    def setUpClass(cls):
-        cls.pairs = {"rows": GoldenPair(SHORT), "blocks": GoldenPair(LONG)}
-
     def test_complete_pairs_agree_and_half_ones_are_missing(self):
-        for pair in self.pairs.values():
-            self.assertEqual(pair.verdicts([(pair.h5, pair.txt), (pair.h5, None), (None, pair.txt)]),
-                             ["agreed", "missing", "missing"])
+        for document in (SHORT, LONG):
+            h5, txt = self.blessed(document)
+            self.assertEqual(self.verdicts(document, [(h5, txt), (h5, None), (None, txt)]), ["agreed", "missing", "missing"])
 
     def test_a_flipped_bit_anywhere_in_the_golden_file_is_found_or_noted(self):
-        for kind, pair in self.pairs.items():
-            files, whole = list(flips_of(pair.h5)), contents_of(pair.h5)
-            verdicts = pair.verdicts([(file, pair.txt) for file in files])
-            self.assertNotIn("agreed", verdicts, kind)
+        for document in (SHORT, LONG):
+            h5, txt = self.blessed(document)
+            files, whole = list(flips_of(h5)), contents_of(h5)
+            verdicts = self.verdicts(document, [(file, txt) for file in files])
+            self.assertNotIn("agreed", verdicts)
             self.assertEqual([number for number, (file, verdict) in enumerate(zip(files, verdicts, strict=True))
-                              if verdict == "noted" and is_another_to_a_reader(file, whole)], [], kind)
+                              if verdict == "noted" and is_another_to_a_reader(file, whole)], [], document["name"])
 
     def test_a_row_dropped_doubled_swapped_or_made_a_nan_is_found(self):
-        for kind, pair in self.pairs.items():
-            names, files = zip(*damaged_rows(pair.h5))
+        for document in (SHORT, LONG):
+            h5, txt = self.blessed(document)
+            names, files = zip(*damaged_rows(h5))
             self.assertGreater(len(names), 40)
-            verdicts = pair.verdicts([(file, pair.txt) for file in files])
+            verdicts = self.verdicts(document, [(file, txt) for file in files])
             unseen = [(name, verdict) for name, verdict in zip(names, verdicts, strict=True)
                       if verdict in ("agreed", "noted")]
-            self.assertEqual(unseen, [], kind)
+            self.assertEqual(unseen, [], document["name"])
 
     def test_diff_finds_damaged_rows(self):
-        whole = self.pairs["rows"].h5
-        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-            pathlib.Path(folder, "a.h5").write_bytes(whole)
-            for name, damaged in damaged_rows(whole):
-                if name.startswith(("/trajectory", "/contacts")):
-                    pathlib.Path(folder, "b.h5").write_bytes(damaged)
-                    self.assertIn(run(PROGRAM, "diff", "a.h5", "b.h5", cwd=folder).exit_code, (DISAGREED, BAD_INPUT), name)
+        whole, _ = self.blessed(SHORT)
+        for name, damaged in damaged_rows(whole):
+            if name.startswith(("/trajectory", "/contacts")):
+                (self.folder / "b.h5").write_bytes(damaged)
+                self.assertIn(self.hyrax_sim("diff", "golden/whole.h5", "b.h5").exit_code, (DISAGREED, BAD_INPUT), name)
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()
