@@ -202,10 +202,6 @@ class AcceptedCore(Killed):
             if files == 4 and core == 0:  # Only the core is missing.
                 self.assertIn("core: changed\n", outcome.out)
                 self.assertIn("  to accept it    hyrax-sim bless --core --reason TEXT\n", re.sub(r"\S+/control_traced", "hyrax-sim", outcome.out))
-            elif files == 4 and core < 3:
-                self.assertIn("core: golden/core/physics.h: does not have the checksum in accepted.txt; take the folder", outcome.out)
-            elif files < 4:
-                self.assertIn("  line 16   constant: GRAVITY 1200 -> 1250", outcome.out)
             self.assert_mended_by(*self.COMMAND)
             self.expect(AGREED, "check", cwd=self.folder / "now")
         self.assertLessEqual({(4, 0), (4, 1), (4, 2), (4, 3)}, seen)
