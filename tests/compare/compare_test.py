@@ -222,6 +222,11 @@ class Consequence(CompareTest):
         unseen = [("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAG;\n    if (screenWidth == 31001) m_vx *= 0.5;")]
         step = self.card("unseen", unseen)["step"]
         self.assertEqual((step["status"], step["why"]), ("not_proved", "its step is another one; no step is known whose bits differ"))
+        # Traced, it is the shipped core; compiled, it is not.
+        two_faced = [("GRAVITY = 1200.0;", "GRAVITY =\n#ifdef HYRAX_CORE_HEADER\n 1200.0;\n#else\n 1250.0;\n#endif\n")]
+        step = self.card("two_faced", two_faced)["step"]
+        self.assertEqual((step["status"], step["why"]),
+                         ("not_proved", "the traced steps are equal, but the compiled cores give other bits"))
         table = [("m_vx *= AIR_DRAG;", "const double drag[] = {0.998, 0.999};\n    m_vx *= drag[objWidth % 2];")]
         step = self.card("table", table)["step"]
         self.assertEqual(step["status"], "changed")
