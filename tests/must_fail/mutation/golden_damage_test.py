@@ -17,7 +17,8 @@ import numpy
 from damage_test import LONG, SHORT
 from program import BAD_INPUT, DISAGREED, ProgramTest, main
 
-_H5_FLIPS = 6000 if os.environ.get("HYRAX_DAMAGE") == "all" else 150
+_IS_ALL = os.environ.get("HYRAX_DAMAGE") == "all"
+_H5_FLIPS = 6000 if _IS_ALL else 150
 _BATCH = 250
 # The allowed exit codes for a damaged golden file; a signal is not allowed.
 EXIT_CODES = {0, 1, 2, 3, 4}
