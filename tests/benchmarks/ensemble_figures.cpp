@@ -17,6 +17,9 @@ constexpr std::int64_t kSteps = 600;
 constexpr std::int64_t kMembers = 2048;
 constexpr int kRounds = 15;
 
+constexpr std::initializer_list<Keep> kLeast{Keep::final};
+constexpr std::initializer_list<Keep> kUsual{Keep::final, Keep::contacts, Keep::at_rest};
+
 // Throws all over a desktop.
 Sweep throws(std::int64_t steps, std::initializer_list<Keep> keep) {
   Sweep sweep;
@@ -31,8 +34,8 @@ Sweep throws(std::int64_t steps, std::initializer_list<Keep> keep) {
   return sweep;
 }
 
-Sweep jittered_throws(std::initializer_list<Keep> keep) {
-  Sweep sweep = throws(kSteps, keep);
+Sweep jittered_throws(std::int64_t steps, std::initializer_list<Keep> keep) {
+  Sweep sweep = throws(steps, keep);
   sweep.base.clock.jitter = Jitter{Jitter::Kind::uniform, 0.2, 0};
   sweep.vary.insert(sweep.vary.begin(), {"/clock/jitter/seed", ScenarioNumberKind::seed, MemberNumber{}});
   return sweep;
@@ -96,7 +99,7 @@ double goal_of(const std::string& name) {
 }
 
 void add_kernel_figures(std::vector<Figure>& figures) {
-  const std::vector<State> starts = starts_of(throws(kSteps, {Keep::final}));
+  const std::vector<State> starts = starts_of(throws(kSteps, kLeast));
   std::vector<std::function<void()>> works{[&] { step_all_naively(starts, kSteps); }};
   for (const KernelSet& kernels : kernel_sets()) works.emplace_back([&] { step_in_lanes(kernels, starts); });
   const auto timings = time_side_by_side(works, kRounds);
@@ -107,31 +110,16 @@ void add_kernel_figures(std::vector<Figure>& figures) {
   }
 }
 
-void add_sweep_figures(std::vector<Figure>& figures, std::int64_t steps, double goal) {
-  const Sweep least = throws(steps, {Keep::final});
-  const Sweep usual = throws(steps, {Keep::final, Keep::contacts, Keep::at_rest});
+// Of what is kept the ends alone, and as by default.
+void add_sweep_figures(std::vector<Figure>& figures, const std::string& what, const Sweep& least,
+                       const Sweep& usual, const std::function<void(const std::vector<State>&)>& step_all,
+                       double goal) {
   const std::vector<State> starts = starts_of(least);
   SweepPlayer least_player(least);
   SweepPlayer usual_player(usual);
   const auto timings = time_side_by_side(
-      {[&] { step_all_naively(starts, steps); }, [&] { least_player.play(); }, [&] { usual_player.play(); }},
-      kRounds);
-  const std::string what = fmt::format("sweep of {} s at 60 Hz, times faster than naive", steps / 60);
+      {[&] { step_all(starts); }, [&] { least_player.play(); }, [&] { usual_player.play(); }}, kRounds);
   figures.push_back(ratio(what, timings[0], timings[1], Goal::at_least, goal));
-  figures.push_back(ratio("(the same with the default keep)", timings[0], timings[2], Goal::at_least, 1.0));
-}
-
-void add_jitter_figures(std::vector<Figure>& figures) {
-  const Sweep least = jittered_throws({Keep::final});
-  const Sweep usual = jittered_throws({Keep::final, Keep::contacts, Keep::at_rest});
-  const std::vector<State> starts = starts_of(least);
-  SweepPlayer least_player(least);
-  SweepPlayer usual_player(usual);
-  const auto timings = time_side_by_side(
-      {[&] { step_naively_with_jitter(starts); }, [&] { least_player.play(); }, [&] { usual_player.play(); }},
-      kRounds);
-  figures.push_back(ratio("sweep of jitter seeds, times faster than naive with mt19937_64", timings[0],
-                          timings[1], Goal::at_least, 10.0));
   figures.push_back(ratio("(the same with the default keep)", timings[0], timings[2], Goal::at_least, 1.0));
 }
 
@@ -162,9 +150,14 @@ void add_hash_figure(std::vector<Figure>& figures) {
 std::vector<Figure> ensemble_figures() {
   std::vector<Figure> figures;
   add_kernel_figures(figures);
-  add_sweep_figures(figures, kSteps, 25.0);
-  add_sweep_figures(figures, 10 * kSteps, 150.0);
-  add_jitter_figures(figures);
+  for (const auto& [steps, goal] : {std::pair(kSteps, 25.0), std::pair(10 * kSteps, 150.0)})
+    add_sweep_figures(
+        figures, fmt::format("sweep of {} s at 60 Hz, times faster than naive", steps / 60),
+        throws(steps, kLeast), throws(steps, kUsual),
+        [steps](const auto& starts) { step_all_naively(starts, steps); }, goal);
+  add_sweep_figures(figures, "sweep of jitter seeds, times faster than naive with mt19937_64",
+                    jittered_throws(kSteps, kLeast), jittered_throws(kSteps, kUsual),
+                    step_naively_with_jitter, 10.0);
   add_hash_figure(figures);
   return figures;
 }

@@ -13,7 +13,7 @@ import replay
 LEFT, RIGHT, TOP, GROUND, REST = replay.LEFT, replay.RIGHT, replay.TOP, replay.GROUND, replay.REST
 G, K = 1200.0, -60.0 * math.log(0.999)  # The paper's gravity, and its drag as a rate at 60 Hz.
 RATES = [24, 25, 30, 48, 50, 60, 72, 75, 90, 100, 120, 144, 165, 200, 240, 360, 500, 1000]
-RIGHT_PX, BOTTOM_PX = 1920.0 - 128.0, 1080.0 - 128.0
+RIGHT_PX, BOTTOM_PX = flings.RIGHT_PX, flings.BOTTOM_PX
 
 
 class PositionFirst(replay.Sprite):
@@ -42,10 +42,8 @@ class PositionFirst(replay.Sprite):
 CORES = {
     "same": (replay.Sprite, {}),
     "gravity_by_one_ulp": (replay.Sprite, {"GRAVITY_PX_PER_S2": 1200.0000000000002}),
-    "gravity_stronger": (replay.Sprite, {"GRAVITY_PX_PER_S2": 1250.0}),
     "bounce_softer": (replay.Sprite, {"RESTITUTION": 0.55}),
     "friction_wrong": (replay.Sprite, {"GROUND_FRICTION": 0.7}),
-    "friction_none": (replay.Sprite, {"GROUND_FRICTION": 1.0}),
     "no_rest_rule": (replay.Sprite, {"REST_THRESHOLD_PX_PER_S": 0.0}),
     "position_first": (PositionFirst, {}),
 }
@@ -101,11 +99,6 @@ def compare(before, after):
         max_px=max(distances), end_px=distances[-1], contacts=(sum(map(len, a.values())), sum(map(len, b.values()))))
 
 
-def band(values):
-    """Median, 10 % and 90 % as the card has them; None of nothing."""
-    return {"samples": len(values), **dict(zip(("median", "p10", "p90"), flings.band(values)))} if values else None
-
-
 # --- random flings
 
 
@@ -134,10 +127,6 @@ def settles_at(rows):
         if abs(row[2] - anchor[2]) > 0.5 or abs(row[3] - anchor[3]) > 0.5:
             anchor = row
     return anchor[0] if rows[-1][0] - anchor[0] >= 1.0 else None
-
-
-def settles(rows):
-    return settles_at(rows) is not None
 
 
 def spread_px(start):
@@ -209,9 +198,3 @@ def at_walls(rows):
             else:
                 friction += gain / 2.0
     return lift, bounce, friction
-
-
-def exact_motion(start, times_s):
-    """Positions of the exact motion at increasing times."""
-    motion = flings.ExactFling(*start)
-    return [motion.at(time_s)[:2] for time_s in times_s]

@@ -10,7 +10,7 @@ import re
 import tempfile
 
 from process import run
-from program import SOURCE, ProgramTest
+from program import SOURCE
 
 CONTROLS = pathlib.Path(os.environ["HYRAX_CONTROLS"])
 ALTERED = CONTROLS / "control_altered"
@@ -30,15 +30,14 @@ def run_altered(core, *arguments):
 
 @functools.cache
 def altered_cores():
-    """All of them: {name: (operation, change)}."""
-    lines = run_altered("list").out.splitlines()
-    return {name: (operation, change) for name, operation, change in (line.split("\t") for line in lines)}
+    """All of them: {name: operation}."""
+    return dict(line.split("\t") for line in run_altered("list").out.splitlines())
 
 
 @functools.cache
 def changed_steps():
     """Those that alter the step alone, and not what it is fed or what is made of its rows."""
-    return [name for name, (operation, _) in altered_cores().items() if not re.search("clock|inputs|comparer|writer", operation)]
+    return [name for name, operation in altered_cores().items() if not re.search("clock|inputs|comparer|writer", operation)]
 
 
 @functools.cache
@@ -46,9 +45,3 @@ def studied(core, name, *options):
     """The outcome of the study with that core and --gate, with its JSON document."""
     with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
         return run_altered(core, "study", name, "--quick", "--gate", "--no-figures", "--json", "-o", folder, *options)
-
-
-class StudyControl(ProgramTest):
-    """A study by a program whose core is altered, played once in a file."""
-
-    study = staticmethod(studied)

@@ -14,7 +14,7 @@ import re
 import tempfile
 import unittest
 
-from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE, at_ground, when
+from core_edits import ALL, EVERYDAY, at_ground, when
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
 from process import preloading, succeed
 from traced import SHIPPED, SHIPPED_CORE, traced
@@ -36,7 +36,6 @@ class Answer:
 
     def __init__(self, edit):
         self.edit = edit
-        self.header = edit.apply(SHIPPED)
         self.core = CORES[edit.name]
         self.outcome = self.core.run("check", "--json")
         self.faults = []
@@ -65,19 +64,10 @@ class Answer:
         named = words_of("\n".join([*details, self.verdict["why"] or ""]))
         for name in self.edit.names:
             self.expect(words_of(name) in named, f"{name} is not named: {details}")
-        self.judge_lines()
         if is_changed:
             self.judge_changed(groups)
         elif status == "not_proved":
             self.expect(self.verdict["why"], "no reason is given")
-
-    def judge_lines(self):
-        """Every change is in the line that it names."""
-        lines = {"removed": SHIPPED.splitlines()}
-        for change in self.verdict["changes"]:
-            line = lines.get(change["kind"], self.header.splitlines())[change["line"] - 1]
-            text = change["detail"].split(" -> ")[-1] if change["kind"] == "altered" else change["detail"]
-            self.expect(re.match(r"\W*\w*", text)[0] in line, f"line {change['line']} ({line}) has no {text}")
 
     def judge_changed(self, groups):
         """The detail of a group names the edit; what no scenario notices is shown by one."""
@@ -209,12 +199,6 @@ class Library(ProgramTest):
 
 class CoreEdits(unittest.TestCase):
     """Each edit, by what is answered."""
-
-    def test_there_are_enough_of_every_kind(self):
-        self.assertEqual(len({edit.name for edit in ALL}), len(ALL))
-        for edits, count in ((SINGLE, 30), (CONDITIONAL, 15), (EQUAL, 20), (PAIRS, 10)):
-            self.assertGreaterEqual(len(edits), count)
-        self.assertLessEqual(set(EVERYDAY), {edit.name for edit in ALL})
 
     def test_the_shipped_core_is_the_accepted_one(self):
         outcome = SHIPPED_CORE.run("check", "--json", "scenarios/flings")

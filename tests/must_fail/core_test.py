@@ -1,14 +1,28 @@
 #!/usr/bin/python3
-"""What `check` says of a core by which runs become infinite."""
+"""Programs with an altered core: what `check` says of runs that become infinite, sweeps, and how often a run is played."""
 
-from altered import run_altered
-from program import DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+import os
+import re
+
+import h5py
+
+from altered import ALTERED, run_altered
+from process import run
+from program import AGREED, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
 
 FIRST_FLING = "scenarios/flings/first-fling.json"
+STEPS = 3000
+
+# Constants, the order and the kind of statements, a bound alone, a setter.
+CORES = ("two_constants", "drag_before_gravity", "ground_not_strict", "speed_limited", "fling_adds")
+# The last throw leaves the threshold of rest, to the bit.
+EVENTS = [{"step": 20, "fling": {"vx_px_per_s": 200, "vy_px_per_s": -800}}, {"step": 90, "stop": {}},
+          {"step": 120, "resize": {"window": {"width_px": 1400, "height_px": 700}}},
+          {"step": 298, "fling": {"vx_px_per_s": 50, "vy_px_per_s": -11.658324991658324}}]
 
 
-class ChangedCore(ProgramTest):
-    """Each test is one change."""
+class NonFinite(ProgramTest):
+    """A core whose bounces explode."""
 
     def test_runs_that_become_infinite_come_first_and_are_not_blessed(self):
         of_first = "vx is infinite from step 120 of 600 (2.00 s)"
@@ -21,14 +35,9 @@ class ChangedCore(ProgramTest):
             self.assertNotIn("inf px", outcome.out)
         (group,) = run_altered("bounce_explodes", "check", "--json", FIRST_FLING).json["groups"]
         self.assertEqual((group["operation"], group["detail"], group["scenarios"]), ("non_finite", of_first, [FIRST_FLING]))
-        outcome = run_altered("bounce_explodes", "check", "scenarios/flings")
-        self.assertRegex(outcome.out, r"^15 of 16 scenarios become non-finite: in the worst, v[xy] is infinite from step \d+ of 600 ")
-        for name in ("a.h5", "a.csv"):
-            run_altered("bounce_explodes", "run", FIRST_FLING, "-o", self.folder / name)
+        run_altered("bounce_explodes", "run", FIRST_FLING, "-o", self.folder / "a.csv")
         lines = (self.folder / "a.csv").read_text().splitlines()
-        self.assertEqual(lines[-1].split(",")[:6:5], ["120", "-inf"])
-        outcome = run_altered("none", "diff", self.folder / "a.h5", self.folder / "a.h5")
-        self.assertEqual((len(lines), "121 rows" in outcome.out), (122, True), outcome)
+        self.assertEqual((len(lines), lines[-1].split(",")[:6:5]), (122, ["120", "-inf"]))
         outcome = run_altered("bounce_explodes", "bless", FIRST_FLING, "--reason", "none")
         self.assertEqual(outcome.exit_code, DISAGREED)
         self.assertIn(of_first, outcome.out + outcome.err)
@@ -39,6 +48,59 @@ class ChangedCore(ProgramTest):
         self.assertEqual(outcome.exit_code, GOLDEN_MISSING)
         self.assertRegex(outcome.out, "fling.json: missing: v[xy] is infinite from step .*; no golden file at ")
         self.assertNotIn("hyrax-sim bless", outcome.out)
+
+
+class AlteredSweep(ProgramTest):
+    """A sweep gives what the core gives, member by member: its kernels stand for the listing alone."""
+
+    def test_every_member_is_its_run(self):
+        base = fling(events=EVENTS, steps=300)
+        # Some start on the floor, where comparisons on the bound decide: gravity takes 20 px/s in a step.
+        vary = {"/start/vx_px_per_s": {"uniform": [-4000, 4000]}, "/start/y_px": {"choice": [952, 500.25]},
+                "/start/vy_px_per_s": {"choice": [-20, -700]}}
+        sweep = self.write("sweep.json", {"format": "hyrax-sweep/1", "base": base, "members": 6, "seed": 2, "vary": vary,
+                                          "keep": ["final", "contacts"]})
+        members = [self.folder / f"member-{member}.json" for member in range(6)]
+        for member, path in enumerate(members):
+            self.expect(AGREED, "sweep", sweep, "--member", str(member), "-o", path)
+        shipped = None
+        for core in ("none", *CORES):
+            with self.subTest(core=core):
+                out = self.folder / f"{core}.h5"
+                outcome = run_altered(core, "sweep", self.folder / sweep, "-o", out)
+                self.assertEqual(outcome.exit_code, AGREED, outcome)
+                with h5py.File(out) as file:
+                    columns = [file["members"][name][:].tolist() for name in ("x", "y", "vx", "vy", "contacts")]
+                runs = run_altered(core, "run", *members, "--json", "-o", f"{self.folder}/{core}/").json["runs"]
+                found = list(map(list, zip(*columns)))
+                self.assertEqual(found, [[*entry["final"].values(), list(entry["contacts"].values())] for entry in runs])
+                shipped = found if core == "none" else shipped
+                self.assertEqual(found == shipped, core == "none", "no member shows what is altered")
+
+
+class Replays(ProgramTest):
+    """The listing, as a core that counts its updates: no run is played twice."""
+
+    def updates(self, *arguments):
+        """How many updates `hyrax-sim ARGUMENTS` makes."""
+        environment = {**os.environ, "HYRAX_ALTERED_CORE": "none", "HYRAX_COUNT_UPDATES": "1"}
+        outcome = run(ALTERED, *arguments, cwd=self.folder, env=environment)
+        self.assertEqual(outcome.exit_code, 0, outcome)
+        return int(re.search(r"^updates: (\d+)$", outcome.err, re.MULTILINE).group(1))
+
+    def scenario(self):
+        """A run that never repeats, which bounds an error against the reference."""
+        return self.write("fling.json", fling(steps=STEPS, expect={"implementation_px_max": 1e-3}, clock={
+            "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 7}}))
+
+    def test_a_run_is_played_once_for_all_outputs(self):
+        for options in ((), ("--figure", "fling.svg"), ("--drift",), ("--drift", "--rows", "--figure", "fling.svg"),
+                        ("--drift", "--reference", "gsl"), ("-o", "fling.csv", "--drift")):
+            with self.subTest(options=options):
+                self.assertEqual(self.updates("run", self.scenario(), *options), STEPS)
+
+    def test_a_second_replay_would_be_counted(self):
+        self.assertGreaterEqual(self.updates("drift", self.scenario()), STEPS + 1000)
 
 
 if __name__ == "__main__":

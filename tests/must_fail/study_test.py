@@ -7,8 +7,8 @@ import sys
 
 import numpy
 
-from altered import StudyControl
-from program import AGREED, DISAGREED, SOURCE, main
+from altered import studied
+from program import AGREED, DISAGREED, SOURCE, ProgramTest, main
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import flings  # noqa: E402 pylint: disable=wrong-import-position
@@ -32,7 +32,7 @@ NEVER_FLIPPED = {
 }
 
 
-class Paper(StudyControl):
+class Paper(ProgramTest):
     """A changed core flips the verdicts that its change is about, and the program reports which."""
 
     EXPECTED = SOURCE / "tests/cli/paper_verdicts.json"
@@ -43,7 +43,7 @@ class Paper(StudyControl):
 
     def flipped(self, control):
         """The claims with another verdict than the paper's core has, {claim: verdict}; and the document."""
-        outcome = self.study(control, "paper", "--expect", str(self.EXPECTED))
+        outcome = studied(control, "paper", "--expect", str(self.EXPECTED))
         document, expected = outcome.json, self.expected()
         flipped = {claim["claim"]: claim["verdict"] for claim in document["claims"]
                    if claim["verdict"] != expected[claim["claim"]]}
@@ -74,7 +74,7 @@ class Paper(StudyControl):
         self.assertIn("1200.0000000000002", document["broken"][0])
 
 
-class Gates(StudyControl):
+class Gates(ProgramTest):
     """Other studies are red on a core that breaks what they are about. On the shipped core each is green: study.NAME."""
 
     def test_what_is_broken_is_reported(self):
@@ -85,19 +85,19 @@ class Gates(StudyControl):
                                   ("speed-error", "drag_before_gravity", "of velocity is its closed form"),
                                   ("speed-error", "position_before_velocity", "of first order")):
             with self.subTest(study=study, core=core):
-                outcome = self.study(core, study)
+                outcome = studied(core, study)
                 self.assertEqual(outcome.exit_code, DISAGREED, outcome)
                 self.assertRegex(outcome.json["broken"][0], says)
 
 
-class Numbers(StudyControl):
+class Numbers(ProgramTest):
     """What studies print of many flings is what tests/oracle/flings.py computes, with the constants of the core; other constants
     move every median, and another step does."""
 
     def rows(self, core, study, table):
         """A table of the study's document, as {key: row}."""
         keys = ("problem", "method", "clock", "rate_hz")
-        return {tuple(row[key] for key in keys if key in row): row for row in self.study(core, study).json[table]}
+        return {tuple(row[key] for key in keys if key in row): row for row in studied(core, study).json[table]}
 
     def assert_numbers(self, row, **numbers):
         """Counts; and of values of all flings median, 10 and 90 %, as far as the row has columns of these names."""

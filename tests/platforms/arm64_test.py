@@ -8,7 +8,7 @@ import sys
 import h5py
 
 from building import TIMEOUT_S, build
-from library import library
+from playing import library
 from process import Failed, TimedOut, run, skip_for_lack_of, skip_without, succeed
 from program import AGREED, PROGRAM, main
 from rows import BUILDS, EMULATED_STEPS_MAX, PROJECT

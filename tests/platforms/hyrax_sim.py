@@ -2,8 +2,8 @@
 
 import os
 
+from building import environment_for
 from playing import refusal
-from preloading import environment_for
 from process import run
 from result import Result, hindrance_of
 from rows import PROJECT, THIS_BUILD

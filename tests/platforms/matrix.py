@@ -7,10 +7,8 @@ import sys
 import threading
 import time
 
-from building import build
-from library import library
-from playing import compiler_of, judge
-from preloading import environment_for
+from building import build, environment_for
+from playing import compiler_of, judge, library
 from process import Failed, TimedOut, run
 from result import Result, hindrance_of
 from rows import PROJECT

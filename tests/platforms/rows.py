@@ -41,7 +41,7 @@ class Variant:
     """An existing build, run in another way."""
 
     name: str
-    environment: tuple = ()  # NAME=VALUE; {NAME} is replaced by a library or folder of preloaded.py.
+    environment: tuple = ()  # NAME=VALUE; {NAME} is replaced by a library or folder of building.py.
     is_reversed: bool = False  # The scenarios in the opposite order.
     must: Verdict = AGREES
     needs: tuple = ()

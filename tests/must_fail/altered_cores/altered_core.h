@@ -22,7 +22,7 @@ struct AlteredStep {
   std::string_view update = "FC";
   /// g: vy += G dt. u: vy -= G dt. G: vx += G dt.
   /// X, Y: vx, vy *= drag. d: both, if dt > 0. D: both by time, drag^(60 dt).
-  /// E: both times 1 - 60 dt.
+  /// E: both times 1 - 60 dt, unstable in frames above 1/30 s.
   /// x, y: x += vx dt, y += vy dt. <, ^: x -= vx dt, y -= vy dt. a, b: x += vy dt, y += vx dt.
   /// l: vx within -1500 .. 1500. v: x and y by the mean of the speeds before and after. s: y += vy dt + 1e-9
   /// vx.
@@ -72,12 +72,11 @@ struct AlteredStep {
 struct AlteredCore {
   std::string_view name;
   std::string_view operation;  ///< What of the step is changed.
-  std::string_view change;     ///< How.
   AlteredStep step;
 };
 
 /// The one that the environment variable HYRAX_ALTERED_CORE names, `none` where it is not set. `list` prints
-/// all as name, operation and change, separated by tabs, and ends the program with 0; an unknown name ends
+/// all as name and operation, separated by a tab, and ends the program with 0; an unknown name ends
 /// it with 2.
 [[nodiscard]] const AlteredCore& altered_core();
 [[nodiscard]] inline const AlteredStep& altered_step() { return altered_core().step; }
@@ -87,8 +86,6 @@ struct AlteredBody {
   double x, y, vx, vy;
   double dt = 0.0;  ///< Of the last flight.
 };
-void fly(AlteredBody& body, double dt);
-void collide(AlteredBody& body, int screen_width, int screen_height, int sprite_width, int sprite_height);
 void update(AlteredBody& body, double dt, int screen_width, int screen_height, int sprite_width,
             int sprite_height);
 void set(double& x, double& y, std::string_view operations, double to_x, double to_y);

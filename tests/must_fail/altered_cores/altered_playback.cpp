@@ -10,19 +10,33 @@
 #include "sim/trajectory/columns.h"
 #include "tests/must_fail/altered_cores/altered_core.h"
 
-#define WRAPPED(symbol) asm("__wrap_" symbol)
-#define ORIGINAL(symbol) asm("__real_" symbol)
+// The function of that symbol, and what other source files call in its place.
+#define WRAPPED(symbol, result, name, ...)                   \
+  result original_##name(__VA_ARGS__) asm("__real_" symbol); \
+  result altered_##name(__VA_ARGS__) asm("__wrap_" symbol);
 
 namespace hyrax {
 
 class RowTable;  // tools/store/trajectory_parts.h, which needs HDF5.
 
-void original_clock(FrameClock* made, const Clock& clock) ORIGINAL("_ZN5hyrax10FrameClockC1ERKNS_5ClockE");
-void altered_clock(FrameClock* made, const Clock& clock) WRAPPED("_ZN5hyrax10FrameClockC1ERKNS_5ClockE");
+WRAPPED("_ZN5hyrax10FrameClockC1ERKNS_5ClockE", void, clock, FrameClock*, const Clock&)
+WRAPPED("_ZN5hyrax13jittered_dt_sEdRKNS_6JitterEl", double, jitter, double, const Jitter&, std::int64_t)
+WRAPPED("_ZN5hyrax15schedule_eventsERKNS_8ScenarioEll", Schedule, schedule, const Scenario&, std::int64_t,
+        std::int64_t)
+WRAPPED("_ZN5hyrax8RowTable6appendERKNS_7ColumnsE", bool, append, RowTable*, const Columns&)
+WRAPPED("_ZN5hyrax9inputs_ofERKNS_8ScenarioEl", std::vector<Input>, inputs, const Scenario&, std::int64_t)
+
 namespace {
 
 // The jitter of a clock that has none.
 constexpr Jitter kFirstFrame;
+
+// No later than the last frame. Inputs stay in their order.
+std::int64_t late(std::int64_t frame, std::int64_t steps, bool is_last) {
+  const AlteredStep& step = altered_step();
+  const std::int64_t frames = step.inputs_late + (is_last ? step.last_input_late : 0);
+  return frame >= 0 && frame < steps ? std::min(frame + frames, steps - 1) : frame;
+}
 
 }  // namespace
 
@@ -38,10 +52,6 @@ void altered_clock(FrameClock* made, const Clock& clock) {
   std::memcpy(reinterpret_cast<std::byte*>(made) + sizeof base_dt_s, &jitter, sizeof jitter);
 }
 
-double original_jitter(double dt_s, const Jitter& jitter, std::int64_t frame)
-    ORIGINAL("_ZN5hyrax13jittered_dt_sEdRKNS_6JitterEl");
-double altered_jitter(double dt_s, const Jitter& jitter, std::int64_t frame)
-    WRAPPED("_ZN5hyrax13jittered_dt_sEdRKNS_6JitterEl");
 double altered_jitter(double dt_s, const Jitter& jitter, std::int64_t frame) {
   const AlteredStep& step = altered_step();
   if (&jitter == &kFirstFrame) return frame == 0 ? dt_s * step.first_frame_factor : dt_s;
@@ -49,30 +59,12 @@ double altered_jitter(double dt_s, const Jitter& jitter, std::int64_t frame) {
   return original_jitter(dt_s, jitter, frame + step.jitter_shift) * step.jitter_factor * factor;
 }
 
-namespace {
-
-// No later than the last frame. Inputs stay in their order.
-std::int64_t late(std::int64_t frame, std::int64_t steps, bool is_last) {
-  const AlteredStep& step = altered_step();
-  const std::int64_t frames = step.inputs_late + (is_last ? step.last_input_late : 0);
-  return frame >= 0 && frame < steps ? std::min(frame + frames, steps - 1) : frame;
-}
-
-}  // namespace
-
-Schedule original_schedule(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max)
-    ORIGINAL("_ZN5hyrax15schedule_eventsERKNS_8ScenarioEll");
-Schedule altered_schedule(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max)
-    WRAPPED("_ZN5hyrax15schedule_eventsERKNS_8ScenarioEll");
 Schedule altered_schedule(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max) {
   Schedule schedule = original_schedule(scenario, steps, walked_frame_max);
   for (std::int64_t& frame : schedule.frames) frame = late(frame, steps, &frame == &schedule.frames.back());
   return schedule;
 }
 
-bool original_append(RowTable* table, const Columns& rows)
-    ORIGINAL("_ZN5hyrax8RowTable6appendERKNS_7ColumnsE");
-bool altered_append(RowTable* table, const Columns& rows) WRAPPED("_ZN5hyrax8RowTable6appendERKNS_7ColumnsE");
 bool altered_append(RowTable* table, const Columns& rows) {
   if (!altered_step().swaps_columns) return original_append(table, rows);
   Columns swapped = rows;
@@ -80,10 +72,6 @@ bool altered_append(RowTable* table, const Columns& rows) {
   return original_append(table, swapped);
 }
 
-std::vector<Input> original_inputs(const Scenario& scenario, std::int64_t frames)
-    ORIGINAL("_ZN5hyrax9inputs_ofERKNS_8ScenarioEl");
-std::vector<Input> altered_inputs(const Scenario& scenario, std::int64_t frames)
-    WRAPPED("_ZN5hyrax9inputs_ofERKNS_8ScenarioEl");
 std::vector<Input> altered_inputs(const Scenario& scenario, std::int64_t frames) {
   std::vector<Input> inputs = original_inputs(scenario, frames);
   for (Input& input : inputs) input.frame = late(input.frame, step_count(scenario), &input == &inputs.back());

@@ -21,134 +21,60 @@ struct Axis {
 void meet(std::string_view operations, const Axis& axis, double bound, double outwards, double dt) {
   const AlteredStep& step = altered_step();
   auto& [p, v, w] = axis;
-  const auto is_slow = [&step](double speed) { return std::fabs(speed) < step.rest_threshold; };
-  for (const char operation : operations) switch (operation) {
-      case 'c':
-        p = bound;
-        break;
-      case 'm':
-        p = 2.0 * bound - p;
-        break;
-      case 't':
-        v = -v * step.restitution;
-        break;
-      case 'i':
-        v = -v;
-        break;
-      case 'k':
-        v = v * step.restitution;
-        break;
-      case 's':
-        v = 0.0;
-        break;
-      case 'h':
-        v = -v * 0.5;
-        break;
-      case 'o':
-        v = v * outwards > 0.0 ? -v * step.restitution : v;
-        break;
-      case 'f':
-        w *= step.ground_friction;
-        break;
-      case 'F':
-        v *= step.ground_friction;
-        break;
-      case 'p':
-        w *= std::pow(step.ground_friction, 60.0 * dt);
-        break;
-      case 'r':
-        v = is_slow(v) ? 0.0 : v;
-        break;
-      case 'e':
-        v = std::fabs(v) <= step.rest_threshold ? 0.0 : v;
-        break;
-      case 'S':
-        v = v < step.rest_threshold ? 0.0 : v;
-        break;
-      case 'l':
-        v = std::fabs(v) > step.rest_threshold ? 0.0 : v;
-        break;
-      case 'q':
-        w = is_slow(v) ? 0.0 : w;
-        break;
-    }
-}
-
-bool claims(Claim claim, double position, double bound, bool is_low_wall) {
-  switch (claim) {
-    case Claim::beyond_bound:
-      return is_low_wall ? position < bound : position > bound;
-    case Claim::on_bound_too:
-      return is_low_wall ? position <= bound : position >= bound;
-    case Claim::before_bound:
-      return is_low_wall ? position > bound : position < bound;
+  for (const char operation : operations) {
+    const bool is_slow = std::fabs(v) < step.rest_threshold;
+    if (operation == 'c') p = bound;
+    if (operation == 'm') p = 2.0 * bound - p;
+    if (operation == 't') v = -v * step.restitution;
+    if (operation == 'i') v = -v;
+    if (operation == 'k') v = v * step.restitution;
+    if (operation == 's') v = 0.0;
+    if (operation == 'h') v = -v * 0.5;
+    if (operation == 'o') v = v * outwards > 0.0 ? -v * step.restitution : v;
+    if (operation == 'f') w *= step.ground_friction;
+    if (operation == 'F') v *= step.ground_friction;
+    if (operation == 'p') w *= std::pow(step.ground_friction, 60.0 * dt);
+    if (operation == 'r') v = is_slow ? 0.0 : v;
+    if (operation == 'e') v = std::fabs(v) <= step.rest_threshold ? 0.0 : v;
+    if (operation == 'S') v = v < step.rest_threshold ? 0.0 : v;
+    if (operation == 'l') v = std::fabs(v) > step.rest_threshold ? 0.0 : v;
+    if (operation == 'q') w = is_slow ? 0.0 : w;
   }
-  return false;
 }
 
-}  // namespace
+bool claims(Claim claim, double beyond_bound_px) {
+  if (claim == Claim::before_bound) return beyond_bound_px < 0.0;
+  return beyond_bound_px > 0.0 || (claim == Claim::on_bound_too && beyond_bound_px == 0.0);
+}
 
 void fly(AlteredBody& body, double dt) {
   const AlteredStep& step = altered_step();
   auto& [x, y, vx, vy, last_dt] = body;
   const double vx_before = vx, vy_before = vy;
   last_dt = dt;
-  for (const char operation : step.fly) switch (operation) {
-      case 'g':
-        vy += step.gravity * dt;
-        break;
-      case 'u':
-        vy -= step.gravity * dt;
-        break;
-      case 'G':
-        vx += step.gravity * dt;
-        break;
-      case 'X':
-        vx *= step.air_drag;
-        break;
-      case 'Y':
-        vy *= step.air_drag;
-        break;
-      case 'd':
-        if (dt > 0.0) vx *= step.air_drag, vy *= step.air_drag;
-        break;
-      case 'D':
-        vx *= std::pow(step.air_drag, 60.0 * dt);
-        vy *= std::pow(step.air_drag, 60.0 * dt);
-        break;
-      case 'E':
-        vx *= 1.0 - 60.0 * dt;
-        vy *= 1.0 - 60.0 * dt;
-        break;
-      case 'x':
-        x += vx * dt;
-        break;
-      case 'y':
-        y += vy * dt;
-        break;
-      case 'l':
-        vx = std::clamp(vx, -1500.0, 1500.0);
-        break;
-      case '<':
-        x -= vx * dt;
-        break;
-      case '^':
-        y -= vy * dt;
-        break;
-      case 'a':
-        x += vy * dt;
-        break;
-      case 'b':
-        y += vx * dt;
-        break;
-      case 'v':
-        x += (vx_before + vx) / 2.0 * dt;
-        y += (vy_before + vy) / 2.0 * dt;
-        break;
-      case 's':
-        y += vy * dt + vx * 1e-9;
-        break;
+  const auto lose = [&](double factor) { vx *= factor, vy *= factor; };
+  for (const char operation : step.fly) {
+    if (operation == 'g') vy += step.gravity * dt;
+    if (operation == 'u') vy -= step.gravity * dt;
+    if (operation == 'G') vx += step.gravity * dt;
+    if (operation == 'X') vx *= step.air_drag;
+    if (operation == 'Y') vy *= step.air_drag;
+    if (operation == 'd' && dt > 0.0) lose(step.air_drag);
+    if (operation == 'D') lose(std::pow(step.air_drag, 60.0 * dt));
+    if (operation == 'E') lose(1.0 - 60.0 * dt);
+    if (operation == 'x') x += vx * dt;
+    if (operation == 'y') y += vy * dt;
+    if (operation == '<') x -= vx * dt;
+    if (operation == '^') y -= vy * dt;
+    if (operation == 'a') x += vy * dt;
+    if (operation == 'b') y += vx * dt;
+    if (operation == 'l') vx = std::clamp(vx, -1500.0, 1500.0);
+    if (operation == 'v') {
+      x += (vx_before + vx) / 2.0 * dt;
+      y += (vy_before + vy) / 2.0 * dt;
     }
+    if (operation == 's') y += vy * dt + vx * 1e-9;
+  }
 }
 
 void collide(AlteredBody& body, int screen_width, int screen_height, int sprite_width, int sprite_height) {
@@ -159,7 +85,7 @@ void collide(AlteredBody& body, int screen_width, int screen_height, int sprite_
   const Axis in_x{body.x, body.vx, body.vy}, in_y{body.y, body.vy, body.vx};
   const auto meets = [&](std::string_view operations, Claim claim, const Axis& axis, double bound,
                          double outwards) {
-    if (!claims(claim, axis.position, bound, outwards < 0.0)) return false;
+    if (!claims(claim, outwards * (axis.position - bound))) return false;
     meet(operations, axis, bound, outwards, body.dt);
     return true;
   };
@@ -167,82 +93,47 @@ void collide(AlteredBody& body, int screen_width, int screen_height, int sprite_
   const auto right = [&] { return meets(step.right, step.right_claims, in_x, right_bound, 1.0); };
   const auto top = [&] { return meets(step.top, step.top_claims, in_y, 0.0, -1.0); };
   const auto ground = [&] { return meets(step.ground, step.ground_claims, in_y, bottom_bound, 1.0); };
-  for (const char wall : step.collide) switch (wall) {
-      case 'x':
-        static_cast<void>(left() || right());
-        break;
-      case 'y':
-        static_cast<void>(top() || ground());
-        break;
-      case 'Y':
-        static_cast<void>(ground() || top());
-        break;
-      case 'L':
-        left();
-        break;
-      case 'R':
-        right();
-        break;
-      case 'T':
-        top();
-        break;
-      case 'B':
-        ground();
-        break;
-    }
+  for (const char wall : step.collide) {
+    if (wall == 'x') static_cast<void>(left() || right());
+    if (wall == 'y') static_cast<void>(top() || ground());
+    if (wall == 'Y') static_cast<void>(ground() || top());
+    if (wall == 'L') left();
+    if (wall == 'R') right();
+    if (wall == 'T') top();
+    if (wall == 'B') ground();
+  }
 }
 
-// Prints how many updates the program made, if HYRAX_COUNT_UPDATES is set.
-class UpdateCount {
- public:
+// How many updates the program made, which it prints at its end if HYRAX_COUNT_UPDATES is set.
+struct UpdateCount {
+  std::atomic<long> made = 0;
   ~UpdateCount() {
-    if (std::getenv("HYRAX_COUNT_UPDATES") != nullptr) std::fprintf(stderr, "updates: %ld\n", count_.load());
+    if (std::getenv("HYRAX_COUNT_UPDATES") != nullptr) std::fprintf(stderr, "updates: %ld\n", made.load());
   }
-  void add() { ++count_; }
-
- private:
-  std::atomic<long> count_ = 0;
 };
+
+}  // namespace
 
 void update(AlteredBody& body, double dt, int screen_width, int screen_height, int sprite_width,
             int sprite_height) {
   static UpdateCount count;
-  count.add();
-  static std::atomic<long> steps = 0;
-  for (const char half : altered_step().update) switch (half) {
-      case 'F':
-        fly(body, dt);
-        break;
-      case 'C':
-        collide(body, screen_width, screen_height, sprite_width, sprite_height);
-        break;
-      case 'n':
-        body.x = std::nextafter(body.x, 1e300);
-        break;
-      case 'h':
-        if (++steps % 1009 == 0) body.vx *= 0.5;
-        break;
-    }
+  const long number = ++count.made;
+  for (const char half : altered_step().update) {
+    if (half == 'F') fly(body, dt);
+    if (half == 'C') collide(body, screen_width, screen_height, sprite_width, sprite_height);
+    if (half == 'n') body.x = std::nextafter(body.x, 1e300);
+    if (half == 'h' && number % 1009 == 0) body.vx *= 0.5;
+  }
 }
 
 void set(double& x, double& y, std::string_view operations, double to_x, double to_y) {
-  for (const char operation : operations) switch (operation) {
-      case 'x':
-        x = to_x;
-        break;
-      case 'y':
-        y = to_y;
-        break;
-      case 'w':
-        x = to_y, y = to_x;
-        break;
-      case '+':
-        x += to_x, y += to_y;
-        break;
-      case 'z':
-        x = y = 0.0;
-        break;
-    }
+  for (const char operation : operations) {
+    if (operation == 'x') x = to_x;
+    if (operation == 'y') y = to_y;
+    if (operation == 'w') x = to_y, y = to_x;
+    if (operation == '+') x += to_x, y += to_y;
+    if (operation == 'z') x = y = 0.0;
+  }
 }
 
 }  // namespace hyrax

@@ -4,83 +4,180 @@
 HYRAX_DAMAGE=all flips thousands of bits instead of a sample.
 """
 
+import concurrent.futures
+import io
+import multiprocessing
 import os
-import pathlib
-import sys
-import tempfile
-import unittest
+import random
+import shutil
 
-from damage import damaged_rows, flipped, some_flips, spans_of_rows
+import h5py
+import numpy
+
 from damage_test import LONG, SHORT
-from golden_pair import GoldenPair
-from process import run
-from program import DISAGREED, BAD_INPUT, PROGRAM
+from program import BAD_INPUT, DISAGREED, ProgramTest, main
 
 _IS_ALL = os.environ.get("HYRAX_DAMAGE") == "all"
 _H5_FLIPS = 6000 if _IS_ALL else 150
-_READER = pathlib.Path(__file__).with_name("golden_contents.py")
+_BATCH = 250
+# The allowed exit codes for a damaged golden file; a signal is not allowed.
+EXIT_CODES = {0, 1, 2, 3, 4}
 
 
-def contents(files):
-    """The output of golden_contents.py for each golden file; "died" where the file kills it."""
-    with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-        paths = [pathlib.Path(folder, f"{number}.h5") for number in range(len(files))]
-        for path, content in zip(paths, files, strict=True):
-            path.write_bytes(content)
-        said = []
-        while len(said) < len(paths):
-            printed = run(sys.executable, _READER, *paths[len(said):], timeout=300).out
-            said += printed.splitlines()
-            if len(said) < len(paths):
-                said.append("died")
-        return said
+def flips_of(content):
+    """Golden files with one bit flipped, the same ones each time."""
+    draws = random.Random(1)
+    for place in draws.sample(range(len(content)), min(_H5_FLIPS, len(content))):
+        yield content[:place] + bytes([content[place] ^ 1 << draws.randrange(8)]) + content[place + 1:]
 
 
-class Damage(unittest.TestCase):
-    """The same for the two kinds of golden file."""
+def contents_of(content):
+    """What an independent reader finds in a golden file, but the provenance."""
+    said = []
 
-    maxDiff = None
+    def value_of(value):
+        value = numpy.asarray(value)
+        # References between objects are addresses in this reader's memory.
+        return "references" if value.dtype.hasobject else (str(value.dtype), value.tobytes())
 
-    @classmethod
-    def setUpClass(cls):
-        cls.pairs = {"rows": GoldenPair(SHORT), "blocks": GoldenPair(LONG)}
+    def take(name, item):
+        said.extend((name, key, value_of(value)) for key, value in sorted(item.attrs.items()))
+        if isinstance(item, h5py.Dataset):
+            said.append((name, value_of(item[()])))
+
+    try:
+        with h5py.File(io.BytesIO(content)) as file:
+            take("", file)
+            for top in sorted(file.keys() - {"provenance"}):
+                take(top, file[top])
+                if isinstance(file[top], h5py.Group):
+                    file[top].visititems(lambda name, item, top=top: take(f"{top}/{name}", item))
+    except Exception as error:  # pylint: disable=broad-exception-caught
+        return f"unreadable: {error}"
+    return said
+
+
+def is_another_to_a_reader(content, whole):
+    """Whether a damaged file reads differently from the whole one; not if it kills its reader, who therefore runs alone."""
+    with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("fork")) as reader:
+        try:
+            return reader.submit(contents_of, content).result(300) != whole
+        except concurrent.futures.process.BrokenProcessPool:
+            return False
+
+
+def swapped(values, row):
+    """A row and the next one exchanged."""
+    return values[[*range(row), row + 1, row, *range(row + 2, len(values))]]
+
+
+CHANGES = {"dropped": lambda values, row: numpy.delete(values, row, axis=0),
+           "doubled": lambda values, row: numpy.insert(values, row, values[row], axis=0),
+           "swapped with the next": swapped}
+
+
+def damaged_rows(content):
+    """(description, golden file) for every group of rows: one dropped, doubled, swapped with the next, or with a NaN."""
+    with h5py.File(io.BytesIO(content)) as file:
+        groups = {name: {column: dataset[...] for column, dataset in group.items()} for name, group in file.items()
+                  if isinstance(group, h5py.Group) and len(group) > 0}
+    for group, columns in groups.items():
+        length = len(next(iter(columns.values())))
+        for row in sorted({0, length // 2, length - 1} - {-1}):
+            for what, change in CHANGES.items():
+                if change is not swapped or (row + 1 < length and any(each[row] != each[row + 1] for each in columns.values())):
+                    yield f"/{group}: row {row} {what}", with_rows(content, group, columns, change, row)
+            for name, values in columns.items():
+                if values.dtype.kind == "f":
+                    damaged = values.copy()
+                    damaged[row] = numpy.nan
+                    yield f"/{group}/{name}[{row}] is a NaN", with_columns(content, group, {name: damaged})
+
+
+def with_rows(content, group, columns, change, row):
+    """All columns of a group changed alike; columns of another length (bytes of digests) keep their length a row."""
+    length = len(next(iter(columns.values())))
+    return with_columns(content, group, {name: change(values.reshape(length, -1), row).reshape(-1)
+                                         for name, values in columns.items() if len(values) % length == 0})
+
+
+def with_columns(content, group, columns):
+    """A golden file with other values in these columns."""
+    buffer = io.BytesIO(content)
+    with h5py.File(buffer, "r+") as file:
+        for name, values in columns.items():
+            if len(values) == len(file[group][name]):
+                file[group][name][...] = values
+            else:
+                del file[group][name]
+                file[group].create_dataset(name, data=values)
+    return buffer.getvalue()
+
+
+class Damage(ProgramTest):
+    """The same for the two kinds of golden file: of rows, and of blocks."""
+
+    def empty_folders(self):
+        for name in ("scenarios", "golden"):
+            shutil.rmtree(self.folder / name, ignore_errors=True)
+            (self.folder / name).mkdir()
+
+    def blessed(self, document):
+        """The bytes of a scenario's golden file, and its digest."""
+        self.empty_folders()
+        self.write("scenarios/whole.json", document)
+        self.bless("scenarios")
+        return [(self.folder / f"golden/whole.{suffix}").read_bytes() for suffix in ("h5", "txt")]
+
+    def verdicts(self, document, damaged):
+        """The verdict of `check` on each (.h5 file or None, summary or None): "agreed", "noted" (it agrees, with a note
+        that its bytes differ from the blessed ones), a class, "missing" or "failed"; a batch by one process."""
+        if len(damaged) > _BATCH:
+            return self.verdicts(document, damaged[:_BATCH]) + self.verdicts(document, damaged[_BATCH:])
+        self.empty_folders()
+        for number, files in enumerate(damaged):
+            self.write(f"scenarios/{number:04}.json", document)
+            for suffix, content in zip(("h5", "txt"), files):
+                if content is not None:
+                    (self.folder / f"golden/{number:04}.{suffix}").write_bytes(content)
+        outcome = self.hyrax_sim("check", "--json")
+        self.assertIn(outcome.exit_code, EXIT_CODES)
+        self.assertTrue(outcome.out, outcome)  # A sanitizer's exit code is 1.
+        noted = {line.partition(": agrees, but ")[0] for line in outcome.err.splitlines()}
+        return ["noted" if f"golden/{number:04}.h5" in noted else entry["class"] or entry["status"]
+                for number, entry in enumerate(outcome.json["results"])]
 
     def test_complete_pairs_agree_and_half_ones_are_missing(self):
-        for pair in self.pairs.values():
-            self.assertEqual(pair.verdicts([(pair.h5, pair.txt), (pair.h5, None), (None, pair.txt)]),
-                             ["agreed", "missing", "missing"])
+        for document in (SHORT, LONG):
+            h5, txt = self.blessed(document)
+            self.assertEqual(self.verdicts(document, [(h5, txt), (h5, None), (None, txt)]), ["agreed", "missing", "missing"])
 
     def test_a_flipped_bit_anywhere_in_the_golden_file_is_found_or_noted(self):
-        for kind, pair in self.pairs.items():
-            flips = some_flips(pair.h5, _H5_FLIPS, seed=1)
-            files = [flipped(pair.h5, *flip) for flip in flips]
-            verdicts = pair.verdicts([(file, pair.txt) for file in files])
-            noted = [number for number, verdict in enumerate(verdicts) if verdict == "noted"]
-            complete, *said = contents([pair.h5, *(files[number] for number in noted)])
-            of_rows = spans_of_rows(pair.h5)
-            self.assertNotIn("agreed", verdicts, kind)
-            self.assertEqual([flips[number] for number, read in zip(noted, said, strict=True)
-                              if read not in (complete, "died") or
-                              any(begin <= flips[number][0] < end for begin, end in of_rows)], [], kind)
+        for document in (SHORT, LONG):
+            h5, txt = self.blessed(document)
+            files, whole = list(flips_of(h5)), contents_of(h5)
+            verdicts = self.verdicts(document, [(file, txt) for file in files])
+            self.assertNotIn("agreed", verdicts)
+            self.assertEqual([number for number, (file, verdict) in enumerate(zip(files, verdicts, strict=True))
+                              if verdict == "noted" and is_another_to_a_reader(file, whole)], [], document["name"])
 
     def test_a_row_dropped_doubled_swapped_or_made_a_nan_is_found(self):
-        for kind, pair in self.pairs.items():
-            names, files = zip(*damaged_rows(pair.h5))
+        for document in (SHORT, LONG):
+            h5, txt = self.blessed(document)
+            names, files = zip(*damaged_rows(h5))
             self.assertGreater(len(names), 40)
-            verdicts = pair.verdicts([(file, pair.txt) for file in files])
+            verdicts = self.verdicts(document, [(file, txt) for file in files])
             unseen = [(name, verdict) for name, verdict in zip(names, verdicts, strict=True)
                       if verdict in ("agreed", "noted")]
-            self.assertEqual(unseen, [], kind)
+            self.assertEqual(unseen, [], document["name"])
 
     def test_diff_finds_damaged_rows(self):
-        whole = self.pairs["rows"].h5
-        with tempfile.TemporaryDirectory(prefix="hyrax-test-") as folder:
-            pathlib.Path(folder, "a.h5").write_bytes(whole)
-            for name, damaged in damaged_rows(whole):
-                if name.startswith(("/trajectory", "/contacts")):
-                    pathlib.Path(folder, "b.h5").write_bytes(damaged)
-                    self.assertIn(run(PROGRAM, "diff", "a.h5", "b.h5", cwd=folder).exit_code, (DISAGREED, BAD_INPUT), name)
+        whole, _ = self.blessed(SHORT)
+        for name, damaged in damaged_rows(whole):
+            if name.startswith(("/trajectory", "/contacts")):
+                (self.folder / "b.h5").write_bytes(damaged)
+                self.assertIn(self.hyrax_sim("diff", "golden/whole.h5", "b.h5").exit_code, (DISAGREED, BAD_INPUT), name)
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

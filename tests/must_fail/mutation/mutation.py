@@ -36,13 +36,6 @@ from trials import Trials
 NONE_SURVIVED, SURVIVED, CANNOT_BUILD = 0, 1, 3
 
 
-def state_of(source):
-    """Time and size of every file of the project outside of build folders."""
-    paths = [path for top in source.iterdir() if top.name not in ("build", ".git")
-             for path in ([top] if top.is_file() else top.rglob("*")) if path.is_file()]
-    return {path: (path.stat().st_mtime_ns, path.stat().st_size) for path in paths}
-
-
 def options():
     here = pathlib.Path(__file__).resolve().parent
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -54,8 +47,6 @@ def options():
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 32), help="repeats a draw")
     parser.add_argument("--only", type=re.compile, default=re.compile(""), metavar="REGEX",
                         help="those whose file and name match")
-    parser.add_argument("--tests", type=re.compile, default=re.compile(""), metavar="REGEX",
-                        help="asks only the everyday tests whose name matches")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at a time, each in a copy of the build (2)")
     parser.add_argument("--minutes", type=float, default=120.0, help="time limit of all; the rest is not tried (120)")
     parser.add_argument("--test-seconds", type=int, default=120, help="time limit of a test (120)")
@@ -67,7 +58,7 @@ def options():
 def run(asked):
     """Tries the mutants that the options select; returns the exit code."""
     deadline_s = time.monotonic() + 60.0 * asked.minutes
-    build = Build(asked.source, asked.build, asked.tests, of_units_only=asked.core)
+    build = Build(asked.source, asked.build, of_units_only=asked.core)
     by_subject = mutants_by_subject(build)
     everything = [mutant for mutants in by_subject.values() for mutant in mutants]
     matching = [[mutant for mutant in mutants if asked.only.search(f"{mutant.path}: {mutant.name}")]
@@ -78,7 +69,6 @@ def run(asked):
         print("\n".join(f"{mutant.path}:{mutant.line}: {mutant.kind}: {mutant.name}" for mutant in mutants))
         return NONE_SURVIVED
     reasons = read_reasons(asked.reasons)
-    before = state_of(build.source)
     with tempfile.TemporaryDirectory(prefix="hyrax-mutation-", ignore_cleanup_errors=True) as folder:
         os.chmod(folder, 0o755)  # Some tests run the programs as another user.
         copies = [BuildCopy(build, pathlib.Path(folder, str(number)), asked.test_seconds, deadline_s)
@@ -89,8 +79,6 @@ def run(asked):
     print(report)
     if asked.markdown:
         asked.markdown.write_text(report, encoding="utf-8")
-    for path in sorted({path for path, _ in before.items() ^ state_of(build.source).items()}):
-        print(f"NOTE: {path}: was changed meanwhile, by someone else or by a test")
     faults = faults_of(reasons, everything, {mutant: verdict for mutant, (verdict, _) in trials.items()})
     if all(verdict.fate == "not tried" for verdict, _ in trials.values()):
         faults.append(f"no mutant was tried within {asked.minutes:g} minutes")

@@ -42,12 +42,12 @@ def printed(*command):
 class Build:
     """Facts about a build of the project, which is brought up to date and then only read.
 
-    may_ask: a pattern of the names of the tests that are wanted; of_units_only: of these only unit tests.
+    of_units_only: of its tests only the unit tests are wanted.
     """
 
-    def __init__(self, source, build, may_ask, of_units_only=False):
+    def __init__(self, source, build, of_units_only=False):
         self.source, self.folder = source.resolve(), build.resolve()
-        self.tests = [test for test in self._tests(may_ask) if not of_units_only or test.name.startswith("unit.")]
+        self.tests = [test for test in self._tests() if not of_units_only or test.name.startswith("unit.")]
         self.programs = programs = {PROGRAM}.union(*(test.programs for test in self.tests))
         command = ["ninja", "-C", self.folder, "--quiet", *programs]
         if not self.tests or subprocess.run(command, check=False, stdout=sys.stderr).returncode != 0:
@@ -73,12 +73,11 @@ class Build:
                 current = line.partition(": #deps")[0]
         return objects
 
-    def _tests(self, may_ask):
+    def _tests(self):
         lines = printed("ninja", "-C", self.folder, "-t", "targets", "all").splitlines()
         targets = dict(line.rpartition(": ")[::2] for line in lines if not line.startswith("/"))  # What is built.
         known = json.loads(printed("ctest", "--test-dir", self.folder, "--show-only=json-v1", "-L", "everyday"))
-        return [self._test(entry, known["backtraceGraph"], targets) for entry in known["tests"]
-                if may_ask.search(entry["name"])]
+        return [self._test(entry, known["backtraceGraph"], targets) for entry in known["tests"]]
 
     def _test(self, entry, graph, targets):
         properties = {each["name"]: each["value"] for each in entry["properties"]}

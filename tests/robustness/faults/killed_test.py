@@ -95,23 +95,14 @@ class Trajectory(Killed):
             "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 1}}))
         self.write_before("out.h5", "what was there before")
 
-    def test_at_every_call_of_a_small_file(self):
-        for _ in self.kill_everywhere("run", "fling.json", "-o", "out.h5"):
-            self.assert_mended_by("run", "fling.json", "-o", "out.h5")
-
-    def test_at_calls_of_a_large_file(self):
-        for _ in self.kill_everywhere("run", "long.json", "-o", "out.h5", tries_max=12):
-            pass
-        self.assert_mended_by("run", "long.json", "-o", "out.h5")
-
-    def test_a_file_that_is_cut_short_would_be_found(self):
-        self.assertEqual(self.try_in("after", "run", "fling.json", "-o", "out.h5").wait().exit_code, AGREED)
-        self.try_in("now", "--version").wait()
-        self.assert_old_or_new("nothing written")
-        whole = (self.folder / "after/out.h5").read_bytes()
-        (self.folder / "now/out.h5").write_bytes(whole[:-1])
-        with self.assertRaises(AssertionError):
-            self.assert_old_or_new("cut short")
+    def test_at_every_call_of_a_small_file_and_at_calls_of_a_large_one(self):
+        for scenario, tries_max in (("fling.json", CALLS_MAX), ("long.json", 12)):
+            for _ in self.kill_everywhere("run", scenario, "-o", "out.h5", tries_max=tries_max):
+                self.assert_mended_by("run", scenario, "-o", "out.h5")
+            written = self.folder / "now/out.h5"
+            written.write_bytes(written.read_bytes()[:-1])
+            with self.assertRaises(AssertionError, msg="a file that is cut short"):
+                self.assert_old_or_new("cut short")
 
 
 class Blessing(Killed):
@@ -121,17 +112,14 @@ class Blessing(Killed):
 
     def setUp(self):
         super().setUp()
-        self.old = fling(name="fling")
-        self.new = fling(name="fling", start=ANOTHER_START)
-        self.write_before("scenarios/fling.json", self.old)
+        self.write_before("scenarios/fling.json", fling())
         self.expect(AGREED, "bless", "scenarios", "--reason", "the first", cwd=self.folder / "before")
-        self.write_before("scenarios/fling.json", self.new)
+        self.write_before("scenarios/fling.json", fling(start=ANOTHER_START))
         self.write_before("scenarios/unblessed.json", fling(name="unblessed"))
 
     def verdict(self, *arguments):
-        """`check` of the changed scenario: exit code and output."""
-        outcome = self.hyrax_sim(*arguments, "scenarios/fling.json", cwd=self.folder / "now")
-        return outcome.exit_code, outcome.out + outcome.err
+        """The exit code of `check` of the changed scenario."""
+        return self.hyrax_sim(*arguments, "scenarios/fling.json", cwd=self.folder / "now").exit_code
 
     def is_complete(self):
         """Whether both new files are in place."""
@@ -139,31 +127,19 @@ class Blessing(Killed):
         now, _ = self.files("now")
         return all(now[name] == new[name] for name in ("golden/fling.h5", "golden/fling.txt"))
 
-    def assert_verdicts(self):
-        """Unless both files are new, `check` and `run` disagree."""
-        wanted = AGREED if self.is_complete() else DISAGREED
+    def assert_verdicts(self, wanted):
+        """Of `check` and `run`."""
         for command in (("check",), ("check", "--quick"), ("run", "-o", "run.h5")):
-            self.assertEqual(self.verdict(*command)[0], wanted, command)
+            self.assertEqual(self.verdict(*command), wanted, command)
         (self.folder / "now/run.h5").unlink()
 
     def test_at_every_call(self):
         seen = set()
         for _ in self.kill_everywhere(*self.COMMAND):
-            self.assert_verdicts()
             seen.add(self.is_complete())
+            self.assert_verdicts(AGREED if self.is_complete() else DISAGREED)
             self.assert_mended_by(*self.COMMAND)
         self.assertEqual(seen, {False, True})
-
-    def test_between_the_two_files_the_old_scenario_does_not_agree_either(self):
-        self.calls_of(*self.COMMAND)
-        self.try_in("now", "--version").wait()
-        shutil.copyfile(self.folder / "after/golden/fling.txt", self.folder / "now/golden/fling.txt")
-        self.assert_verdicts()
-        self.write("now/scenarios/fling.json", self.old)
-        for command in (("check",), ("check", "--quick")):
-            exit_code, text = self.verdict(*command)
-            self.assertEqual(exit_code, DISAGREED, command)
-            self.assertIn("since it was blessed: golden/fling.txt: its checksums ", text)
 
     def test_a_first_blessing_is_missing_until_its_rows_exist(self):
         for _ in self.kill_everywhere("bless", "scenarios/unblessed.json", "--reason", "x"):
@@ -174,22 +150,22 @@ class Blessing(Killed):
     def test_a_state_hash_that_is_updated(self):
         command = (*self.COMMAND, "--update-hash")
         old_hash = {"state_hash": "0" * 32}
-        self.write_before("scenarios/fling.json", fling(name="fling", start=ANOTHER_START, expect=old_hash))
+        self.write_before("scenarios/fling.json", fling(start=ANOTHER_START, expect=old_hash))
         seen = set()
         for _ in self.kill_everywhere(*command):
             has_old_hash = "0" * 32 in (self.folder / "now/scenarios/fling.json").read_text()
             seen.add(has_old_hash)
-            self.assertEqual(self.verdict("check")[0], DISAGREED if has_old_hash else AGREED)
+            self.assertEqual(self.verdict("check"), DISAGREED if has_old_hash else AGREED)
             self.assert_mended_by(*command)
         self.assertEqual(seen, {False, True})
 
     def test_a_rewritten_digest(self):
         digest = self.folder / "before/golden/fling.txt"
-        self.write_before("scenarios/fling.json", self.old)
+        self.write_before("scenarios/fling.json", fling())
         digest.write_text(digest.read_text().replace("checksums: ", "checksum: "))
         for _ in self.kill_everywhere("bless", "scenarios/fling.json", "--reason", "of an older form"):
             is_new = "\nchecksums: " in (self.folder / "now/golden/fling.txt").read_text()
-            self.assertEqual(self.verdict("check")[0], AGREED if is_new else DISAGREED)
+            self.assertEqual(self.verdict("check"), AGREED if is_new else DISAGREED)
 
 
 class AcceptedCore(Killed):
@@ -226,10 +202,6 @@ class AcceptedCore(Killed):
             if files == 4 and core == 0:  # Only the core is missing.
                 self.assertIn("core: changed\n", outcome.out)
                 self.assertIn("  to accept it    hyrax-sim bless --core --reason TEXT\n", re.sub(r"\S+/control_traced", "hyrax-sim", outcome.out))
-            elif files == 4 and core < 3:
-                self.assertIn("core: golden/core/physics.h: does not have the checksum in accepted.txt; take the folder", outcome.out)
-            elif files < 4:
-                self.assertIn("  line 16   constant: GRAVITY 1200 -> 1250", outcome.out)
             self.assert_mended_by(*self.COMMAND)
             self.expect(AGREED, "check", cwd=self.folder / "now")
         self.assertLessEqual({(4, 0), (4, 1), (4, 2), (4, 3)}, seen)

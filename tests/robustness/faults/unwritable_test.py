@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 """An output that cannot be written is exit 3 with a message, and existing files are unchanged: `bless` and
-`check --junit`, with limits and other users. For `run` see run_failure_test."""
+`check --junit`, with limits and other users. For `run` see run_failure_test. Several processes may write the same output."""
 
 import os
 import resource
 import shutil
 
 from process import run, skip_for_lack_of
-from program import ANOTHER_START, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
+from program import AGREED, ANOTHER_START, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
 
 # HDF5 1.10 leaks the memory of a file that it could not finish writing.
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", "")}
@@ -36,23 +36,18 @@ class Unwritable(ProgramTest):
 class Limit(Unwritable):
     """A limit on the size of files is an error of writing, and does not end the process."""
 
-    def test_run_of_few_and_of_many_rows(self):
-        for size, *many in ((0,), (1,), (4096,), (20_000,), (3_000_000, "--set", "/steps=200000", "--no-skip")):
-            self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", *many, preexec_fn=at_most(size), env=ENVIRONMENT,
-                        says="fling.h5: cannot be written: File too large")
-            self.assert_untouched()
-
-    def test_run_to_csv_but_for_the_last_byte(self):
-        self.expect(DISAGREED, "run", "scenarios/fling.json", "-o", "whole.csv")
-        whole = (self.folder / "whole.csv").rename(self.folder / "fling.csv").stat().st_size
+    def test_run_of_few_and_of_many_rows_to_csv_but_for_the_last_byte_and_of_a_text_that_fits_a_buffer(self):
+        run_it = ("run", "scenarios/fling.json")
+        self.expect(DISAGREED, *run_it, "-o", "fling.csv")
+        whole = (self.folder / "fling.csv").stat().st_size
         self.before = self.state_of(".")
-        self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", "-o", "fling.csv", preexec_fn=at_most(whole - 1),
-                    says="fling.csv: cannot be written: File too large")
-        self.assert_untouched()
-
-    def test_a_text_that_fits_a_buffer(self):
-        self.expect(CANNOT_ACCESS, "new", "small", preexec_fn=at_most(100), says="small.json: cannot be written: File too large")
-        self.assert_untouched()
+        for size, path, *arguments in (
+                *((size, "fling.h5", *run_it) for size in (0, 1, 4096, 20_000)),
+                (3_000_000, "fling.h5", *run_it, "--set", "/steps=200000", "--no-skip"),
+                (whole - 1, "fling.csv", *run_it, "-o", "fling.csv"), (100, "small.json", "new", "small")):
+            self.expect(CANNOT_ACCESS, *arguments, preexec_fn=at_most(size), env=ENVIRONMENT,
+                        says=f"{path}: cannot be written: File too large")
+            self.assert_untouched()
 
     def test_bless_fails_in_both_files_or_in_none(self):
         for size in (0, 500, 20_000):
@@ -142,6 +137,35 @@ class Place(Unwritable):
                      "2 golden files: unreferenced: no scenario: golden/aa, golden/zz\n",
                      "1 checked: 0 agreed, 1 disagreed, 0 without golden file, 0 failed; 2 unreferenced; 1 folder failed"):
             self.assertIn(text, out)
+
+
+class SeveralWriters(ProgramTest):
+    """One complete output remains, and none disturbs another."""
+
+    def assert_done(self, process):
+        outcome = process.wait()
+        self.assertEqual(outcome.exit_code, AGREED, outcome)
+
+    def test_many_writers_at_once_succeed_and_leave_one_file(self):
+        speeds, whole = (100, 900, 1700), []
+        for speed in speeds:
+            start = {"x_px": 0, "y_px": 500, "vx_px_per_s": speed, "vy_px_per_s": -400}
+            self.write(f"{speed}.json", fling(name="same", start=start))
+            self.expect(AGREED, "run", f"{speed}.json", "-o", "whole.h5")
+            whole.append((self.folder / "whole.h5").read_bytes())
+        for _ in range(4):
+            for process in [self.begin("run", f"{speed}.json", "-o", "out.h5") for speed in speeds for _ in range(2)]:
+                self.assert_done(process)
+            self.assertIn((self.folder / "out.h5").read_bytes(), whole)
+        self.assertEqual([name for name in self.names() if name.endswith(".part")], [])
+
+    def test_concurrent_blessings_leave_a_complete_one(self):
+        self.write("scenarios/same.json", fling(name="same"))
+        for _ in range(4):
+            for process in [self.begin("bless", "scenarios", "--reason", "x") for _ in range(3)]:
+                self.assert_done(process)
+            self.expect(AGREED, "check")
+        self.assertEqual(self.names("golden"), ["core", "same.h5", "same.txt"])
 
 
 if __name__ == "__main__":
