@@ -7,6 +7,7 @@ import re
 import shutil
 import sys
 import tempfile
+import types
 import unittest
 
 import h5py
@@ -15,12 +16,16 @@ from documentation_test import DOCUMENTS, text_of
 from process import run
 from program import PROGRAM, SOURCE
 
+sys.path[:0] = [str(SOURCE / "tests/platforms"), str(SOURCE / "tests/must_fail/mutation")]
+import subjects  # noqa: E402 pylint: disable=wrong-import-position
+from rows import BUILDS  # noqa: E402 pylint: disable=wrong-import-position
+
 FORMAT, FILES, CORE, DRIFT = "scenarios/README.md", "golden/README.md", "sim/physics/README.md", "sim/reference/README.md"
 HEADER, SCENARIO, STATE = "sim/physics/physics.h", "sim/scenario/scenario.h", "sim/motion/state.h"
 HASH, ROUNDING, REST = "sim/trajectory/state_hash.h", "sim/compare/run_distance.cpp", "sim/trajectory/run_summary.h"
 CARD, STUDIES, PAGE, HYRAX = "sim/card/README.md", "sim/study/README.md", "tools/report/page/README.md", "tools/hyrax/README.md"
 PHYSICS_CONSTANTS = "GRAVITY, AIR_DRAG, RESTITUTION, GROUND_FRICTION, REST_THRESHOLD"
-TESTS, SWEEPS, OWN = "tests/README.md", "sim/ensemble/README.md", "tools/own_core/README.md"
+TESTS, BENCHMARKS, SWEEPS, OWN = "tests/README.md", "tests/benchmarks/README.md", "sim/ensemble/README.md", "tools/own_core/README.md"
 FLINGS, COMPARE, SCHEMA, MODEL = "sim/card/flings.cpp", "tools/hyrax-compare/main.cpp", "tools/files/scenario.schema.json", "sim/reference/model.h"
 
 # Document and its words, with `{}` for each number; source, and the names that have these numbers there (with commas, or
@@ -139,8 +144,11 @@ STATED = (
     (FILES, "apart the two cores are after {} s of it", "tools/app/causes/unnoticed.cpp", "kConsequence_s"),
     (FILES, "stays below {} MB (a test)", "tests/cli/goldens_test.py", "BYTES_MAX"),
     (HYRAX, "one file of less than {} MB", "tests/cli/hyrax/executable_test.py", "SIZE_MAX_BYTES"),
+    (TESTS, "({} damaged golden files; `--all` tries {})", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS, if _IS_ALL else"),
     ("tools/test", "{} damaged golden files", "tests/must_fail/mutation/golden_damage_test.py", "_H5_FLIPS"),
-    ("tools/test", "change {} places of the sources", "tools/test", "\n      mutants"),
+    *((document, words, "tools/test", "\n      mutants") for document, words in (
+        ("tools/test", "change {} places of the sources"), (TESTS, "and tries {} mutants\nof the harness"),
+        (TESTS, "`tools/test --nightly`\ndraws {}, with"))),
     (SCHEMA, "no frame longer than {} s", SCENARIO, "kFrameMax_s"), (SCHEMA, "frames, at most {}; dt", SCENARIO, "kStepsMax"), (SCHEMA, "stays within {} px, s", REST, "kStill_px"),
     (SCHEMA, "ceil(duration / dt - {})", "sim/scenario/frame_clock.cpp", "base_dt_s(scenario.clock) -"),
     ("README.md", "CMake {} and", "CMakeLists.txt", "cmake_minimum_required(VERSION"),
@@ -173,11 +181,13 @@ NO_SOURCE = {
     FORMAT: ("320 240 5120 1440 60 165 110 400 0 1 2 3 4 120 1,500 0 0 0 0 2K 144 60.0 1e9 0 1 1 1.0 2.0 1.0 6.0 "
         "11 0.0 0 0.0 2.0 0 2 64 1 1 0x9E3779B97F4A7C15 2 64 30 27 31 0xBF58476D1CE4E5B9 0x94D049BB133111EB 11 2 0 0 0 0 0 1 2 "
         "3 4 1 0 0 0 0 1 0"), CARD: "95 1927 0", SWEEPS: "0 1 1 4 64 2 12.2 96",
-    CORE: "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6",
-    DRIFT: "1e-11 1 95 60 1e-11 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006", HYRAX: "10 11 60 8",
+    CORE: "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6", "tests/browser/README.md": "1,000,001",
+    DRIFT: "1e-11 1 95 60 1e-11 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006", BENCHMARKS: "2 12.2.0 10 600", HYRAX: "10 11 60 8",
     STUDIES: ("95 22:209 1927 95 7:1 1979 3 95 1 60 60 15 0 60 4 60 95 0 0 0 3 75 8 960 60 100 1 100 50 240 24 "
-        "2 2.3 60 7 95 60 1e-9 2.3 2.4 0 2.4 6.1 2.3 0.999 0.999 2.4 0.999 4.1 0.2 60 12 4.1 3.2.2"), OWN: "0 0 3",
-    PAGE: "0 120 120",
+        "2 2.3 60 7 95 60 1e-9 2.3 2.4 0 2.4 6.1 2.3 0.999 0.999 2.4 0.999 4.1 0.2 60 12 4.1 3.2.2"), "tests/must_fail/README.md": "0", OWN: "0 0 3",
+    TESTS: ("1e9 40 16 0.1.0 12 107 107 14 22 107 107 12 107 107 12 107 107 12 106 106 12 106 106 12 106 106 12 106 "
+        "106 19 106 106 12 12 78 107 24.04 13 106 16.8 1 200 165 12 23 44 44 0 0 102 97 0 5 170 129 24 17 191 102 62 27 56 49 0 "
+        "7 29 26 0 3 4 4 0 0 12 10 1 1 808 626 99 83 95 30 110 96 10 3 1 0.1.0 17 42,600"), "tests/oracle/README.md": "60 3.11", PAGE: "0 120 120",
 }
 # Document and its words; the output, of a command or a benchmark, that these numbers are from, line by line.
 SAID_AGAIN = (
@@ -191,6 +201,9 @@ SAID_AGAIN = (
     (STUDIES, "spreads less in {} of {} flings.", (STUDIES, "every frame the same: drag and friction by time spread less in {} of {} flings")),
     (STUDIES, "frame move the typical fling from {} to {} px off, and\n  {} of {} meet", (STUDIES, "\n  the paper's step                {} ("),
      (STUDIES, "\n  the paper's step, 4 to a frame  {} ("), (STUDIES, "{} of {}\n  the paper's step, drag by time")),
+    (BENCHMARKS, "either ({}, at least {}); those of 100 s ({}) and of jitter seeds ({}) do", (SWEEPS, "sweep of 10 s at 60 Hz, keep final                          {} ("),
+     (BENCHMARKS, "sweep of 10 s at 60 Hz, times faster than naive                      13.05    (12.69 .. 13.31)  at least {}"),
+     (SWEEPS, "sweep of 100 s at 60 Hz, keep final                          {} ("), (SWEEPS, "keep final (naive: mt19937_64)       {} (")),
 )
 SCENARIOS = len([path for path in (SOURCE / "scenarios").rglob("*.json") if not path.name.endswith(".schema.json")])
 WORDS = "zero one two three four five six seven eight nine ten".split()
@@ -288,10 +301,8 @@ class Facts(unittest.TestCase):
                 self.assertEqual(stated(document, words), numbers)
 
     def test_every_number_has_a_source_or_is_in_the_list(self):
-        """Of documents of the program."""
         rows = [row[:2] for row in (*STATED, *SAID_AGAIN, *computed())]
-        of_program = [document for document in DOCUMENTS if not document.is_relative_to(SOURCE / "tests")]
-        for document in (*of_program, SOURCE / "tools/hyrax/help.txt", SOURCE / "tools/hyrax-replay/help.txt"):
+        for document in (*DOCUMENTS, SOURCE / "tools/hyrax/help.txt", SOURCE / "tools/hyrax-replay/help.txt"):
             path = str(document.relative_to(SOURCE))
             text = re.sub(r"^```.*?^```$", lambda block: re.sub(r"\d", "-", block[0]), text_of(path), flags=re.DOTALL | re.MULTILINE)
             for words in (row[1] for row in rows if row[0] == path):
@@ -309,9 +320,49 @@ class Facts(unittest.TestCase):
             for code in re.finditer(r"[Ee]xit(?: codes?:?)? (\d+)", prose):
                 self.assertTrue(any(first <= code.start(1) < last for first, last in spans), (document, code[0]))
 
+    def test_figures_of_speed_reach_their_goal_or_are_marked(self):
+        sources = re.sub(r'"\s*\n\s*"', "", "".join(text_of(path) for path in (SOURCE / "tests/benchmarks").glob("*_figures.cpp")))
+        rows = re.findall(r"^(\S.*?) {2,}([\d.e-]+) .*\((\S+) \.\. (\S+)\)  at (least|most) (\S+)(  NOT REACHED)?$", text_of(BENCHMARKS), re.MULTILINE)
+        self.assertGreater(len(rows), 25)
+        for name, *numbers, kind, goal, mark in rows:
+            with self.subTest(name=name):
+                measured, low, high = map(float, numbers)
+                self.assertTrue(low <= measured <= high)
+                self.assertEqual(bool(mark), measured < float(goal) if kind == "least" else measured > float(goal))
+        of_sweeps = re.findall(r"^\S.*? {2,}([\d.]+) \(([\d.]+) \.\. ([\d.]+)\)$", text_of(SWEEPS), re.MULTILINE)
+        self.assertEqual([float(low) <= float(median) <= float(high) for median, low, high in of_sweeps], 11 * [True])
+        with_source = 0
+        goals = re.findall(r'ratio\("([^"]*)"(?: \+ \w+ \+ "([^"]*)")?,[^;]*?Goal::at_(least|most), (\d[\d.]*)', sources)
+        self.assertEqual(len(goals), len(re.findall(r"Goal::at_\w+, \d", sources)))
+        for first, last, kind, goal in goals:
+            found = [row[4:6] for row in rows if re.fullmatch(re.escape(first) + (f".+{re.escape(last)}" if last else ""), row[0])]
+            with self.subTest(source=first + last):
+                self.assertEqual({(each, float(stated_goal)) for each, stated_goal in found}, {(kind, float(goal))})
+            with_source += len(found)
+        self.assertGreaterEqual(with_source, 10)
+
+    def test_every_total_is_that_of_its_table(self):
+        text = text_of(TESTS)
+        rows = [[int(cell) for cell in re.findall(r"\d+", cells)] for cells in re.findall(r"^\| `sim/\S+` ((?:\| \d+ )+)\|$", text, re.MULTILINE)]
+        total = re.search(r"^\| all ((?:\| \d+ )+)\|$", text, re.MULTILINE)[1]
+        self.assertGreater(len(rows), 5)
+        self.assertEqual([sum(column) for column in zip(*rows)], [int(cell) for cell in re.findall(r"\d+", total)])
+        self.assertEqual([row[0] for row in rows], [sum(row[1:]) for row in rows])
+        cores = re.search(r"each of the (\d+) \[altered cores\].*?\n\n((?:\|.*\n)+)", text, re.DOTALL)
+        self.assertEqual(sum(int(count) for count in re.findall(r"\| (\d+) \|", cores[2])), int(cores[1]))
+
+    def test_mutants_of_the_core_are_those_of_the_sources_and_the_reasons(self):
+        core = [subject for subject in subjects.SUBJECTS if subject.is_core]
+        build = types.SimpleNamespace(source=SOURCE, objects=[subject.path for subject in core])
+        reasons = [(reason.get("caught_by", "equivalent"), path, name) for reason in json.loads(text_of("tests/must_fail/mutation/reasons.json"))
+                   for path, names in reason["mutants"].items() for name in names]
+        for (subject, _), mutants in subjects.mutants_by_subject(build).items():
+            if subject.is_core:
+                names = {mutant.name for mutant in mutants}
+                by = [sum(name in names for how, path, name in reasons if (how, path) == (each, subject.path)) for each in ("unit test", "equivalent")]
+                self.assertEqual(stated(TESTS, f"| `{subject.path}` | {{}} | {{}} | {{}} | {{}} |"), [len(mutants), len(mutants) - sum(by), *by])
+
     def test_a_member_of_a_sweep_has_the_bytes_that_are_stated(self):
-        of_speed = re.findall(r"^\S.*? {2,}([\d.]+) \(([\d.]+) \.\. ([\d.]+)\)$", text_of(SWEEPS), re.MULTILINE)
-        self.assertEqual([float(low) <= float(median) <= float(high) for median, low, high in of_speed], 11 * [True])
         sweep = re.search(r"```json rest-places.json\n(.*?)```", text_of(SWEEPS), re.DOTALL)[1].replace("3000", "50").replace(
             '"scenarios', f'"{SOURCE}/scenarios')
         with tempfile.TemporaryDirectory(prefix="hyrax-") as folder:
@@ -328,6 +379,18 @@ class Facts(unittest.TestCase):
         for path in (*(SOURCE / "sim").rglob("*.cpp"), *(SOURCE / "sim").rglob("*.h")):
             if path.parent != SOURCE / "sim/trace/host":
                 self.assertNotRegex(text_of(path), r"\b(chrono|getenv|fstream|iostream|fopen|setlocale|printf|fputs)\b", path)
+
+    def test_every_count_of_scenarios_is_that_of_the_folder(self):
+        self.assertEqual(set(re.findall(r"of (\d{3}) (?:agree|differ)", text_of(TESTS))), {str(SCENARIOS), str(SCENARIOS - 1)})
+
+    def test_platforms_are_those_of_the_matrix(self):
+        rows = re.findall(r"^\| ([^|]*) \| ([^|]*) \| ([^|]*) \| [^|]* \| \d+ of \d+ agree", text_of(TESTS), re.MULTILINE)
+        flags = {builder: set(re.findall(r"`([^`]*)`", cell)) for name, builder, cell in rows if name == "x86-64"}
+        by = {each: {row.flags for row in BUILDS if row.name == f"{each} {row.flags}"} for each in ("g++", "clang++", "clang++-22")}
+        self.assertEqual(flags, {"g++ 12": by["g++"], "clang 14, clang 22": by["clang++"]})
+        self.assertEqual(by["clang++"], by["clang++-22"])
+        named = " ".join(name for name, _, _ in rows)
+        self.assertEqual([row.name for row in BUILDS if row.runner and row.name.split()[0].strip(",") not in named], [])
 
     def test_datasets_of_a_file_are_those_of_the_table(self):
         rows = re.findall(r"^\| (`/(?:trajectory|contacts|events)/.*?) \| (?:enum )?(\w+) \[([NME])\] \|", text_of(FILES), re.MULTILINE)
@@ -356,6 +419,13 @@ class Facts(unittest.TestCase):
         listed = " ".join(re.search(r"for the menu: (.*?)\.", text_of(HYRAX), re.DOTALL)[1].split())
         self.assertEqual(listed.replace("start and save a recording", "start recording, save recording").split(", "),
                          [entry.replace("&", "").lower().removesuffix(" hyrax") for entry in entries])
+
+    def test_every_nightly_test_is_listed(self):
+        lists = "".join(text_of(path) for path in (SOURCE / "tests").rglob("CMakeLists.txt"))
+        nightly = set(" ".join(re.findall(r"hyrax_label\(nightly ([^)]*)\)", lists)).split())
+        self.assertGreater(len(nightly), 10)
+        listed = re.search(r"^\| `nightly` \| .*", text_of(TESTS), re.MULTILINE)[0]
+        self.assertLessEqual(nightly, set(re.findall(r"`([\w-]+\.[\w-]+)`", listed)))
 
     def test_columns_of_rows_have_their_units(self):
         columns = re.findall(r'\{"(\w+)", "([\w/]+)", "[^"]*", &Row::', text_of("sim/trajectory/columns.h"))

@@ -113,6 +113,24 @@ WORDS = {
         ("tools/report/page/members.js", r"\((cells) where both are grids, (points elsewhere)\)",
          r": (cells) that tile where both are grids, (points elsewhere)\."),
         ("tools/report/page/members.js", r"writes, with its state hash as `expect`\.", r"expect: \{ state_hash:")),
+    "tests/README.md": (
+        ("tools/test", "`--all` tests two builds: the everyday one, and (clang)'s with sanitizers", r"presets=\(asan-(clang)\)"),
+        ("tools/test", r"`long` \| with `(--all)` and `--nightly`.*`nightly` \| with `(--nightly)` only.* in the everyday build only, and "
+         "with `--nightly` in all builds", "tools/test (--all) also run the long tests.*tools/test (--nightly) also run the nightly "
+         r"tests.*run all everyday tests in all builds \(--all leaves"),
+        ("tests/must_fail/mutation/table.py", r"95 % interval \((Wilson)\)", r"\((Wilson) 1927\)"),
+        ("tools/test", "draws ten, with the (date) as the seed", r'--seed "\$\((date) '),
+        ("tests/must_fail/mutation/mutators.py", "constants (by one ulp, by 1 %) and (by sign);"),
+        ("tests/unit/sim/result/described.h", "(HYRAX_APPROVE)=1 tools/test -R unit", r'getenv\("(HYRAX_APPROVE)"\)'),
+        ("tests/cli/documentation_test.py", r"tests/cli/documentation_test\.py (--update)", r"documentation_test\.py (--update) rewrites"),
+        ("tests/cli/process.py", "What a machine lacks [^.]* (skips a test), and fails it if `(CI)=true`",
+         "(Skips a test) that this machine cannot run; if (CI) is set, that is a failure"),
+        ("tools/test", "fuzzes for an hour instead of half a minute", r"=\(asan-clang\) fuzzing_s=30 .*debug\) fuzzing_s=3600 ")),
+    "tests/benchmarks/README.md": (
+        ("tests/benchmarks/CMakeLists.txt", "build/release/bin/(hyrax-figures)", r"add_executable\((hyrax-figures) "),
+        ("CMakePresets.json", "cmake --preset (release) &&", '"name": "(release)", "displayName": "[^"]*, with the benchmarks"'),
+        ("tools/hyrax-sim/run.cpp", r"From there on nothing is computed, .*`(--no-skip)` (compute)s it\.",
+         '"(--no-skip)", "", "(compute) also the steps that repeat')),
     "CHANGELOG.md": (
         (COMPARISON, r"the classes `(\w+)`, `(\w+)`, `(\w+)`, `(\w+)` \(`bits` is gone\)", r'kNames = \{"(\w+)", "(\w+)", "(\w+)", "(\w+)"\}'),
         ("tools/report/drift_figures.cpp", r"draws energy drift in `(-\w+)\.svg`", r'\{"-whole", "(-\w+)",'),
