@@ -17,7 +17,7 @@ namespace hyrax {
 struct FixedLaws : Model {
   explicit FixedLaws(const Model& model = {})
       : Model(model),
-        drag_rate_per_s(-std::log(air_drag) * model_rate_hz),
+        drag_rate_per_s((0.0 - std::log(air_drag)) * model_rate_hz),
         friction_rate_per_s(-std::log(ground_friction) * model_rate_hz) {}
 
   double drag_rate_per_s;
