@@ -6,12 +6,18 @@
 #include "sim/reference/flight.h"
 
 namespace hyrax {
+
+bool slides_on(const State& motion, const Bounds& bounds) {
+  return motion.y_px == bounds.bottom_px && motion.vy_px_per_s == 0.0 && motion.x_px >= 0.0 &&
+         motion.x_px <= bounds.right_px;
+}
+
 void ExactFling::start(const State& motion, const Bounds& bounds, bool slides, double until_s) {
   assert(bounds.right_px >= 0.0 && bounds.bottom_px >= 0.0);
   bounds_ = bounds;
   from_ = motion;
   from_s_ = 0.0;
-  slides_ = slides;
+  slides_ = slides && slides_on(motion, bounds);
   until_s_ = until_s;
   impacts_.clear();
   put_inside();

@@ -17,7 +17,7 @@ namespace hyrax {
 struct FixedLaws : Model {
   explicit FixedLaws(const Model& model = {})
       : Model(model),
-        drag_rate_per_s(-std::log(air_drag) * model_rate_hz),
+        drag_rate_per_s((0.0 - std::log(air_drag)) * model_rate_hz),
         friction_rate_per_s(-std::log(ground_friction) * model_rate_hz) {}
 
   double drag_rate_per_s;
@@ -29,6 +29,9 @@ struct ExactImpact {
   Wall wall = Wall::ground;
 };
 
+/// Whether a sprite that slides goes on sliding from here: on the ground, inside, without vertical speed.
+[[nodiscard]] bool slides_on(const State& motion, const Bounds& bounds);
+
 /// Between impacts the closed form of flight.h; each impact is its root (flight.h). Frames play no part.
 class ExactFling {
  public:
@@ -36,7 +39,7 @@ class ExactFling {
 
   /// Starts again at time 0. REQUIRES: bounds of at least 0. A start outside is put onto the wall
   /// that it is behind, as an impact at time 0.
-  /// @param slides whether it lies on the ground, after its last impact there.
+  /// @param slides whether it slid until now; so it slides on where slides_on() holds.
   /// @param until_s no later time will be asked for. Longer than any scenario that is studied by default, and
   /// short enough for the closed form's bracket.
   void start(const State& motion, const Bounds& bounds, bool slides = false, double until_s = 1e4);

@@ -43,7 +43,7 @@ class AxisFlight {
   // NaN where GSL fails.
   [[nodiscard]] AxisMotion after(double t_s) {
     if (t_s == 0.0) return {from_.position_px, from_.speed_px_per_s};
-    const double drag_s = std::min(t_s, kDragOfAll / from_.drag_rate_per_s);
+    const double drag_s = std::min(t_s, kDragOfAll / std::fabs(from_.drag_rate_per_s));  // -0 is none.
     const double drag = from_.drag_rate_per_s * drag_s;
     if (!std::isfinite(drag)) return {kNaN, kNaN};
     const int pieces = std::max(1, static_cast<int>(std::ceil(drag / kDragPerPiece)));

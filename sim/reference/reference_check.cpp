@@ -10,6 +10,8 @@ namespace {
 
 // Of a sum of the arc's frames and the clamped one.
 constexpr double kTimeRounding = 4e-16;
+// Of a frame.
+constexpr double kDragLittle = 0.002;
 
 Velocity velocity_of(const Flight& flight) { return {flight.vx_px_per_s, flight.vy_px_per_s}; }
 
@@ -41,12 +43,15 @@ void ReferenceCheck::include_sizes(double speed_squared, double energy_px2_per_s
   g.energy_largest_px2_per_s2 = larger(g.energy_largest_px2_per_s2, std::fabs(energy_px2_per_s2));
 }
 
-// The integral of c v^2 over a frame, c = -ln(a), by the trapezium with corrected ends; f = v^2 bends
-// so little in a frame that c^3 (a h)^2 / 50 is left out.
+// The integral of c v^2 over a frame, c = -ln(a). With little drag by the trapezium with corrected ends:
+// f = v^2 bends so little in a frame that c^3 (a h)^2 / 50 is left out. With more by v' = g - k v itself,
+// multiplied by v; with little its c ∫v = gh - (v1 - v0) has few digits.
 double ReferenceCheck::drag_loss(const Velocity& from, const Velocity& to, double dt_s) const {
   const double gain = gravity_ * dt_s;
   const double from_2 = squared(from);
   const double to_2 = squared(to);
+  if (drag_ > kDragLittle)
+    return gain * ((gain - (to.vy_px_per_s - from.vy_px_per_s)) / drag_) - 0.5 * (to_2 - from_2);
   const double from_slope = 2.0 * (gain * from.vy_px_per_s - drag_ * from_2);
   const double to_slope = 2.0 * (gain * to.vy_px_per_s - drag_ * to_2);
   return drag_ * (0.5 * (from_2 + to_2) + (from_slope - to_slope) / 12.0);

@@ -69,11 +69,9 @@ void WholeMeter::start(const Row& from) {
   const Bounds bounds = playback_.bounds();
   if (!(bounds.right_px >= 0.0 && bounds.bottom_px >= 0.0))
     return end_without("the sprite is larger than its window in row " + std::to_string(from.step));
-  const bool slides = from.step > 0 && fling_.slides() && from.y_px == bounds.bottom_px &&
-                      from.vy_px_per_s == 0.0 && from.x_px >= 0.0 && from.x_px <= bounds.right_px;
   exact_ = state_of(from);
   from_s_ = from.t_s;
-  fling_.start(exact_, bounds, slides, kEndless_s);
+  fling_.start(exact_, bounds, from.step > 0 && fling_.slides(), kEndless_s);
   still_from_step_.reset();
   met_.clear();
   compared_ = 0;

@@ -33,7 +33,7 @@ struct PlayedFling {
 PlayedFling play_fling(const Core& core, const MethodKind& kind, Landing landing, const State& start,
                        const Clock& clock, std::int64_t frame_count, std::vector<FanPoint>* path = nullptr) {
   const std::unique_ptr<Method> method = kind.make();
-  method->start(start, kDesktop);
+  method->start(start, kDesktop, false);
   const FrameClock frames(clock);
   landing.path_px = landing.across_px = 0.0;
   State now = start, by_core = start;

@@ -14,7 +14,7 @@ namespace {
 // A method that plays the motion on from where it is, within bounds.
 struct MotionMethod : Method {
   explicit MotionMethod(const Core& moving) : core(moving) {}
-  void start(const State& motion, const Bounds& bounds) override {
+  void start(const State& motion, const Bounds& bounds, bool /*goes_on*/) override {
     at = motion;
     within = bounds;
   }
@@ -158,9 +158,10 @@ template <class Flight>
 class FrameMethod final : public MotionMethod {
  public:
   using MotionMethod::MotionMethod;
-  void start(const State& motion, const Bounds& bounds) override {
-    MotionMethod::start(motion, bounds);
-    lies_ = false;
+  void start(const State& motion, const Bounds& bounds, bool goes_on) override {
+    lies_ = goes_on && lies_ && motion.y_px == bounds.bottom_px &&
+            (motion.vy_px_per_s == 0.0 || motion.vy_px_per_s == at.vy_px_per_s);
+    MotionMethod::start(motion, bounds, goes_on);
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
     State m = at;
@@ -198,9 +199,9 @@ class FrameMethod final : public MotionMethod {
 class ImpactsInFrame final : public MotionMethod {
  public:
   using MotionMethod::MotionMethod;
-  void start(const State& motion, const Bounds& bounds) override {
-    MotionMethod::start(motion, bounds);
-    slides_ = false;
+  void start(const State& motion, const Bounds& bounds, bool goes_on) override {
+    MotionMethod::start(motion, bounds, goes_on);
+    slides_ = goes_on && slides_ && slides_on(motion, bounds);
     t_s_ = 0.0;
     impacts_.clear();
   }
@@ -276,8 +277,8 @@ class EventDriven final : public Method {
  public:
   explicit EventDriven(const Core& core) : fling_(FixedLaws(reference_model(core))) {}
 
-  void start(const State& motion, const Bounds& bounds) override {
-    fling_.start(motion, bounds);
+  void start(const State& motion, const Bounds& bounds, bool goes_on) override {
+    fling_.start(motion, bounds, goes_on && fling_.slides());
     now_ = motion;
     time_ = {};
   }

@@ -13,7 +13,7 @@ class GslMethod final : public Method {
   GslMethod(const Core& core, const GslOptions& options)
       : laws_(reference_model(core)), driver_(options, 2) {}
 
-  void start(const State& motion, const Bounds&) override {
+  void start(const State& motion, const Bounds&, bool) override {
     start_ = motion;
     driver_.start(0, {0.0, motion.vx_px_per_s}, 0.0);
     driver_.start(1, {0.0, motion.vy_px_per_s}, laws_.gravity_px_per_s2);

@@ -22,7 +22,8 @@ class Method {
   Method& operator=(const Method&) = delete;
   virtual ~Method() = default;
 
-  virtual void start(const State& motion, const Bounds& bounds) = 0;
+  /// @param goes_on after another stage of the same run: a sprite that slid on the ground goes on sliding.
+  virtual void start(const State& motion, const Bounds& bounds, bool goes_on) = 0;
   /// Plays the frames, each of its dt >= 0. False if the method failed: then it has no state any more.
   [[nodiscard]] virtual bool play(std::span<const double> frames_s) = 0;
   [[nodiscard]] virtual State motion() const = 0;

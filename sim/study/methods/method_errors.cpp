@@ -137,12 +137,12 @@ MethodErrors measure_errors(const Core& core, const Problem& problem, const Meth
     const Stage& stage = problem.stages[index];
     run = with_inputs(stage, run);
     reference = with_inputs(stage, reference);
+    method->start(run, stage.bounds, index > 0);
+    exact.start(reference, stage.bounds, index > 0 && exact.slides());
     if (stage.is_held) continue;
     meter.add_exact(reference);
     const std::vector<double>& frames_s = stage_frames_s[index];
     frames += frames_s.size();
-    method->start(run, stage.bounds);
-    exact.start(reference, stage.bounds);
     const bool watches = !problem.is_free_flight && method->impacts() == nullptr;
     if (!measure_stage(stage, frames_s, stride, watches, *method, exact, meter)) return {.is_failed = true};
     run = method->motion();
@@ -163,8 +163,8 @@ bool play_through(const Problem& problem, Method& method,
   State run = problem.start;
   for (std::size_t index = 0; index < problem.stages.size(); ++index) {
     run = with_inputs(problem.stages[index], run);
+    method.start(run, problem.stages[index].bounds, index > 0);
     if (problem.stages[index].is_held) continue;
-    method.start(run, problem.stages[index].bounds);
     if (!method.play(stage_frames_s[index])) return false;
     run = method.motion();
   }

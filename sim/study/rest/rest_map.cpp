@@ -8,8 +8,6 @@
 namespace hyrax {
 namespace {
 
-constexpr double kSettled_s = 15.0;  // Longer than any fling of the map takes to settle.
-
 double gain_px_per_s(const Core& core, double rate_hz) {
   const Constants constants = core.constants.value();
   return constants.air_drag * constants.gravity_px_per_s2 / rate_hz;
@@ -72,12 +70,12 @@ RateEnds ends_at(const Core& core, double rate_hz, std::int64_t flings,
                  const std::vector<RestBoundary>& boundaries) {
   RateEnds ends{.rate_hz = rate_hz, .gain_px_per_s = gain_px_per_s(core, rate_hz)};
   std::vector<double> times_s;
-  for (const MemberResult& end : ManyFlings({FixedRate{rate_hz}, {}}, kSettled_s, flings).play(core)) {
+  for (const MemberResult& end : ManyFlings({FixedRate{rate_hz}, {}}, kRestPlayed_s, flings).play(core)) {
     const bool has_settled = !std::isnan(end.at_rest_since_s);
     const State next = core.step(end.final, 1.0 / rate_hz, kDesktop);
     const FinalState state = has_settled ? final_state(core, end.final, next, rate_hz) : FinalState::moving;
     ++ends.flings[static_cast<std::size_t>(state)];
-    if (!is_allowed(state, rate_hz, boundaries)) ++ends.unforeseen;
+    if (has_settled && !is_allowed(state, rate_hz, boundaries)) ++ends.unforeseen;
     if (has_settled) times_s.push_back(end.at_rest_since_s);
   }
   ends.settles_s = band_of(times_s);
@@ -141,7 +139,7 @@ std::vector<DropBounce> bounces_at(const Core& core, double rate_hz, std::int64_
                         .drag_rate_per_s = -std::log(constants.air_drag) * rate_hz},
                        60.0);
     State body{900.0, kDesktop.bottom_px - height_px, 0.0, 0.0};
-    for (std::int64_t step = 0; step < static_cast<std::int64_t>(kSettled_s * rate_hz); ++step) {
+    for (std::int64_t step = 0; step < static_cast<std::int64_t>(kRestPlayed_s * rate_hz); ++step) {
       const State flight = core.flight(body, dt_s);
       body = core.step(body, dt_s, kDesktop);
       if (!(flight.y_px > kDesktop.bottom_px)) continue;

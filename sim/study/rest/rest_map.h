@@ -44,12 +44,14 @@ struct RestBoundary {
 };
 [[nodiscard]] std::vector<RestBoundary> rest_boundaries(const Core& core);
 
-/// Random flings (ManyFlings) at one rate.
+inline constexpr double kRestPlayed_s = 15.0;  ///< The paper's constants let any fling settle before.
+
+/// Random flings (ManyFlings) at one rate, each for so long.
 struct RateEnds {
   double rate_hz = 0.0;
   double gain_px_per_s = 0.0;  ///< Speed that one step of gravity adds, after drag.
   std::array<std::int64_t, kFinalStateNames.size()> flings{};  ///< By FinalState.
-  std::int64_t unforeseen = 0;         ///< Flings in a final state that the boundaries do not allow.
+  std::int64_t unforeseen = 0;         ///< Flings that settled in a state that the boundaries do not allow.
   std::optional<Band> settles_s = {};  ///< Since when they have settled; none if no fling has.
 
   [[nodiscard]] std::int64_t count(FinalState state) const { return flings[static_cast<std::size_t>(state)]; }
@@ -86,8 +88,8 @@ struct RestResults {
 /// against the phase of the contact.
 [[nodiscard]] std::vector<Figure> rest_figures(const Core& core, const RestResults& results);
 
-/// What is printed of them. Broken: boundaries elsewhere than derived, and final states that they do not
-/// allow.
+/// What is printed of them. Broken: boundaries elsewhere than derived, final states that they do not allow,
+/// and flings that still move.
 [[nodiscard]] Verdict rest_verdict(const RestResults& results);
 
 }  // namespace hyrax

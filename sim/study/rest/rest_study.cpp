@@ -158,7 +158,7 @@ std::string stillness_text(const std::vector<RateEnds>& map) {
     all += ends.total();
     moving += ends.count(FinalState::moving);
   }
-  if (moving > 0) return fmt::format("{} of {} flings still move in the end.", moving, all);
+  if (moving > 0) return fmt::format("{} of {} flings still move after {:g} s.", moving, all, kRestPlayed_s);
   return fmt::format(
       "The position stands still in the end of all {} flings; only vy differs.\nSo judge rest by position, "
       "never by vy.",
@@ -191,11 +191,15 @@ Verdict rest_verdict(const RestResults& results) {
       verdict.broken.push_back(
           fmt::format("{}: analytic {:.9g} Hz, measured {}", boundary.text, boundary.analytic_hz,
                       boundary.measured_hz ? fmt::format("{:.9g} Hz", *boundary.measured_hz) : "none"));
-  for (const RateEnds& ends : results.map)
+  for (const RateEnds& ends : results.map) {
+    if (const std::int64_t moving = ends.count(FinalState::moving); moving > 0)
+      verdict.broken.push_back(
+          fmt::format("{:.6g} Hz: {} flings still move after {:g} s", ends.rate_hz, moving, kRestPlayed_s));
     if (ends.unforeseen > 0)
       verdict.broken.push_back(
           fmt::format("{:.6g} Hz: {} flings end in a way that the boundaries do not allow", ends.rate_hz,
                       ends.unforeseen));
+  }
   return verdict;
 }
 

@@ -239,6 +239,7 @@ SpeedError study_speed_error(const Core& core, std::vector<Problem> problems, st
                              const SpeedErrorOptions& options, const NanosecondClock& now_ns) {
   assert(!problems.empty() && !methods.empty() && methods.front().name == "paper");
   SpeedError study;
+  study.laws = FixedLaws(reference_model(core));
   study.problems = std::move(problems);
   study.methods = std::move(methods);
   Measurer measurer(core, study, options);

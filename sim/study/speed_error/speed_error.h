@@ -114,6 +114,7 @@ struct CheapestBelow {
 };
 
 struct SpeedError {
+  FixedLaws laws = FixedLaws();  ///< Of the exact fling.
   std::vector<Problem> problems;
   std::vector<MethodKind> methods;
   std::vector<WorkPoint> points;
@@ -181,7 +182,7 @@ inline constexpr double kOrderApart = 0.1;
 [[nodiscard]] std::string nearness_sentence(const MethodBands& bands, const SpeedError& study);
 
 /// How drag per frame keeps the paper's step from converging, with the values of this study; empty if
-/// SpeedError::paper has no 60 Hz.
+/// SpeedError::paper has no 60 Hz, or there is no drag.
 [[nodiscard]] std::vector<std::string> convergence_sentences(const SpeedError& study);
 
 /// Order of errors (> 0) against dt. REQUIRES: two points or more, in the order of dt.

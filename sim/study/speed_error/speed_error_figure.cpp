@@ -303,11 +303,12 @@ std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem)
 
 std::vector<std::string> convergence_sentences(const SpeedError& study) {
   const auto at_60 = std::ranges::find(study.paper, 60.0, &PaperErrors::rate_hz);
-  if (at_60 == study.paper.end()) return {};
+  if (at_60 == study.paper.end() || !(study.laws.air_drag < 1.0)) return {};
   const PaperErrors& last = study.paper.back();
   return {
-      "Drag per frame keeps the paper's step from converging: each frame takes 0.1 % of the speed, however "
-      "short it is.",
+      fmt::format("Drag per frame keeps the paper's step from converging: each frame takes {:.3g} % of the "
+                  "speed, however short it is.",
+                  100.0 * (1.0 - study.laws.air_drag)),
       fmt::format("Over {}, its error is {} px at 60 Hz and {} px at {:.0f} Hz.",
                   study.problems.front().label, rounded(at_60->model_px, 3), rounded(last.model_px, 3),
                   last.rate_hz)};

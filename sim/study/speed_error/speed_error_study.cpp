@@ -245,8 +245,10 @@ Verdict speed_error_verdict(const SpeedError& study, const std::string& machine,
            ? fmt::format("Speed against error on {}; its clock was steady to {:.1f} %.", machine,
                          100.0 * study.probe.drift_rel)
            : fmt::format("Speed against error on {}; costs are {}.", machine, unsteady_text(study.probe)),
-       "Exact: the fixed laws, v' = g - k v with k = 0.06003 1/s (drag as at 60 Hz), from impact to "
-       "impact."},
+       fmt::format(
+           "Exact: the fixed laws, v' = g - k v with k = {:.4g} 1/s (drag as at 60 Hz), from impact to "
+           "impact.",
+           study.laws.drag_rate_per_s)},
       broken_rules(study)};
   for (const std::size_t problem : {std::size_t{0}, fling}) {
     const Problem& played = study.problems[problem];

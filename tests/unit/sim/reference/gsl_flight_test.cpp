@@ -177,6 +177,7 @@ struct Closed {
   double height_sign = 1.0;       // In the energy.
   double gain_height_sign = 1.0;  // In its change.
   double model_rate_hz = 60.0;
+  double air_drag = 0.999;
   double thrown_px_per_s = -600.0;
   double clamped_dt_s = kFrame_s;
   std::function<void(std::optional<Impact>&)> impact = [](std::optional<Impact>&) {};
@@ -190,9 +191,10 @@ double kinetic(const Flight& flight) {
 std::string_view fault_of(const Closed& closed) {
   ArcStart start{.row = {.y_px = kHeight_px, .vx_px_per_s = 300.0, .vy_px_per_s = closed.thrown_px_per_s},
                  .bounds = {1000.0, kHeight_px}};
-  GslFlight gsl;
-  ReferenceCheck check({}, gsl);
-  ArcSolution solution({.model_rate_hz = closed.model_rate_hz});
+  const Model model{.air_drag = closed.air_drag};
+  GslFlight gsl({}, model);
+  ReferenceCheck check(model, gsl);
+  ArcSolution solution({.air_drag = closed.air_drag, .model_rate_hz = closed.model_rate_hz});
   WallWatch walls(kGravity, solution.log_air_drag(), time_of_impact);
   const Flight first{0.0, 0.0, start.row.vx_px_per_s, start.row.vy_px_per_s};
   solution.start({first.vx_px_per_s, first.vy_px_per_s}, true);
@@ -215,7 +217,12 @@ std::string_view fault_of(const Closed& closed) {
   return check.fault(kHeight_px);
 }
 
-TEST(ReferenceCheck, AgreesWithTheClosedForms) { EXPECT_EQ(fault_of({}), ""); }
+TEST(ReferenceCheck, AgreesWithTheClosedForms) {
+  for (const double air_drag : {0.5, 0.9, 0.99, 0.997, 0.998, 0.999, 1.0 - 1e-5, 1.0 - 1e-9, 1.0}) {
+    EXPECT_EQ(fault_of({.air_drag = air_drag}), "") << air_drag;
+    EXPECT_EQ(fault_of({.height_sign = 1.0 + 1e-6, .air_drag = air_drag}), "energy differs") << air_drag;
+  }
+}
 
 TEST(ReferenceCheck, NoticesEachMistake) {
   EXPECT_EQ(fault_of({.flight = [](Flight& flight) { flight.dy_px = kNaN; }}), "position differs");

@@ -125,10 +125,26 @@ TEST(FrameMethods, ImpactsInsideTheFrameKeepAFastSpriteInsideASmallWindow) {
   EXPECT_LT(errors.position_px, 1e-6);
 }
 
+// What changes nothing, a hitch of one frame's length and the window's own size, cuts the slide into stages.
+TEST(FrameMethods, ASlideGoesOnPastWhatLeavesItOnTheGround) {
+  Problem slide = problem_named("fling"), cut = slide;
+  const Bounds room = slide.stages[0].bounds;
+  slide.start = cut.start = {100.0, room.bottom_px, 3000.0, 0.0};
+  slide.stages = {{.duration_s = 1.0, .bounds = room}};
+  cut.stages = {{.duration_s = 0.25, .bounds = room},
+                {.duration_s = 0.25, .bounds = room, .hitch_s = 1.0 / 64.0},
+                {.duration_s = 0.5, .bounds = room, .inputs = {Resize{.window = Size{1920, 1080}}}}};
+  for (const MethodKind& kind : frame_methods(shipped_core())) {
+    const MethodErrors whole = errors_of(kind.name, slide, 64.0), parts = errors_of(kind.name, cut, 64.0);
+    EXPECT_NEAR(parts.position_px, whole.position_px, 1e-9) << kind.name;
+    EXPECT_NEAR(parts.end_px, whole.end_px, 1e-9) << kind.name;
+  }
+}
+
 TEST(FrameMethods, AMethodThatLeavesTheNumbersHasFailed) {
   class Lost final : public Method {
    public:
-    void start(const State&, const Bounds&) override {}
+    void start(const State&, const Bounds&, bool) override {}
     bool play(std::span<const double>) override { return true; }
     [[nodiscard]] State motion() const override { return {std::nan(""), 0.0, 0.0, 0.0}; }
   };

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
+#include "sim/reference/model.h"
 #include "sim/study/speed_error/speed_error.h"
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/sim/study/clocks.h"
@@ -124,6 +126,27 @@ TEST(SpeedErrorRules, FindWhatBreaksThem) {
     SpeedError study = some_study();
     make(study);
     EXPECT_TRUE(is_broken(study, rule)) << rule;
+  }
+}
+
+TEST(SpeedErrorRules, HoldWithOtherDragAndWithoutAny) {
+  for (const auto& [air_drag, exact, convergence] :
+       {std::tuple(0.97, "v' = g - k v with k = 1.828 1/s", "each frame takes 3 % of the speed"),
+        std::tuple(1.0, "v' = g - k v with k = 0 1/s", "")}) {
+    Constants constants = paper_constants();
+    constants.air_drag = air_drag;
+    Core core = listing_core(constants);
+    core.name = "other_air";
+    const SpeedError study = study_speed_error(
+        core, {study_problems()[0]}, frame_methods(core),
+        {.rates_hz = {15.0, 30.0, 60.0, 240.0, 960.0}, .cost = {.repetitions = 2}}, steady_ns);
+    EXPECT_EQ(broken_rules(study), std::vector<std::string>{}) << air_drag;
+    EXPECT_NE(std::get<std::string>(speed_error_verdict(study, "m", false).text[1]).find(exact),
+              std::string::npos);
+    const std::vector<std::string> sentences = convergence_sentences(study);
+    const std::string said = sentences.empty() ? "" : sentences.front();
+    EXPECT_EQ(said.empty(), air_drag == 1.0);
+    EXPECT_NE(said.find(convergence), std::string::npos) << said;
   }
 }
 

@@ -101,20 +101,30 @@ TEST(RestMap, CountsTheFinalStatesThatTheBoundariesDoNotAllow) {
     EXPECT_FALSE(boundary.agrees()) << boundary.name;
 }
 
+// At 1000 Hz it falls at 1.2 px/s.
+TEST(RestMap, DoesNotTakeAFlingThatStillFallsForOneThatEnded) {
+  Constants laws = *shipped_core().constants;
+  laws.air_drag = 0.5;
+  const std::vector<RateEnds> map = rest_map(listing_core(laws), {1000.0}, 5);
+  EXPECT_EQ(map[0].count(FinalState::moving), 5);
+  EXPECT_EQ(map[0].unforeseen, 0);
+}
+
 TEST(RestMap, PercentIsRoundedOnce) {
   EXPECT_EQ((RateEnds{.rate_hz = 60.0, .flings = {0, 85, 115, 0}}).percent(FinalState::residual_speed), 57.5);
 }
 
 TEST(RestVerdict, SaysWhatMovesAndWhatIsBroken) {
-  RateEnds ends{.rate_hz = 60.0, .flings = {1, 0, 0, 2}, .unforeseen = 2};
+  RateEnds ends{.rate_hz = 60.0, .flings = {1, 0, 0, 2}, .unforeseen = 1};
   const Verdict verdict =
       rest_verdict({.boundaries = {{"a", "first", 100.0, 100.5}, {"b", "second", 50.0, {}}}, .map = {ends}});
   EXPECT_NE(described(verdict).find("settles_after,_s: : 1: '-'"), std::string::npos) << "none has settled";
-  EXPECT_EQ(std::get<std::string>(verdict.text[1]), "2 of 3 flings still move in the end.");
+  EXPECT_EQ(std::get<std::string>(verdict.text[1]), "2 of 3 flings still move after 15 s.");
   EXPECT_EQ(verdict.broken,
             (std::vector<std::string>{"first: analytic 100 Hz, measured 100.5 Hz",
                                       "second: analytic 50 Hz, measured none",
-                                      "60 Hz: 2 flings end in a way that the boundaries do not allow"}));
+                                      "60 Hz: 2 flings still move after 15 s",
+                                      "60 Hz: 1 flings end in a way that the boundaries do not allow"}));
 }
 
 }  // namespace
