@@ -137,8 +137,7 @@ TEST_F(ChosenFromMenu, ARecordingIsSavedWhenItIsDueAndBeforeTheSleep) {
   wait_until([&] { return is_there(path("fling.json")); });
   EXPECT_EQ(good_frames(path("fling.json")), 30);
   frames(5);
-  pet.pause();
-  recorder.save_if_due(ticks);
+  choose(Choice::pause);
   wait_until([&] {
     return load_scenario(path("fling.json")).expect->state_hash ==
            hex(pet.session().just_happened().state_hash());
