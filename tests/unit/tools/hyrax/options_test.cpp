@@ -45,6 +45,11 @@ TEST(PetOptions, OfOtherValuesAndTogetherWithOthersAreRefused) {
         {Arguments{"--seconds="}, "--seconds needs a value"},
         {Arguments{"--exit=yes"}, "--exit takes no value (found yes)"},
         {Arguments{"--exit"}, "--exit needs --replay FILE"},
+        {Arguments{"--exit", "--replay", "a", "--log", "b"},
+         "--exit is not allowed with --log or --seconds:"},
+        {Arguments{"--exit", "--replay", "a", "--seconds", "1"}, "--exit is not allowed with --log"},
+        {Arguments{"--record", "a", "--record=b"}, "--record: given twice"},
+        {Arguments{"--record", "a", "--log", "a"}, "--record and --log need different files (found a)"},
         {Arguments{"--record", "a", "--replay", "b"}, "--record is not allowed with --replay:"}})
     EXPECT_NE(refusal(arguments).find(says), std::string::npos) << says;
   for (const std::string text : {"soon", "-1", "nan", "inf", "1e10", "5s"})
