@@ -33,5 +33,13 @@ TEST(FrameLog, HasEachNumberUnderItsName) {
       "\n{ \"asleep_after_frame\": 7 }\n");
 }
 
+TEST(FrameLog, OfAFullDiskFailsAtTheEnd) {
+  FrameLog log("/dev/full");
+  log.finish();
+  log.sleep({});
+  EXPECT_EQ(refusal_of([&] { log.finish(); }, ExitCode::cannot_access),
+            "/dev/full: cannot be written: No space left on device");
+}
+
 }  // namespace
 }  // namespace hyrax

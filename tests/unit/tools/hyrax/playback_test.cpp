@@ -53,6 +53,17 @@ TEST(Playback, IsJudgedByItsHashWhenItIsPlayedOrReplayed) {
   }
 }
 
+TEST(Playback, ThatIsEndedEarlyDoesNotAgreeWithAHash) {
+  for (const bool expects_hash : {true, false}) {
+    const Scenario scenario = expects_hash ? fling_with_hash(right_hash()) : fling_at(60.0, 120);
+    Playback playback(shipped_core(), scenario, kTicksPerS, 0);
+    playback.play(kTicksPerS);
+    const PlaybackVerdict verdict = playback.finish();
+    EXPECT_EQ(verdict.exit_code, expects_hash ? ExitCode::disagreed : ExitCode::agreed);
+    EXPECT_EQ(verdict.sentence, "fling: ended at step 60 of 120; the state hash was not compared");
+  }
+}
+
 TEST(Playback, EndsWhereTheStateBecomesNonFinite) {
   Scenario scenario = fling_at(60.0, 1000);
   scenario.start_velocity.vy_px_per_s = std::numeric_limits<double>::infinity();
