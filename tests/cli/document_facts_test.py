@@ -45,8 +45,8 @@ STATED = (
         ("CHANGELOG.md", "the other way round, is missing ({}); an unreferenced golden file is {};", "golden_missing, disagreed"),
         ("CHANGELOG.md", "in a golden folder is refused ({}); an unwritable stdout is {}.", "bad_input, cannot_access"),
         ("tools/hyrax/help.txt", "exit code {} if its state hash agrees, {} if it differs", "agreed, disagreed"),
-        ("tools/hyrax/help.txt", "Exit codes: {} done, {} the hash differs, {} bad usage or input, {} a file or the screen cannot be used,\n"
-         "{} arithmetic is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
+        ("tools/hyrax/help.txt", "Exit codes: {} done, {} the hash differs or was not compared, {} bad usage or input, {} a file or the screen\n"
+         "cannot be used, {} arithmetic is not strict IEEE-754, {} internal", "agreed, disagreed, bad_input, cannot_access, not_strict_ieee, program_fault"),
         ("tools/hyrax-replay/help.txt", "Exit codes: {} agreed or done, {} disagreed or a state is not finite, {} bad usage or input, {} cannot\n"
          "read, {} golden file missing, {} arithmetic is not strict IEEE-754, {} internal",
          "agreed, disagreed, bad_input, cannot_access, golden_missing, not_strict_ieee, program_fault"),

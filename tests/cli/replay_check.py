@@ -49,6 +49,7 @@ class ReplayCheckCases:
         self.assertIn("2 checked", self.check(AGREED, "scenarios/a"))
         self.assertIn("2 checked", self.check(AGREED, "scenarios/a/"))
         self.assertIn("2 checked", self.check(AGREED, "scenarios/third.json", "scenarios/a/first.json"))
+        self.assertIn("3 checked", self.check(AGREED, "scenarios/third.json", "./scenarios/third.json", "scenarios"))
         (self.folder / "-a.json").write_text((self.folder / "scenarios/third.json").read_text())
         self.check(GOLDEN_MISSING, "scenarios", "--", "-a.json", says="-a.json: missing")
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <set>
 
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
@@ -71,10 +72,8 @@ std::vector<std::string> scenarios_in(const std::string& folder) {
   return std::move(walk.paths);
 }
 
-}  // namespace
-
-std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments,
-                                        std::vector<Failure>& unlisted) {
+std::vector<std::string> list_each(const std::vector<std::string>& arguments,
+                                   std::vector<Failure>& unlisted) {
   std::vector<std::string> paths;
   for (const std::string& argument : arguments) {
     if (!is_folder(argument)) {
@@ -90,9 +89,21 @@ std::vector<std::string> list_scenarios(const std::vector<std::string>& argument
   return paths;
 }
 
+}  // namespace
+
+std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments,
+                                        std::vector<Failure>& unlisted) {
+  std::vector<std::string> paths = list_each(arguments, unlisted);
+  std::set<fs::path> listed;
+  std::erase_if(paths, [&](const std::string& path) {
+    return !listed.insert(fs::path(path).lexically_normal()).second;
+  });
+  return paths;
+}
+
 std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments) {
   std::vector<Failure> unlisted;
-  std::vector<std::string> paths = list_scenarios(arguments, unlisted);
+  std::vector<std::string> paths = list_each(arguments, unlisted);
   if (!unlisted.empty()) throw unlisted.front();
   return paths;
 }

@@ -15,8 +15,8 @@ namespace hyrax {
 /// ERRORS: Failure(bad_input) if a folder has no scenario, or more than a million files.
 [[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments);
 
-/// As above, but its failures are added to `unlisted`, one a folder that it refuses, and the others are
-/// listed.
+/// As above, but each scenario once, and its failures are added to `unlisted`, one a folder that it refuses,
+/// and the others are listed.
 [[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments,
                                                       std::vector<Failure>& unlisted);
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iterator>
 #include <new>
-#include <set>
 
 #include "tools/app/check/check_report.h"
 #include "tools/app/command_line/options.h"
@@ -126,10 +125,6 @@ bool narrow(const CheckRequest& request, const LastFailed& last_failed, Selectio
 Selection select(const CheckRequest& request, const LastFailed& last_failed) {
   Selection selection;
   selection.paths = list_scenarios(request.files, selection.unlisted);
-  std::set<std::filesystem::path> listed;
-  std::erase_if(selection.paths, [&](const std::string& path) {
-    return !listed.insert(std::filesystem::path(path).lexically_normal()).second;
-  });
   selection.unreferenced = unreferenced_verdicts(request.files, request.golden_folder);
   const bool takes_failed = narrow(request, last_failed, selection);
   if (!selection.paths.empty() || !selection.unreferenced.empty()) return selection;

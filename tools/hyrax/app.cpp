@@ -26,13 +26,13 @@ App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
       recorder_(pet_, clock_ticks_per_s(),
                 {.notify = [this](const std::string& sentence) { notify(sentence); },
                  .new_path = new_recording_path}),
-      log_(options.log_path ? std::optional<FrameLog>(*options.log_path) : std::nullopt),
       scenario_(options.replay_path ? std::optional(load_scenario(*options.replay_path)) : std::nullopt),
       end_ticks_(end_of(options)),
       window_(instance,
               [this](UINT message, WPARAM wide, LPARAM low) { return on_message(message, wide, low); }) {
   use_monitor(monitor_);
   if (options.record_path) recorder_.start(*options.record_path, clock_ticks());
+  if (options.log_path) log_.emplace(*options.log_path);  // Last: it creates the file.
   if (scenario_) {
     playback_.emplace(core, *scenario_, clock_ticks_per_s(), clock_ticks());
     window_.show({Pose::fly, false, playback_->now().sprite},
@@ -48,19 +48,23 @@ App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
 
 ExitCode App::run() {
   pacer_.arm();
-  while (!exit_code_) {
+  while (!has_ended_) {
     MSG message;
-    while (!exit_code_ && PeekMessageW(&message, nullptr, 0, 0, PM_REMOVE) != 0) {
-      if (message.message == WM_QUIT) exit_code_ = ExitCode::agreed;
+    while (!has_ended_ && PeekMessageW(&message, nullptr, 0, 0, PM_REMOVE) != 0) {
+      has_ended_ = message.message == WM_QUIT;
       DispatchMessageW(&message);
       window_.rethrow_failure();
     }
-    if (!exit_code_ && is_frame_due_) play_frame();
-    if (clock_ticks() >= end_ticks_) exit_code_ = exit_code_.value_or(ExitCode::agreed);
-    if (!exit_code_) wait_for_work();
+    if (!has_ended_ && is_frame_due_) play_frame();
+    if (clock_ticks() >= end_ticks_) has_ended_ = true;
+    if (!has_ended_) wait_for_work();
   }
   recorder_.finish();
-  return *exit_code_;
+  if (log_) log_->finish();
+  if (!playback_) return ExitCode::agreed;
+  const PlaybackVerdict verdict = playback_->finish();
+  report(verdict);
+  return verdict.exit_code;
 }
 
 LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
@@ -143,13 +147,12 @@ void App::play_frame() {
 }
 
 void App::play_replayed_frame() {
+  const std::int64_t shown_step = playback_->now().row.step;
   playback_->play(clock_ticks());
   const Keyframe& now = playback_->now();
-  show(now, now.is_held ? Pose::held : Pose::fly, now.row.vx_px_per_s < 0.0, {});
-  if (!playback_->is_over()) return;
-  const PlaybackVerdict verdict = playback_->finish();
-  report(verdict);
-  exit_code_ = verdict.exit_code;
+  if (now.row.step > shown_step)
+    show(now, now.is_held ? Pose::held : Pose::fly, now.row.vx_px_per_s < 0.0, {});
+  if (playback_->is_over()) has_ended_ = true;
 }
 
 void App::show(const Keyframe& now, Pose pose, bool faces_left, const std::vector<Action>& inputs) {

@@ -67,7 +67,7 @@ class App {
   Repeated monitor_checks_{clock_ticks_per_s(), 4};  // A check costs more than a frame.
   bool is_frame_due_ = true;
   bool is_suspended_ = false;  // The machine is about to sleep, or sleeps.
-  std::optional<ExitCode> exit_code_;
+  bool has_ended_ = false;
   UINT taskbar_created_ = 0;
   std::unique_ptr<TrayIcon> tray_;
   Window window_;  // Last: closing it sends messages, which use the other members.

@@ -27,7 +27,7 @@ Json::Array names_of(const std::vector<Action>& actions) {
 
 }  // namespace
 
-FrameLog::FrameLog(const std::string& path) {
+FrameLog::FrameLog(const std::string& path) : path_(path) {
   if (is_regular_file(path)) refuse_input(path + ": exists already; name another file, or remove it first");
   file_.reset(std::fopen(path.c_str(), "wb"));
   if (!file_) fail_to_write(path, errno);
@@ -58,8 +58,12 @@ void FrameLog::sleep(const Keyframe& now) {
 
 // Flushed at once, so that the line is written even if the program is killed.
 void FrameLog::line(const std::string& text) {
-  std::fputs((text + "\n").c_str(), file_.get());
-  std::fflush(file_.get());
+  if (error_ != 0) return;
+  if (std::fputs((text + "\n").c_str(), file_.get()) < 0 || std::fflush(file_.get()) != 0) error_ = errno;
+}
+
+void FrameLog::finish() const {
+  if (error_ != 0) fail_to_write(path_, error_);
 }
 
 }  // namespace hyrax

@@ -32,6 +32,8 @@ class FrameLog {
              const ScreenRect& window);
   /// {"asleep_after_frame": FRAME}.
   void sleep(const Keyframe& now);
+  /// ERRORS: Failure(cannot_access) as above if a line could not be written; none was after it.
+  void finish() const;
 
  private:
   struct Close {
@@ -39,7 +41,9 @@ class FrameLog {
   };
   void line(const std::string& text);
 
+  std::string path_;
   std::unique_ptr<std::FILE, Close> file_;
+  int error_ = 0;  // Of the first line that could not be written.
 };
 
 }  // namespace hyrax

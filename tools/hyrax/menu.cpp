@@ -32,7 +32,8 @@ void execute(Choice choice, Pet& pet, Recorder& recorder, std::int64_t ticks) {
     case Choice::throw_it:
       return pet.fling(random_throw(static_cast<std::uint64_t>(ticks)), ticks);
     case Choice::pause:
-      return pet.is_paused() ? pet.resume(ticks) : pet.pause();
+      pet.is_paused() ? pet.resume(ticks) : pet.pause();
+      return recorder.save_if_due(ticks);
     case Choice::reset:
       return pet.reset(ticks);
     case Choice::start_recording:

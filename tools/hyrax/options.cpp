@@ -1,6 +1,7 @@
 #include "tools/hyrax/options.h"
 
 #include <cstdlib>
+#include <set>
 
 #include "tools/files/failure.h"
 #include "tools/files/unknown_word.h"
@@ -25,9 +26,11 @@ double seconds_of(const std::string& text) {
 
 PetOptions parse_options(const std::vector<std::string>& arguments) {
   PetOptions options;
+  std::set<std::string> given_options;
   for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
     const std::size_t equals = argument->starts_with("--") ? argument->find('=') : std::string::npos;
     const std::string option = argument->substr(0, equals);
+    if (!given_options.insert(option).second) refuse(option + ": given twice");
     std::optional<std::string> given;  // The value, after `=` or as the next argument.
     if (equals != std::string::npos) given = argument->substr(equals + 1);
     const auto value = [&] {
@@ -58,6 +61,10 @@ PetOptions parse_options(const std::vector<std::string>& arguments) {
                           {"--record", "--replay", "--log", "--seconds", "--exit", "--help", "--version"}));
   }
   if (options.only_exits && !options.replay_path) refuse("--exit needs --replay FILE");
+  if (options.only_exits && (options.log_path || options.seconds))
+    refuse("--exit is not allowed with --log or --seconds: no frame is shown");
+  if (options.record_path && options.record_path == options.log_path)
+    refuse("--record and --log need different files (found " + *options.log_path + ")");
   if (options.record_path && options.replay_path)
     refuse("--record is not allowed with --replay: a replay is recorded already");
   return options;

@@ -9,11 +9,13 @@ namespace {
 
 constexpr std::int64_t kFramesAtOnceMax = 100'000;
 
+bool expects_hash(const Scenario& scenario) { return scenario.expect && scenario.expect->state_hash; }
+
 PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run) {
   const std::string hash = hex(run.state_hash);
   const std::string name = scenario.name + ": ";
   if (run.non_finite_step) return {ExitCode::disagreed, name + non_finite_text(scenario, run.final)};
-  if (!scenario.expect || !scenario.expect->state_hash)
+  if (!expects_hash(scenario))
     return {ExitCode::agreed, name + "state hash " + hash + "; the scenario expects none"};
   if (*scenario.expect->state_hash != hash)
     return {ExitCode::disagreed,
@@ -44,6 +46,10 @@ void Playback::play(std::int64_t ticks) {
 bool Playback::is_over() const { return is_non_finite_ || now().row.step >= replay_.steps(); }
 
 PlaybackVerdict Playback::finish() {
+  if (!is_over())
+    return {expects_hash(scenario_) ? ExitCode::disagreed : ExitCode::agreed,
+            scenario_.name + ": ended at step " + std::to_string(now().row.step) + " of " +
+                std::to_string(replay_.steps()) + "; the state hash was not compared"};
   replay_.play_to(replay_.steps());
   return verdict_on(scenario_, replay_.finish());
 }

@@ -29,7 +29,7 @@ class Playback {
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] const Keyframe& now() const { return replay_.keyframe(); }
   [[nodiscard]] Position position() const { return {now().row.x_px, now().row.y_px}; }
-  /// Plays the remaining frames.
+  /// The verdict. Before is_over, the hash that is expected was not compared: disagreed.
   [[nodiscard]] PlaybackVerdict finish();
 
  private:

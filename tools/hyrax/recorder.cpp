@@ -30,9 +30,8 @@ void Recorder::save_just_happened() {
   const Tape tape = pet_.session().just_happened();
   if (tape.frames() == 0) return;
   const std::string path = system_.new_path("just-happened");
-  saver_.save(path, tape.scenario(scenario_name_of(path)));
-  saver_.wait();
-  system_.notify(saver_.take_failure().value_or("Saved as " + path));
+  saver_.write(path, tape.scenario(scenario_name_of(path)));
+  system_.notify("Saved as " + path);
 }
 
 void Recorder::save_if_due(std::int64_t ticks) {

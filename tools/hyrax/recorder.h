@@ -33,7 +33,7 @@ class Recorder {
   void finish();
   /// Finishes the recording and notifies the user. ERRORS: Failure(cannot_access).
   void save();
-  /// Saves the last minutes in a new file, and notifies the user.
+  /// Saves the last minutes in a new file, and notifies the user. ERRORS: Failure(cannot_access).
   void save_just_happened();
   /// Saves the recording if the last save was long enough ago, and notifies the user of a failure.
   void save_if_due(std::int64_t ticks);

@@ -146,6 +146,7 @@ void Recording::save() {
 }
 
 void Recording::finish() {
+  save();  // All frames are kept if the complete file cannot be written.
   saver_.wait();
   if (all_.frames() == 0) return;
   saver_.write(path_, all_.scenario(scenario_name_of(path_)));

@@ -1,6 +1,6 @@
 """The command line of hyrax.exe: its output, and the exit codes that a script can rely on."""
 
-from hyrax_program import HYRAX, HyraxTest
+from hyrax_program import HYRAX, HyraxTest, read_log
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, fling
 
 HASH_OF_FLING = "0" * 32  # Of another run.
@@ -27,6 +27,8 @@ class CommandLine(HyraxTest):
         path = self.write("wrong.json", fling(steps=-1))
         self.expect_of_hyrax(BAD_INPUT, "--replay", path, "--exit", says="wrong.json: /steps")
         self.expect_of_hyrax(CANNOT_ACCESS, "--replay", "missing.json", "--exit", says="missing.json: cannot be read")
+        self.expect_of_hyrax(CANNOT_ACCESS, "--replay", "missing.json", "--log", "new.log", says="missing.json: cannot be read")
+        self.assertFalse((self.folder / "new.log").exists())
         self.expect_of_hyrax(CANNOT_ACCESS, "--record", "nowhere/fling.json", says="nowhere/fling.json: cannot be written")
         self.expect_of_hyrax(CANNOT_ACCESS, "--log", "nowhere/fling.log", says="nowhere/fling.log: cannot be written")
 
@@ -45,6 +47,14 @@ class CommandLine(HyraxTest):
     def test_a_replay_in_the_window_gives_the_same_verdict(self):
         other = self.write("short.json", fling(steps=30, expect={"state_hash": HASH_OF_FLING}))
         self.expect_of_hyrax(DISAGREED, "--replay", other, says="differs")
+        self.expect_of_hyrax(DISAGREED, "--replay", other, "--seconds", "0", says="ended at step ")
+
+    def test_a_replay_logs_no_frame_twice(self):
+        slow = self.write("slow.json", fling(clock={"rate_hz": 10}, steps=10))
+        self.expect_of_hyrax(AGREED, "--replay", slow, "--log", "slow.log")
+        frames = [line["frame"] for line in read_log(self.folder / "slow.log")]
+        self.assertEqual(frames[-1], 9)
+        self.assertEqual(frames, sorted({*frames}))
 
     def test_a_file_may_have_any_name(self):
         self.expect_of_hyrax(AGREED, "--record", "Ein Flug über Ærø.json", "--seconds", "0.5")

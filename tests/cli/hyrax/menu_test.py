@@ -3,7 +3,7 @@
 import time
 
 from hyrax_program import FOLDER, HYRAX, HyraxTest, read_log
-from program import AGREED
+from program import AGREED, fling
 
 ESCAPE, RETURN = 27, 13
 TRAY_MESSAGE, RIGHT_BUTTON_UP = 0x8001, 0x205
@@ -72,3 +72,9 @@ class Menu(HyraxTest):
         self.wait_for_sleep()
         self.hand("key", RETURN)
         self.choose("Q", lambda: not process.is_running)
+
+    def test_a_replay_that_ends_below_the_about_box_has_one_verdict(self):
+        process = self.wine.start(HYRAX, "--replay", self.write("short.json", fling(steps=300)), cwd=self.folder)
+        self.addCleanup(process.end)
+        self.hand("point", 64, 90, "right", "sleep", OPENS_MS, "key", ord("A"), "sleep", 7000, "key", RETURN)
+        self.assertEqual(process.wait(WAIT_S).out.count("state hash"), 1)

@@ -34,6 +34,14 @@ TEST(FrameLog, HasEachNumberUnderItsName) {
       "\n{ \"asleep_after_frame\": 7 }\n");
 }
 
+TEST(FrameLog, OfAFullDiskFailsAtTheEnd) {
+  FrameLog log("/dev/full");
+  log.finish();
+  log.sleep({});
+  EXPECT_EQ(refusal_of([&] { log.finish(); }, ExitCode::cannot_access),
+            "/dev/full: cannot be written: No space left on device");
+}
+
 std::string refusal(const std::vector<std::string>& arguments) {
   return refusal_of([&] { static_cast<void>(parse_options(arguments)); });
 }
@@ -72,6 +80,11 @@ TEST(PetOptions, OfOtherValuesAndTogetherWithOthersAreRefused) {
         {Arguments{"--seconds="}, "--seconds needs a value"},
         {Arguments{"--exit=yes"}, "--exit takes no value (found yes)"},
         {Arguments{"--exit"}, "--exit needs --replay FILE"},
+        {Arguments{"--exit", "--replay", "a", "--log", "b"},
+         "--exit is not allowed with --log or --seconds:"},
+        {Arguments{"--exit", "--replay", "a", "--seconds", "1"}, "--exit is not allowed with --log"},
+        {Arguments{"--record", "a", "--record=b"}, "--record: given twice"},
+        {Arguments{"--record", "a", "--log", "a"}, "--record and --log need different files (found a)"},
         {Arguments{"--record", "a", "--replay", "b"}, "--record is not allowed with --replay:"}})
     EXPECT_NE(refusal(arguments).find(says), std::string::npos) << says;
   for (const std::string text : {"soon", "-1", "nan", "inf", "1e10", "5s"})

@@ -118,8 +118,8 @@ TEST_F(ChosenFromMenu, RecordingsAreNewFilesThatReplay) {
   EXPECT_EQ(good_frames(path("recording.json")), 7);
   EXPECT_EQ(good_frames(path("just-happened-2.json")), 12);
   std::filesystem::remove_all(folder.at(""));
-  choose(Choice::save_just_happened);
-  EXPECT_TRUE(notes.back().starts_with(path("just-happened.json") + ": cannot be written")) << notes.back();
+  EXPECT_TRUE(refusal_of([&] { choose(Choice::save_just_happened); }, ExitCode::cannot_access)
+                  .starts_with(path("just-happened.json") + ": cannot be written"));
 }
 
 TEST_F(ChosenFromMenu, ARecordingIsSavedWhenItIsDueAndBeforeTheSleep) {
@@ -137,8 +137,7 @@ TEST_F(ChosenFromMenu, ARecordingIsSavedWhenItIsDueAndBeforeTheSleep) {
   wait_until([&] { return is_there(path("fling.json")); });
   EXPECT_EQ(good_frames(path("fling.json")), 30);
   frames(5);
-  pet.pause();
-  recorder.save_if_due(ticks);
+  choose(Choice::pause);
   wait_until([&] {
     return load_scenario(path("fling.json")).expect->state_hash ==
            hex(pet.session().just_happened().state_hash());
@@ -178,6 +177,8 @@ TEST_F(ChosenFromMenu, AFailureToSaveIsReportedOnce) {
   }
   EXPECT_EQ(notes.size(), 1u);
   EXPECT_TRUE(notes.front().starts_with(path("gone/fling.json") + ": cannot be written")) << notes.front();
+  choose(Choice::save_just_happened);
+  EXPECT_EQ(notes.back(), "Saved as " + path("just-happened.json"));
   EXPECT_THROW(recorder.finish(), Failure);
   EXPECT_FALSE(pet.session().is_recording());
 }

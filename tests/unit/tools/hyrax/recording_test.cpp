@@ -111,9 +111,10 @@ TEST_F(RecordedSession, LeavesAFileThatHasItsNameOrTakesItMeanwhile) {
   play(50);
   save();
   EXPECT_EQ(good_frames(path("fling-2.json")), 50);
+  play(20);
   EXPECT_THROW(session.finish_recording(), Failure);
   EXPECT_EQ(read_text_file(path("fling.json")), "mine");
-  EXPECT_EQ(good_frames(path("fling-2.json")), 50);
+  EXPECT_EQ(good_frames(path("fling-2.json")), 70);
 }
 
 TEST_F(RecordedSession, ContinuesInFurtherFiles) {
@@ -143,7 +144,8 @@ TEST_F(RecordedSession, ContinuesWhereTheFileThatEndsCannotBeWritten) {
   ASSERT_TRUE(session.is_recording());
   play(20);
   session.finish_recording();
-  EXPECT_EQ(good_frames(path("fling-2.json")), 20);
+  EXPECT_EQ(good_frames(path("fling-2.json")), 10);
+  EXPECT_EQ(good_frames(path("fling-3.json")), 20);
 }
 
 // Simulates a system that runs out of memory.
