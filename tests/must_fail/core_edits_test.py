@@ -124,7 +124,9 @@ class Unnoticed(ProgramTest):
         write, accept = (re.search(f"  to {what} +hyrax-sim (.*)", outcome.out)[1] for what in ("write them", "accept it"))
         written = core.run(*write.split()[:-1], self.folder)
         self.assertEqual(written.exit_code, DISAGREED, written)
-        self.assertEqual(set(re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)), {name[:-5] for name in self.names()})
+        names = re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)
+        self.assertEqual(set(names), {name[:-5] for name in self.names()})
+        self.assertEqual(written.err, "".join(f"{self.folder}/{name}.json: written\n" for name in names))
         self.assertIn("core: would be accepted in golden/core\n", core.run(*accept.split(), "--dry-run").out)
 
     def test_a_number_of_the_header_is_not_called_by_the_name_of_a_constant(self):

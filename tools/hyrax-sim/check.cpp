@@ -173,9 +173,10 @@ std::vector<Library> whole_libraries(const CheckRequest& request) {
 // DIR/NAME.json of each scenario that shows an unnoticed difference.
 void write_unnoticed(const std::vector<const CoreVerdict*>& cores, const std::string& folder) {
   if (folder.empty()) return;
+  std::set<std::string> written;  // One scenario may show several.
   for (const CoreVerdict* const core : cores)
     for (const UnnoticedDifference& unnoticed : core->unnoticed) {
-      if (!unnoticed.scenario) continue;
+      if (!unnoticed.scenario || !written.insert(unnoticed.scenario->name).second) continue;
       std::error_code error;
       std::filesystem::create_directories(folder, error);
       const std::string path = folder + "/" + unnoticed.scenario->name + ".json";

@@ -7,7 +7,7 @@ import resource
 import shutil
 
 from process import run, skip_for_lack_of
-from program import ANOTHER_START, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
+from program import AGREED, ANOTHER_START, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
 
 # HDF5 1.10 leaks the memory of a file that it could not finish writing.
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", "")}
@@ -41,6 +41,15 @@ class Limit(Unwritable):
             self.expect(CANNOT_ACCESS, "run", "scenarios/fling.json", *many, preexec_fn=at_most(size), env=ENVIRONMENT,
                         says="fling.h5: cannot be written: File too large")
             self.assert_untouched()
+
+    def test_a_sweep_and_its_parts_joined(self):
+        base = fling(name="fling", steps=3)
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": base, "members": 3000, "seed": 1, "vary": {"/start/x_px": {"uniform": [0, 9]}}})
+        self.expect(AGREED, "sweep", "sweep.json", "--part", "0/1")
+        for size in (0, 4096, 100_000):
+            for arguments in (("sweep.json",), ("--merge", "sweep.part-0-of-1.h5")):
+                outcome = self.expect(CANNOT_ACCESS, "sweep", *arguments, "-o", "out.h5", preexec_fn=at_most(size), env=ENVIRONMENT)
+                self.assertEqual(outcome.err, "out.h5: cannot be written: File too large\n")
 
     def test_run_to_csv_but_for_the_last_byte(self):
         self.expect(DISAGREED, "run", "scenarios/fling.json", "-o", "whole.csv")
