@@ -13,6 +13,7 @@ import pathlib
 import re
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 from core_edits import ALL, CONDITIONAL, EQUAL, EVERYDAY, PAIRS, SINGLE, at_ground, when
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
@@ -128,6 +129,21 @@ class Unnoticed(ProgramTest):
         self.assertEqual(set(names), {name[:-5] for name in self.names()})
         self.assertEqual(written.err, "".join(f"{self.folder}/{name}.json: written\n" for name in names))
         self.assertIn("core: would be accepted in golden/core\n", core.run(*accept.split(), "--dry-run").out)
+
+    def test_every_report_has_a_core_by_which_the_check_fails(self):
+        report, summary = self.folder / "report.xml", self.folder / "check.md"
+        outcome = CORES["narrow"].run("check", "--annotate", "github", "--junit", report, "--summary", summary)
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        core = "".join(re.findall("^(?:core:|  ).*\n", outcome.out, re.MULTILINE)).rstrip("\n")
+        annotation, counts = outcome.out.splitlines()[:-3:-1]
+        self.assertRegex(counts, r"^(\d+) checked: \1 agreed, 0 ")
+        self.assertEqual(annotation, "::error file=golden/core/accepted.txt,title=hyrax-sim check%3A core::" + core.replace("\n", "%0A"))
+        suite = ElementTree.parse(report).getroot()
+        failure = suite.find("testcase[@name='golden/core']/failure")
+        self.assertEqual((suite.get("failures"), failure.get("message"), failure.text), ("1", "core: changed", core + "\n"))
+        self.assertIn("## hyrax-sim check: not agreed\n", summary.read_text())
+        self.assertIn("\n### core\n\n    " + core.replace("\n", "\n    ") + "\n", summary.read_text())
+        self.assertEqual(CORES["narrow"].run("check", "-q").out, f"core: changed\n{counts}\n")
 
     def test_a_number_of_the_header_is_not_called_by_the_name_of_a_constant(self):
         outcome = CORES["1200_high"].run("check", "--core")

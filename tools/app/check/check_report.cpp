@@ -192,8 +192,21 @@ std::string counts_sentence(const CheckReport& report) {
   return counts_sentence(statuses, folders_failed);
 }
 
+std::vector<FailedCore> failed_cores(const CheckReport& report) {
+  std::vector<FailedCore> failed;
+  for (const CoreVerdict* const core : report.cores()) {
+    if (core->exit_code == ExitCode::agreed) continue;
+    std::string text = core_text(*core, report.cores().size() == 1, report.groups().empty());
+    text.pop_back();
+    failed.push_back({accepted_core_folder(core->golden_folder), std::move(text), core->exit_code});
+  }
+  return failed;
+}
+
 void print_check(const CheckReport& report, const Printing& printing) {
   if (printing.is_quiet()) {
+    for (const FailedCore& core : failed_cores(report))
+      print_text("{}\n", core.text.substr(0, core.text.find('\n')));
     for (const CheckVerdict& verdict : report.verdicts())
       if (verdict.status == CheckStatus::failed) print_error(verdict.error);
     print_names(report);

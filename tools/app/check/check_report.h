@@ -56,6 +56,14 @@ class CheckReport {
 
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
 
+/// An accepted core by which the check fails, whatever the scenarios' verdicts are.
+struct FailedCore {
+  std::string folder;
+  std::string text;  ///< core_text of it, without the last line break.
+  ExitCode exit_code;
+};
+[[nodiscard]] std::vector<FailedCore> failed_cores(const CheckReport& report);
+
 /// The verdict on a scenario of one of its groups.
 [[nodiscard]] inline const CheckVerdict& verdict_on(const PairVerdict& scenario) {
   return static_cast<const CheckVerdict&>(scenario);
@@ -85,7 +93,7 @@ void print_check(const CheckReport& report, const Printing& printing);
 [[nodiscard]] Json check_json(const CheckReport& report);
 [[nodiscard]] std::string check_junit(const CheckReport& report);
 /// Workflow commands of GitHub Actions, "::error file=PATH,title=TITLE::MESSAGE", a line for each scenario
-/// that does not agree; of each cause the worst scenario first.
+/// that does not agree, of each cause the worst scenario first, and for each core by which the check fails.
 [[nodiscard]] std::string github_annotations(const CheckReport& report);
 /// What was drawn of a group: names of files beside the summary; empty: none.
 struct GroupPicture {
