@@ -85,6 +85,8 @@ class Causes(CauseTest):
         self.assertEqual(self.expect(AGREED, "bless", "--core", "--reason", "again").out, "core: accepted already\n")
         self.expect(BAD_INPUT, "bless", self.write("alone.json", fling()), "--core", "--reason", "x", says="--core: needs scenarios")
         self.expect(BAD_INPUT, "check", "alone.json", "--core", says="--core: needs a folder named scenarios")
+        for other in (("--filter", "a"), ("--list",), ("--last-failed",), ("--junit", "a.xml"), ("--annotate", "github"), ("--summary", "a.md")):
+            self.expect(BAD_INPUT, "check", "--core", *other, says="--core: not with ")
         self.assertEqual(self.expect(AGREED, "check", "scenarios/a", "--core").out, "core: the accepted one\n")
         self.assertEqual(self.expect(AGREED, "check", "--core").out, "core: the accepted one\n")
 

@@ -143,7 +143,9 @@ class Unnoticed(ProgramTest):
         self.assertEqual((suite.get("failures"), failure.get("message"), failure.text), ("1", "core: changed", core + "\n"))
         self.assertIn("## hyrax-sim check: not agreed\n", summary.read_text())
         self.assertIn("\n### core\n\n    " + core.replace("\n", "\n    ") + "\n", summary.read_text())
-        self.assertEqual(CORES["narrow"].run("check", "-q").out, f"core: changed\n{counts}\n")
+        for all_are_checked in ((), ("--last-failed",)):
+            quiet = CORES["narrow"].run("check", "-q", *all_are_checked, env={**os.environ, "XDG_CACHE_HOME": str(self.folder)})
+            self.assertEqual((quiet.exit_code, quiet.out), (DISAGREED, f"core: changed\n{counts}\n"))
 
     def test_a_number_of_the_header_is_not_called_by_the_name_of_a_constant(self):
         outcome = CORES["1200_high"].run("check", "--core")
