@@ -11,7 +11,7 @@ import numpy as np
 import program
 from installed_package import PLAIN, InstalledPackage
 from process import run, succeed
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, main
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, fling, main
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
 HYRAX_SIM = program.PROGRAM
@@ -68,6 +68,15 @@ class WithoutPhysics(InstalledPackage):
         step = self.folder / "accepted/core/step.txt"
         step.write_bytes(step.read_bytes() + b"\n")
         self.assertFalse(self.all_tests(self.folder, CTEST_FAILED)["hyrax.accepted_core"])
+
+    def test_the_core_of_each_library_is_a_test(self):
+        for name in "abc":
+            self.write(f"{name}/scenarios/in-{name}.json", fling(name=f"in-{name}"))
+        libraries = ")\nhyrax_add_scenarios(".join(f"{name}/scenarios" for name in "abc")
+        self.write("CMakeLists.txt", PLAIN.format(arguments=libraries, language="NONE"))
+        self.assertEqual(self.configure(self.folder).exit_code, 0)
+        self.assertEqual(sorted(self.all_tests(self.folder, CTEST_FAILED)), sorted(
+            f"hyrax.{name}" for name in ("in-a", "in-b", "in-c", "accepted_core", "accepted_core_of_scenarios", "accepted_core_of_c/scenarios")))
 
     def test_wrong_arguments_are_refused(self):
         self.expect_refused("nowhere", "no scenario file, *.json, in")
