@@ -217,6 +217,8 @@ class Text(CauseTest):
         outcome = self.altered("gravity_stronger").out
         self.assertEqual(re.findall(r"\(class (\w+)\)", outcome), ["contacts", "rounding"])
         self.assertIn("  to accept it    hyrax-sim bless scenarios --reason TEXT --accept contacts\n", outcome)
+        of_each = re.findall("  to accept it    hyrax-sim bless scenarios/(.+) --reason TEXT(.*)\n", self.altered("gravity_stronger", "--verbose").out)
+        self.assertEqual(dict(of_each), {"a/first.json": " --accept contacts", "a/second.json": " --accept contacts", "third.json": ""})
 
     def test_a_missing_golden_file_does_not_hide_an_expectation(self):
         self.expecting({"contacts": {"right": 7}})

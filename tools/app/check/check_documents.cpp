@@ -67,7 +67,7 @@ std::string test_case(const CheckReport& report, const CheckVerdict& verdict) {
   if (verdict.status == CheckStatus::agreed) return open + "/>\n";
   return open + end_case(verdict.exit_code,
                          fmt::format("{}: {}", name_of(verdict.status), verdict_sentence(report, verdict)),
-                         verdict_details(verdict));
+                         verdict_details(report, verdict));
 }
 
 // Text of a workflow command; in a property `:` and `,` end it.

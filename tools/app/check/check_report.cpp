@@ -94,12 +94,12 @@ void print_names(const CheckReport& report) {
   }
 }
 
-// What bless accepts without --accept: rounding, and edits of the scenarios themselves.
+// Edits of the scenarios themselves need none.
 std::string accept_option(const CheckReport& report) {
   DifferenceClass widest = DifferenceClass::rounding;
   for (const DifferenceGroup& group : report.groups())
     if (group.cause.kind != CauseKind::scenario) widest = std::max(widest, group.difference);
-  return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
+  return accept_option(widest);
 }
 
 // The commands that show more of the worst scenario, and that accept all.
@@ -130,7 +130,7 @@ void print_every(const CheckReport& report) {
   for (const CheckVerdict& verdict : report.verdicts())
     print_text("{}: {}\n{}", printable(verdict.path),
                VerdictWord{name_of(verdict.status), verdict.status == CheckStatus::agreed},
-               verdict_details(verdict, true));
+               verdict_details(report, verdict, true));
 }
 
 }  // namespace

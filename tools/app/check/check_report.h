@@ -74,7 +74,11 @@ struct FailedCore {
 [[nodiscard]] std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict);
 
 /// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
-[[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
+[[nodiscard]] std::string verdict_details(const CheckReport& report, const CheckVerdict& verdict,
+                                          bool lists_all = false);
+
+/// The option of bless that accepts differences of this class, with a blank before it; empty: it needs none.
+[[nodiscard]] std::string accept_option(DifferenceClass widest);
 
 /// How to accept what differs: the commands that bless it, unless a run becomes non-finite, and before them
 /// what in `expect` keeps bless from doing so, and which golden file was changed since it was blessed.
