@@ -205,6 +205,12 @@ class Library(ProgramTest):
         self.assertEqual((first["step"], first["field"], first["expected"]), (step, "x", rows[0][step][0]))
         self.assertAlmostEqual(result["max_px"] / max(math.dist(old[:2], new[:2]) for old, new in zip(*rows)), 1.0)
 
+    def test_golden_files_that_agree_with_a_newly_accepted_core_are_judged_by_it(self):
+        path = self.add("a")
+        self.play(SHIPPED_CORE, AGREED, "bless", path, "--reason", "x")
+        self.play(CORES["1200_high"], AGREED, "bless", path, "--reason", "x")
+        self.assertEqual(self.groups(CHANGED)["a"][0], "core")
+
     def test_a_step_that_changes_while_its_header_does_not(self):
         path = self.add("a")
         self.play(SHIPPED_CORE, AGREED, "bless", path, "--reason", "x")
