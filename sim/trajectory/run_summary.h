@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/row.h"
@@ -65,6 +66,11 @@ struct RunSummary {
   bool had_gravity = false;                        ///< A step with dt > 0.
   bool had_drag = false;                           ///< A step.
   bool had_friction = false;
+
+  /// REQUIRES: it has not settled.
+  [[nodiscard]] std::string_view why_not_settled() const {
+    return final.t_s < RestAnchor::kLeastRest_s ? "the run is shorter than 1 s" : "moved within the last 1 s";
+  }
 };
 
 }  // namespace hyrax

@@ -84,6 +84,8 @@ class Causes(CauseTest):
         self.assertEqual(self.expect(AGREED, "bless", "--core", "--reason", "again").out, "core: accepted already\n")
         self.expect(BAD_INPUT, "bless", self.write("alone.json", fling()), "--core", "--reason", "x", says="--core: needs scenarios")
         self.expect(BAD_INPUT, "check", "alone.json", "--core", says="--core: needs a folder named scenarios")
+        for other in (("--filter", "a"), ("--list",), ("--last-failed",), ("--junit", "a.xml"), ("--annotate", "github"), ("--summary", "a.md")):
+            self.expect(BAD_INPUT, "check", "--core", *other, says="--core: not with ")
         self.assertEqual(self.expect(AGREED, "check", "scenarios/a", "--core").out, "core: the accepted one\n")
         self.assertEqual(self.expect(AGREED, "check", "--core").out, "core: the accepted one\n")
 
@@ -217,6 +219,8 @@ class Text(CauseTest):
         outcome = self.altered("gravity_stronger").out
         self.assertEqual(re.findall(r"\(class (\w+)\)", outcome), ["contacts", "rounding"])
         self.assertIn("  to accept it    hyrax-sim bless scenarios --reason TEXT --accept contacts\n", outcome)
+        of_each = re.findall("  to accept it    hyrax-sim bless scenarios/(.+) --reason TEXT(.*)\n", self.altered("gravity_stronger", "--verbose").out)
+        self.assertEqual(dict(of_each), {"a/first.json": " --accept contacts", "a/second.json": " --accept contacts", "third.json": ""})
 
     def test_a_missing_golden_file_does_not_hide_an_expectation(self):
         self.expecting({"contacts": {"right": 7}})

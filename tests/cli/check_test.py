@@ -223,7 +223,7 @@ class Selection(CheckTest):
         cache = self.folder / "cache"
         env = {**os.environ, "XDG_CACHE_HOME": str(cache)}
         all_paths = self.listed()
-        says = "nothing failed when this folder was last checked; all are checked"
+        says = "no scenario failed when this folder was last checked; all are checked"
         self.assertEqual(self.listed("--last-failed", env=env, says=says), all_paths)
         self.check(AGREED, env=env)
         self.assertFalse(cache.exists())

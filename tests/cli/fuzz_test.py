@@ -34,6 +34,7 @@ class Fuzz(ProgramTest):
         self.assertEqual([document["runs"] for document in runs], [34, 33, 33])
         self.assertEqual(runs[1]["part"], {"index": 1, "count": 3})
         self.assertEqual(self.fuzz("--runs", "2", "--part", "2/3")["runs"], 0)
+        self.assertEqual(self.expect(AGREED, "fuzz", "--runs", "2", "--part", "2/3", "-q").out, "nothing was tested\n")
         firsts = [self.first_failure("--part", f"{index}/3") for index in range(3)]
         self.assertEqual([first % 3 for first in firsts], [0, 1, 2])
         self.assertEqual(min(firsts), self.first_failure())

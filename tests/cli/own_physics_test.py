@@ -10,7 +10,7 @@ import numpy as np
 import program
 from installed_package import PLAIN, InstalledPackage
 from process import run, succeed
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, fling
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
 HYRAX_SIM = program.PROGRAM
@@ -56,6 +56,15 @@ class WithoutPhysics(InstalledPackage):
         self.write(FLING, scenario.replace('"x_px": 60', '"x_px": 61'))
         self.assertEqual(self.ctest(self.folder, CTEST_FAILED),
                          {"hyrax.first-fling": False, "hyrax.corner-fling": True, "hyrax.new/renamed": False})
+
+    def test_the_core_of_each_library_is_a_test(self):
+        for name in "abc":
+            self.write(f"{name}/scenarios/in-{name}.json", fling(name=f"in-{name}"))
+        libraries = ")\nhyrax_add_scenarios(".join(f"{name}/scenarios" for name in "abc")
+        self.write("CMakeLists.txt", PLAIN.format(arguments=libraries, language="NONE"))
+        self.assertEqual(self.configure(self.folder).exit_code, 0)
+        self.assertEqual(sorted(self.all_tests(self.folder, CTEST_FAILED)), sorted(
+            f"hyrax.{name}" for name in ("in-a", "in-b", "in-c", "accepted_core", "accepted_core_of_scenarios", "accepted_core_of_c/scenarios")))
 
     def test_wrong_arguments_are_refused(self):
         self.expect_refused("nowhere", "no scenario file, *.json, in")

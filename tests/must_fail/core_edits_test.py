@@ -13,6 +13,7 @@ import pathlib
 import re
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 from core_edits import ALL, EVERYDAY, at_ground, when
 from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
@@ -114,8 +115,27 @@ class Unnoticed(ProgramTest):
         write, accept = (re.search(f"  to {what} +hyrax-sim (.*)", outcome.out)[1] for what in ("write them", "accept it"))
         written = core.run(*write.split()[:-1], self.folder)
         self.assertEqual(written.exit_code, DISAGREED, written)
-        self.assertEqual(set(re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)), {name[:-5] for name in self.names()})
+        names = re.findall(r'"name": "(unnoticed-\w{8})"', outcome.out)
+        self.assertEqual(set(names), {name[:-5] for name in self.names()})
+        self.assertEqual(written.err, "".join(f"{self.folder}/{name}.json: written\n" for name in names))
         self.assertIn("core: would be accepted in golden/core\n", core.run(*accept.split(), "--dry-run").out)
+
+    def test_every_report_has_a_core_by_which_the_check_fails(self):
+        report, summary = self.folder / "report.xml", self.folder / "check.md"
+        outcome = CORES["narrow"].run("check", "--annotate", "github", "--junit", report, "--summary", summary)
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        core = "".join(re.findall("^(?:core:|  ).*\n", outcome.out, re.MULTILINE)).rstrip("\n")
+        annotation, counts = outcome.out.splitlines()[:-3:-1]
+        self.assertRegex(counts, r"^(\d+) checked: \1 agreed, 0 ")
+        self.assertEqual(annotation, "::error file=golden/core/accepted.txt,title=hyrax-sim check%3A core::" + core.replace("\n", "%0A"))
+        suite = ElementTree.parse(report).getroot()
+        failure = suite.find("testcase[@name='golden/core']/failure")
+        self.assertEqual((suite.get("failures"), failure.get("message"), failure.text), ("1", "core: changed", core + "\n"))
+        self.assertIn("## hyrax-sim check: not agreed\n", summary.read_text())
+        self.assertIn("\n### core\n\n    " + core.replace("\n", "\n    ") + "\n", summary.read_text())
+        for all_are_checked in ((), ("--last-failed",)):
+            quiet = CORES["narrow"].run("check", "-q", *all_are_checked, env={**os.environ, "XDG_CACHE_HOME": str(self.folder)})
+            self.assertEqual((quiet.exit_code, quiet.out), (DISAGREED, f"core: changed\n{counts}\n"))
 
     def test_a_number_of_the_header_is_not_called_by_the_name_of_a_constant(self):
         outcome = CORES["1200_high"].run("check", "--core")
@@ -174,6 +194,12 @@ class Library(ProgramTest):
         first = result["first_divergence"]
         self.assertEqual((first["step"], first["field"], first["expected"]), (step, "x", rows[0][step][0]))
         self.assertAlmostEqual(result["max_px"] / max(math.dist(old[:2], new[:2]) for old, new in zip(*rows)), 1.0)
+
+    def test_golden_files_that_agree_with_a_newly_accepted_core_are_judged_by_it(self):
+        path = self.add("a")
+        self.play(SHIPPED_CORE, AGREED, "bless", path, "--reason", "x")
+        self.play(CORES["1200_high"], AGREED, "bless", path, "--reason", "x")
+        self.assertEqual(self.groups(CHANGED)["a"][0], "core")
 
     def test_a_step_that_changes_while_its_header_does_not(self):
         path = self.add("a")

@@ -21,11 +21,15 @@ def unpinned(text):
     return [used for used in re.findall(r"uses: (.*)", text) if not PINNED.fullmatch(used)]
 
 
+def jobs_of(text):
+    """Each from its name on."""
+    return re.split(r"^  (?=\w+:$)", text.partition("jobs:\n")[2], flags=re.MULTILINE)[1:]
+
+
 def writers(text):
     """The jobs that may write, and "" if all may."""
-    header, _, rest = text.partition("jobs:\n")
-    jobs = re.split(r"^  (?=\w+:$)", rest, flags=re.MULTILINE)
-    found = [job.split(":")[0] for job in jobs if re.search(r": write|write-all", job)]
+    header = text.partition("jobs:\n")[0]
+    found = [job.split(":")[0] for job in jobs_of(text) if re.search(r": write|write-all", job)]
     return found if re.search(r"^permissions:\n  contents: read\n(?! )", header, re.MULTILINE) else ["", *found]
 
 
@@ -50,6 +54,12 @@ class Workflows(unittest.TestCase):
         self.assertEqual(writers(RELEASE.replace("permissions:\n  contents: read\n", "")), ["", "publish"])
         self.assertEqual(writers(RELEASE.replace("  platform:\n", "  platform:\n    permissions: write-all\n")),
                          ["platform", "publish"])
+
+    def test_jobs_that_run_the_tests_may_mount_file_systems(self):
+        for path in WORKFLOWS:
+            for job in jobs_of(path.read_text()):
+                if re.search(r"run: (tools/test|\.ci/run)", job):
+                    self.assertIn("options: --privileged", job, path)
 
     def test_every_platform_has_a_job(self):
         self.assertEqual(rows_without_job(RELEASE), [])

@@ -100,17 +100,19 @@ struct Selection {
   std::vector<std::string> paths;
   std::vector<CheckVerdict> unreferenced;  // And golden folders that cannot be read.
   std::vector<Failure> unlisted;
+  bool has_failed_only = false;  // Only those that failed when the folder was last checked.
 };
 
-// Whether only those that failed when the folder was last checked are left.
-bool narrow(const CheckRequest& request, const LastFailed& last_failed, Selection& selection) {
+void narrow(const CheckRequest& request, const LastFailed& last_failed, Selection& selection) {
   const auto has_failed = [&](const std::string& path) { return last_failed.contains(path); };
-  const bool takes_failed = request.takes_last_failed &&
-                            (std::ranges::any_of(selection.paths, has_failed) ||
-                             std::ranges::any_of(selection.unreferenced, has_failed, &CheckVerdict::path));
+  const bool takes_failed = selection.has_failed_only =
+      request.takes_last_failed &&
+      (std::ranges::any_of(selection.paths, has_failed) ||
+       std::ranges::any_of(selection.unreferenced, has_failed, &CheckVerdict::path));
   if (request.takes_last_failed && !takes_failed)
     print_error(
-        "hyrax-sim check: --last-failed: nothing failed when this folder was last checked; all are checked");
+        "hyrax-sim check: --last-failed: no scenario failed when this folder was last checked; all are "
+        "checked");
   const auto is_left_out = [&](const std::string& path) {
     return path.find(request.filter) == std::string::npos || (takes_failed && !has_failed(path));
   };
@@ -118,7 +120,6 @@ bool narrow(const CheckRequest& request, const LastFailed& last_failed, Selectio
   std::erase_if(selection.unreferenced, [&](const CheckVerdict& verdict) {
     return verdict.status != CheckStatus::failed && is_left_out(verdict.path);
   });
-  return takes_failed;
 }
 
 // ERRORS: Failure(bad_input) if there is nothing to report.
@@ -126,10 +127,10 @@ Selection select(const CheckRequest& request, const LastFailed& last_failed) {
   Selection selection;
   selection.paths = list_scenarios(request.files, selection.unlisted);
   selection.unreferenced = unreferenced_verdicts(request.files, request.golden_folder);
-  const bool takes_failed = narrow(request, last_failed, selection);
+  narrow(request, last_failed, selection);
   if (!selection.paths.empty() || !selection.unreferenced.empty()) return selection;
   if (!selection.unlisted.empty()) throw selection.unlisted.front();
-  const std::string which = takes_failed ? " that failed when this folder was last checked" : "";
+  const std::string which = selection.has_failed_only ? " that failed when this folder was last checked" : "";
   refuse_input("hyrax-sim check: --filter: no path" + which + " contains it (found " + request.filter + ")");
 }
 
@@ -153,9 +154,9 @@ ExitCode list(const Selection& selection, const CheckRequest& request) {
 }
 
 // The libraries that are played whole: their folder `scenarios` is an argument.
-std::vector<Library> whole_libraries(const CheckRequest& request) {
+std::vector<Library> whole_libraries(const CheckRequest& request, bool has_failed_only) {
   std::vector<Library> whole;
-  if (!request.filter.empty() || request.takes_last_failed) return whole;
+  if (!request.filter.empty() || has_failed_only) return whole;
   for (const std::string& argument : request.files)
     for (Library& library : libraries_of({argument}, request.golden_folder)) {
       std::error_code unknown;
@@ -168,9 +169,10 @@ std::vector<Library> whole_libraries(const CheckRequest& request) {
 // DIR/NAME.json of each scenario that shows an unnoticed difference.
 void write_unnoticed(const std::vector<const CoreVerdict*>& cores, const std::string& folder) {
   if (folder.empty()) return;
+  std::set<std::string> written;  // One scenario may show several.
   for (const CoreVerdict* const core : cores)
     for (const UnnoticedDifference& unnoticed : core->unnoticed) {
-      if (!unnoticed.scenario) continue;
+      if (!unnoticed.scenario || !written.insert(unnoticed.scenario->name).second) continue;
       std::error_code error;
       std::filesystem::create_directories(folder, error);
       const std::string path = folder + "/" + unnoticed.scenario->name + ".json";
@@ -206,6 +208,13 @@ ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
 ExitCode check(const Core& core, CheckRequest& request) {
   const std::vector<std::string> arguments = request.files;
   const std::string golden_folder = request.golden_folder;
+  const bool asks_for_scenarios =
+      request.lists || request.takes_last_failed ||
+      !(request.filter + request.junit + request.annotate + request.summary).empty();
+  if (request.judges_core_only && asks_for_scenarios)
+    refuse_input(
+        "hyrax-sim check: --core: not with --filter, --list, --last-failed, --junit, --annotate or "
+        "--summary");
   set_default_folders(request.files, request.golden_folder);
   if (!request.unnoticed_folder.empty())
     OutputGuard({}, request.golden_folder)
@@ -231,7 +240,7 @@ ExitCode check(const Core& core, CheckRequest& request) {
   std::ranges::move(selection.unreferenced, std::back_inserter(verdicts));
   last_failed.update(verdicts, guard);
   CheckReport report(core, std::move(verdicts), arguments, golden_folder);
-  report.judge_cores(whole_libraries(request));
+  report.judge_cores(whole_libraries(request, selection.has_failed_only));
   if (request.printing.is_json)
     print_json(check_json(report));
   else

@@ -175,11 +175,12 @@ ExitCode run_fuzz(const Core& core, const FuzzRequest& request) {
     failures.push_back(failure_json(failure, shrunk, path));
     if (!request.printing.is_json) print_failure(core, request, failure, shrunk, path);
   } else if (!request.printing.is_json) {
-    print_text("{}\n", VerdictWord{request.against.empty() ? "all invariants hold"
+    print_text("{}\n", VerdictWord{outcome.runs == 0         ? "nothing was tested"
+                                   : request.against.empty() ? "all invariants hold"
                                    : outcome.not_compared == 0
                                        ? "all invariants hold, all state hashes agree"
                                        : "all invariants hold, the state hashes that were compared agree",
-                                   true});
+                                   outcome.runs > 0});
   }
   if (request.printing.is_json) print_json(request, limits, outcome, std::move(failures));
   return outcome.failure ? ExitCode::disagreed : ExitCode::agreed;

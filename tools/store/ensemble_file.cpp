@@ -111,33 +111,35 @@ std::span<const std::byte> bytes_of(const Column& column) {
 
 }  // namespace
 
-void create_ensemble(const std::string& path, const EnsembleHead& head, const Sweep& sweep) {
+void create_ensemble(const std::string& path, const std::string& result, const EnsembleHead& head,
+                     const Sweep& sweep) {
   constexpr std::uint64_t kNotInMemory = 1 << 30;
   errno = 0;
   h5::Handle file = h5::create_file(path, kNotInMemory);
   const bool is_written = file.is_open() && write_empty(file, head, sweep);
-  if (file.close() < 0 || !is_written) fail_to_write(path, errno == 0 ? EIO : errno);
+  if (file.close() < 0 || !is_written) fail_to_write(result, errno == 0 ? EIO : errno);
   trust_own_file(path);
 }
 
-EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep)
-    : path_(path) {
-  read_isolated(path_, [&] { open(head, sweep); });
-  open(head, sweep);
+EnsembleWriter::EnsembleWriter(const std::string& path, const std::string& result, const EnsembleHead& head,
+                               const Sweep& sweep)
+    : result_(result) {
+  read_isolated(path, [&] { open(path, head, sweep); });
+  open(path, head, sweep);
 }
 
-void EnsembleWriter::open(const EnsembleHead& head, const Sweep& sweep) {
-  file_ = h5::open_file_to_write(path_);
+void EnsembleWriter::open(const std::string& path, const EnsembleHead& head, const Sweep& sweep) {
+  file_ = h5::open_file_to_write(path);
   const auto found = file_.is_open() ? read_head(file_) : std::nullopt;
-  if (!found) refuse_input(path_ + ": is no sweep's file that can be continued; `--force` starts over");
+  if (!found) refuse_input(path + ": is no sweep's file that can be continued; `--force` starts over");
   if (*found != head)
-    refuse_input(path_ + ": is of another sweep, part or physics model; `--force` starts over");
+    refuse_input(path + ": is of another sweep, part or physics model; `--force` starts over");
   const std::int64_t rows = head.part.rows(head.members);
   auto datasets = open_tables(file_, ensemble_tables(sweep, head.part, 0, {}), rows);
   done_ = h5::Handle(H5Aopen(file_, kRowsDone, H5P_DEFAULT), H5Aclose);
   rows_done_ = h5::read_integer_attribute(file_, kRowsDone).value_or(done_.is_open() ? -1 : rows);
   if (rows_done_ < 0 || rows_done_ > rows || datasets.empty())
-    refuse_input(path_ + ": is damaged; `--force` starts over");
+    refuse_input(path + ": is damaged; `--force` starts over");
   groups_.clear();
   for (std::vector<h5::Handle>& each : datasets)
     groups_.emplace_back(std::move(each), static_cast<hsize_t>(rows_done_));
@@ -162,7 +164,7 @@ void EnsembleWriter::finish() {
   if (file_.close() < 0) fail();
 }
 
-void EnsembleWriter::fail() const { fail_to_write(path_, errno == 0 ? EIO : errno); }
+void EnsembleWriter::fail() const { fail_to_write(result_, errno == 0 ? EIO : errno); }
 
 EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
   const auto open = [&] {

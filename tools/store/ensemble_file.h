@@ -40,17 +40,20 @@ struct EnsembleHead {
 };
 
 /// Creates a result file without rows. A file at `path` is replaced.
+/// @param result the file that it will be renamed to, which errors of writing name.
 /// ERRORS: Failure(cannot_access).
-void create_ensemble(const std::string& path, const EnsembleHead& head, const Sweep& sweep);
+void create_ensemble(const std::string& path, const std::string& result, const EnsembleHead& head,
+                     const Sweep& sweep);
 
 /// Writes a result file row by row. What was written survives the end of the process, in whatever way; the
 /// bytes of a complete file do not depend on how often it was opened.
 class EnsembleWriter {
  public:
-  /// Opens a file that is not complete.
+  /// Opens a file that is not complete; `result` as of create_ensemble.
   /// ERRORS: Failure(cannot_access); Failure(bad_input) if it is no such file, damaged, or of another sweep,
   /// part or physics model.
-  EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep);
+  EnsembleWriter(const std::string& path, const std::string& result, const EnsembleHead& head,
+                 const Sweep& sweep);
 
   /// Rows that are written.
   [[nodiscard]] std::int64_t rows_done() const { return rows_done_; }
@@ -61,10 +64,10 @@ class EnsembleWriter {
   void finish();
 
  private:
-  void open(const EnsembleHead& head, const Sweep& sweep);
+  void open(const std::string& path, const EnsembleHead& head, const Sweep& sweep);
   [[noreturn]] void fail() const;
 
-  std::string path_;
+  std::string result_;
   h5::Handle file_;
   std::vector<h5::ColumnWriter> groups_;
   h5::Handle done_;  // The attribute that holds rows_done_; not open in a complete file.

@@ -169,7 +169,7 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
   text += fmt::format("  vx {} px/s  {}\n  vy {} px/s  {}\n", end.vx_px_per_s, hex_float(end.vx_px_per_s),
                       end.vy_px_per_s, hex_float(end.vy_px_per_s));
   text += summary.at_rest_since_s ? fmt::format("settled since: {} s\n", *summary.at_rest_since_s)
-                                  : std::string("not settled: moved within the last 1 s\n");
+                                  : fmt::format("not settled: {}\n", summary.why_not_settled());
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
   if (!checksums.core.empty()) text += fmt::format("{}{}\n", kCoreKey, checksums.core);
   text += kReasonKey;

@@ -36,6 +36,15 @@ class Unwritable(ProgramTest):
 class Limit(Unwritable):
     """A limit on the size of files is an error of writing, and does not end the process."""
 
+    def test_a_sweep_and_its_parts_joined(self):
+        base = fling(name="fling", steps=3)
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": base, "members": 3000, "seed": 1, "vary": {"/start/x_px": {"uniform": [0, 9]}}})
+        self.expect(AGREED, "sweep", "sweep.json", "--part", "0/1")
+        for size in (0, 4096, 100_000):
+            for arguments in (("sweep.json",), ("--merge", "sweep.part-0-of-1.h5")):
+                outcome = self.expect(CANNOT_ACCESS, "sweep", *arguments, "-o", "out.h5", preexec_fn=at_most(size), env=ENVIRONMENT)
+                self.assertEqual(outcome.err, "out.h5: cannot be written: File too large\n")
+
     def test_run_of_few_and_of_many_rows_to_csv_but_for_the_last_byte_and_of_a_text_that_fits_a_buffer(self):
         run_it = ("run", "scenarios/fling.json")
         self.expect(DISAGREED, *run_it, "-o", "fling.csv")

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "sim/trajectory/physics_model.h"
@@ -29,18 +30,26 @@ std::string canonical_path(const std::string& path) {
   return fs::weakly_canonical(path, unknown).string();
 }
 
+// Those that are blessed now, by their canonical paths.
+using BlessingsByPath = std::map<std::string, const Blessing*>;
+
 // What became of the scenarios that are not blessed now.
 struct LibraryCheck {
   std::vector<std::string> disagreeing;
-  std::set<std::string> cores;  // That their golden files name.
+  std::set<std::string> cores;  // That golden files name which stay as they are.
   std::size_t checked = 0;
 };
 
-LibraryCheck check_library(const Core& core, const Library& library, const std::set<std::string>& blessed) {
+LibraryCheck check_library(const Core& core, const Library& library, const BlessingsByPath& blessed) {
   LibraryCheck result;
   for (const std::string& path : list_scenarios({library.scenarios_folder})) {
     ++result.checked;
-    if (blessed.contains(canonical_path(path))) continue;
+    if (const auto found = blessed.find(canonical_path(path)); found != blessed.end()) {
+      const Blessing& blessing = *found->second;
+      if (blessing.status == Blessing::Status::unchanged)
+        result.cores.insert(summary_core(read_text_file(blessing.golden->txt_path)));
+      continue;
+    }
     const CheckVerdict verdict = check_scenario(core, path, {.golden_folder = library.golden_option});
     if (verdict.status != CheckStatus::agreed)
       result.disagreeing.push_back(path);
@@ -50,8 +59,8 @@ LibraryCheck check_library(const Core& core, const Library& library, const std::
   return result;
 }
 
-std::optional<CoreAcceptance> plan(const Core& core, const Library& library,
-                                   const std::set<std::string>& blessed, const BlessOptions& options) {
+std::optional<CoreAcceptance> plan(const Core& core, const Library& library, const BlessingsByPath& blessed,
+                                   const BlessOptions& options) {
   AcceptedCore accepted = program_core(core);
   const std::optional<AcceptedCore> before = accepted_before(library.golden_folder);
   if (before && before->header == accepted.header && before->step == accepted.step &&
@@ -85,8 +94,8 @@ std::optional<CoreAcceptance> plan(const Core& core, const Library& library,
 std::vector<CoreAcceptance> plan_core_acceptances(const Core& core, const std::vector<std::string>& arguments,
                                                   const std::vector<Blessing>& blessings,
                                                   const BlessOptions& options) {
-  std::set<std::string> blessed;
-  for (const Blessing& blessing : blessings) blessed.insert(canonical_path(blessing.path));
+  BlessingsByPath blessed;
+  for (const Blessing& blessing : blessings) blessed.emplace(canonical_path(blessing.path), &blessing);
   std::vector<CoreAcceptance> acceptances;
   for (const Library& library : libraries_of(arguments, options.golden_folder))
     if (auto acceptance = plan(core, library, blessed, options))

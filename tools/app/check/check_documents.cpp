@@ -1,6 +1,8 @@
 // The report of `check` for programs: JSON, JUnit XML, annotations.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "tools/app/check/check_report.h"
 #include "tools/app/diff/difference_text.h"
 #include "tools/app/expect/judged_run.h"
@@ -48,16 +50,24 @@ std::string xml_text(std::string_view text) {
   return xml;
 }
 
+std::string begin_case(std::string_view name, double seconds) {
+  return fmt::format("  <testcase classname=\"hyrax-sim.check\" name=\"{}\" time=\"{:.6f}\"", xml_text(name),
+                     seconds);
+}
+
+bool is_failure(ExitCode exit_code) { return exit_code == ExitCode::disagreed; }
+
+std::string end_case(ExitCode exit_code, const std::string& message, const std::string& details) {
+  return fmt::format(">\n    <{0} message=\"{1}\">{2}</{0}>\n  </testcase>\n",
+                     is_failure(exit_code) ? "failure" : "error", xml_text(message), xml_text(details));
+}
+
 std::string test_case(const CheckReport& report, const CheckVerdict& verdict) {
-  const std::string open =
-      fmt::format("  <testcase classname=\"hyrax-sim.check\" name=\"{}\" time=\"{:.6f}\"",
-                  xml_text(verdict.path), verdict.seconds);
+  const std::string open = begin_case(verdict.path, verdict.seconds);
   if (verdict.status == CheckStatus::agreed) return open + "/>\n";
-  const bool is_failure = verdict.exit_code == ExitCode::disagreed;
-  const char* const element = is_failure ? "failure" : "error";
-  return open + fmt::format(">\n    <{0} message=\"{1}: {2}\">{3}</{0}>\n  </testcase>\n", element,
-                            name_of(verdict.status), xml_text(verdict_sentence(report, verdict)),
-                            xml_text(verdict_details(verdict)));
+  return open + end_case(verdict.exit_code,
+                         fmt::format("{}: {}", name_of(verdict.status), verdict_sentence(report, verdict)),
+                         verdict_details(report, verdict));
 }
 
 // Text of a workflow command; in a property `:` and `,` end it.
@@ -74,10 +84,14 @@ std::string workflow_text(std::string_view text, bool is_property) {
   return escaped;
 }
 
+std::string annotation(const std::string& file, std::string_view kind, const std::string& message) {
+  return fmt::format("::error file={},title={}::{}\n", workflow_text(file, true),
+                     workflow_text(fmt::format("hyrax-sim check: {}", kind), true),
+                     workflow_text(message, false));
+}
+
 std::string annotation(const CheckReport& report, const CheckVerdict& verdict) {
-  return fmt::format("::error file={},title={}::{}\n", workflow_text(verdict.path, true),
-                     workflow_text(fmt::format("hyrax-sim check: {}", name_of(verdict.status)), true),
-                     workflow_text(verdict_sentence(report, verdict), false));
+  return annotation(verdict.path, name_of(verdict.status), verdict_sentence(report, verdict));
 }
 
 }  // namespace
@@ -97,13 +111,19 @@ Json check_json(const CheckReport& report) {
 std::string check_junit(const CheckReport& report) {
   double seconds = 0.0;
   for (const CheckVerdict& verdict : report.verdicts()) seconds += verdict.seconds;
+  const std::vector<FailedCore> cores = failed_cores(report);
+  const auto failures = std::ranges::count_if(cores, is_failure, &FailedCore::exit_code);
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuite name=\"hyrax-sim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\">\n",
-      report.verdicts().size(),
-      report.count(CheckStatus::disagreed) + report.count(CheckStatus::unreferenced),
-      report.count(CheckStatus::missing) + report.count(CheckStatus::failed), seconds);
+      report.verdicts().size() + cores.size(),
+      report.count(CheckStatus::disagreed) + report.count(CheckStatus::unreferenced) + failures,
+      report.count(CheckStatus::missing) + report.count(CheckStatus::failed) + std::ssize(cores) - failures,
+      seconds);
   for (const CheckVerdict& verdict : report.verdicts()) text += test_case(report, verdict);
+  for (const FailedCore& core : cores)
+    text += begin_case(core.folder, 0.0) +
+            end_case(core.exit_code, core.text.substr(0, core.text.find('\n')), core.text + "\n");
   return text + "</testsuite>\n";
 }
 
@@ -115,6 +135,8 @@ std::string github_annotations(const CheckReport& report) {
   for (const CheckVerdict& verdict : report.verdicts())
     if (verdict.status != CheckStatus::agreed && report.group_of(verdict) == nullptr)
       text += annotation(report, verdict);
+  for (const FailedCore& core : failed_cores(report))
+    text += annotation(core.folder + "/accepted.txt", "core", core.text);
   return text;
 }
 

@@ -94,12 +94,12 @@ void print_names(const CheckReport& report) {
   }
 }
 
-// What bless accepts without --accept: rounding, and edits of the scenarios themselves.
+// Edits of the scenarios themselves need none.
 std::string accept_option(const CheckReport& report) {
   DifferenceClass widest = DifferenceClass::rounding;
   for (const DifferenceGroup& group : report.groups())
     if (group.cause.kind != CauseKind::scenario) widest = std::max(widest, group.difference);
-  return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
+  return accept_option(widest);
 }
 
 // The commands that show more of the worst scenario, and that accept all.
@@ -130,7 +130,7 @@ void print_every(const CheckReport& report) {
   for (const CheckVerdict& verdict : report.verdicts())
     print_text("{}: {}\n{}", printable(verdict.path),
                VerdictWord{name_of(verdict.status), verdict.status == CheckStatus::agreed},
-               verdict_details(verdict, true));
+               verdict_details(report, verdict, true));
 }
 
 }  // namespace
@@ -192,8 +192,21 @@ std::string counts_sentence(const CheckReport& report) {
   return counts_sentence(statuses, folders_failed);
 }
 
+std::vector<FailedCore> failed_cores(const CheckReport& report) {
+  std::vector<FailedCore> failed;
+  for (const CoreVerdict* const core : report.cores()) {
+    if (core->exit_code == ExitCode::agreed) continue;
+    std::string text = core_text(*core, report.cores().size() == 1, report.groups().empty());
+    text.pop_back();
+    failed.push_back({accepted_core_folder(core->golden_folder), std::move(text), core->exit_code});
+  }
+  return failed;
+}
+
 void print_check(const CheckReport& report, const Printing& printing) {
   if (printing.is_quiet()) {
+    for (const FailedCore& core : failed_cores(report))
+      print_text("{}\n", core.text.substr(0, core.text.find('\n')));
     for (const CheckVerdict& verdict : report.verdicts())
       if (verdict.status == CheckStatus::failed) print_error(verdict.error);
     print_names(report);

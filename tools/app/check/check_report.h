@@ -56,6 +56,14 @@ class CheckReport {
 
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
 
+/// An accepted core by which the check fails, whatever the scenarios' verdicts are.
+struct FailedCore {
+  std::string folder;
+  std::string text;  ///< core_text of it, without the last line break.
+  ExitCode exit_code;
+};
+[[nodiscard]] std::vector<FailedCore> failed_cores(const CheckReport& report);
+
 /// The verdict on a scenario of one of its groups.
 [[nodiscard]] inline const CheckVerdict& verdict_on(const PairVerdict& scenario) {
   return static_cast<const CheckVerdict&>(scenario);
@@ -66,7 +74,11 @@ class CheckReport {
 [[nodiscard]] std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict);
 
 /// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
-[[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
+[[nodiscard]] std::string verdict_details(const CheckReport& report, const CheckVerdict& verdict,
+                                          bool lists_all = false);
+
+/// The option of bless that accepts differences of this class, with a blank before it; empty: it needs none.
+[[nodiscard]] std::string accept_option(DifferenceClass widest);
 
 /// How to accept what differs: the commands that bless it, unless a run becomes non-finite, and before them
 /// what in `expect` keeps bless from doing so, and which golden file was changed since it was blessed.
@@ -85,7 +97,7 @@ void print_check(const CheckReport& report, const Printing& printing);
 [[nodiscard]] Json check_json(const CheckReport& report);
 [[nodiscard]] std::string check_junit(const CheckReport& report);
 /// Workflow commands of GitHub Actions, "::error file=PATH,title=TITLE::MESSAGE", a line for each scenario
-/// that does not agree; of each cause the worst scenario first.
+/// that does not agree, of each cause the worst scenario first, and for each core by which the check fails.
 [[nodiscard]] std::string github_annotations(const CheckReport& report);
 /// What was drawn of a group: names of files beside the summary; empty: none.
 struct GroupPicture {

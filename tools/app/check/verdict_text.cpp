@@ -62,7 +62,11 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
                 broken);
 }
 
-std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
+std::string accept_option(DifferenceClass widest) {
+  return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
+}
+
+std::string verdict_details(const CheckReport& report, const CheckVerdict& verdict, bool lists_all) {
   if (verdict.status == CheckStatus::failed) return "  " + verdict.error + "\n";
   if (verdict.status == CheckStatus::unreferenced) return fmt::format("  {}\n", kUnreferencedSentence);
   if (verdict.status == CheckStatus::agreed) return "";
@@ -75,11 +79,14 @@ std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
                                        bless_command_for({verdict.path}, verdict.golden_option))
                          : "");
   if (verdict.comparison.agrees) return text;
+  const DifferenceGroup* const group = report.group_of(verdict);
+  const bool is_edit = group != nullptr && group->cause.kind == CauseKind::scenario;
   return text + difference_text(verdict.comparison, lists_all) +
          fmt::format("  to see more     {}; {}\n",
                      program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
                      program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"})) +
-         acceptance_text({verdict.path}, "", {&verdict});
+         acceptance_text({verdict.path}, is_edit ? "" : accept_option(*verdict.comparison.difference),
+                         {&verdict});
 }
 
 std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,

@@ -111,9 +111,7 @@ void print_motion(const Core& core, const RunSummary& summary) {
   if (summary.at_rest_since_s)
     print_text("  settled        since {:.6g} s\n", *summary.at_rest_since_s);
   else
-    print_text("  not settled    {}\n", summary.simulated_s < RestAnchor::kLeastRest_s
-                                            ? "the run is shorter than 1 s"
-                                            : "moved within the last 1 s");
+    print_text("  not settled    {}\n", summary.why_not_settled());
 }
 
 void print_details(const RunSummary& summary) {

@@ -83,8 +83,8 @@ Column merged_column(const Parts& parts, std::size_t table, std::size_t column, 
 void write_merged(const Parts& parts, const EnsembleHead& head, const std::string& output) {
   const EnsembleReader& first_part = *parts.begin()->second;
   AtomicFile target(output);
-  create_ensemble(target.part_path(), head, first_part.sweep());
-  EnsembleWriter writer(target.part_path(), head, first_part.sweep());
+  create_ensemble(target.part_path(), output, head, first_part.sweep());
+  EnsembleWriter writer(target.part_path(), output, head, first_part.sweep());
   constexpr std::int64_t kRows = 1 << 18;
   const std::int64_t rows_at_once =  // A multiple of the parts.
       std::max<std::int64_t>(1, kRows / std::ssize(parts)) * std::ssize(parts);

@@ -64,7 +64,7 @@ PartialResult::PartialResult(const std::string& path, const EnsembleHead& head, 
   if (exists(partial_) && existing == Existing::replaced) remove_existing(partial_);
   if (!exists(partial_)) {
     AtomicFile file(partial_);
-    create_ensemble(file.part_path(), head, sweep);
+    create_ensemble(file.part_path(), path_, head, sweep);
     file.commit_as_new();
   }
   lock_ = lock_file(partial_);

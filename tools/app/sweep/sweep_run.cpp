@@ -136,7 +136,7 @@ class ChunkPool {
 
 SweepOutcome compute_sweep(const Core& core, const Sweep& sweep, const SweepJob& job) {
   PartialResult partial(job.output, job.head, sweep, job.existing);
-  EnsembleWriter writer(partial.partial(), job.head, sweep);
+  EnsembleWriter writer(partial.partial(), job.output, job.head, sweep);
   SweepOutcome outcome;
   outcome.rows = job.head.part.rows(job.head.members);
   outcome.rows_resumed = writer.rows_done();
