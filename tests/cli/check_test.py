@@ -80,6 +80,10 @@ class Verdict(CheckTest):
 
     def test_no_scenario_is_exit_2(self):
         (self.folder / "empty").mkdir()
+        out = self.expect(BAD_INPUT, "check", "scenarios", "empty", "--annotate", "github", "--junit", "a.xml", "--summary", "a.md").out
+        self.assertTrue(out.endswith("\n::error title=hyrax-sim check%3A folder::empty: no scenario found (*.json)\n"), out)
+        self.assertIn('<error message="empty: no scenario found', (self.folder / "a.xml").read_text())
+        self.assertIn("check: not agreed\n", (self.folder / "a.md").read_text())
         outcome = self.expect(BAD_INPUT, "check", "empty", says="empty: no scenario found (*.json)")
         self.assertEqual(outcome.out, "")
         self.expect(BAD_INPUT, "check", cwd=self.folder / "empty", says="scenarios: no such folder")

@@ -129,7 +129,7 @@ class Unnoticed(ProgramTest):
         self.assertRegex(counts, r"^(\d+) checked: \1 agreed, 0 ")
         self.assertEqual(annotation, "::error file=golden/core/accepted.txt,title=hyrax-sim check%3A core::" + core.replace("\n", "%0A"))
         suite = ElementTree.parse(report).getroot()
-        failure = suite.find("testcase[@name='golden/core']/failure")
+        failure = suite.find("testcase[@name='golden/core/accepted.txt']/failure")
         self.assertEqual((suite.get("failures"), failure.get("message"), failure.text), ("1", "core: changed", core + "\n"))
         self.assertIn("## hyrax-sim check: not agreed\n", summary.read_text())
         self.assertIn("\n### core\n\n    " + core.replace("\n", "\n    ") + "\n", summary.read_text())

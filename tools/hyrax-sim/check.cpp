@@ -239,7 +239,7 @@ ExitCode check(const Core& core, CheckRequest& request) {
                 jobs);
   std::ranges::move(selection.unreferenced, std::back_inserter(verdicts));
   last_failed.update(verdicts, guard);
-  CheckReport report(core, std::move(verdicts), arguments, golden_folder);
+  CheckReport report(core, std::move(verdicts), selection.unlisted, arguments, golden_folder);
   report.judge_cores(whole_libraries(request, selection.has_failed_only));
   if (request.printing.is_json)
     print_json(check_json(report));

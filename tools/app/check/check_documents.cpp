@@ -85,9 +85,9 @@ std::string workflow_text(std::string_view text, bool is_property) {
 }
 
 std::string annotation(const std::string& file, std::string_view kind, const std::string& message) {
-  return fmt::format("::error file={},title={}::{}\n", workflow_text(file, true),
-                     workflow_text(fmt::format("hyrax-sim check: {}", kind), true),
-                     workflow_text(message, false));
+  return fmt::format(
+      "::error {}title={}::{}\n", file.empty() ? "" : fmt::format("file={},", workflow_text(file, true)),
+      workflow_text(fmt::format("hyrax-sim check: {}", kind), true), workflow_text(message, false));
 }
 
 std::string annotation(const CheckReport& report, const CheckVerdict& verdict) {
@@ -111,19 +111,19 @@ Json check_json(const CheckReport& report) {
 std::string check_junit(const CheckReport& report) {
   double seconds = 0.0;
   for (const CheckVerdict& verdict : report.verdicts()) seconds += verdict.seconds;
-  const std::vector<FailedCore> cores = failed_cores(report);
-  const auto failures = std::ranges::count_if(cores, is_failure, &FailedCore::exit_code);
+  const std::vector<OtherFailure> others = other_failures(report);
+  const auto failures = std::ranges::count_if(others, is_failure, &OtherFailure::exit_code);
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuite name=\"hyrax-sim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\">\n",
-      report.verdicts().size() + cores.size(),
+      report.verdicts().size() + others.size(),
       report.count(CheckStatus::disagreed) + report.count(CheckStatus::unreferenced) + failures,
-      report.count(CheckStatus::missing) + report.count(CheckStatus::failed) + std::ssize(cores) - failures,
+      report.count(CheckStatus::missing) + report.count(CheckStatus::failed) + std::ssize(others) - failures,
       seconds);
   for (const CheckVerdict& verdict : report.verdicts()) text += test_case(report, verdict);
-  for (const FailedCore& core : cores)
-    text += begin_case(core.folder, 0.0) +
-            end_case(core.exit_code, core.text.substr(0, core.text.find('\n')), core.text + "\n");
+  for (const auto& [kind, file, other, exit_code] : others)
+    text += begin_case(file.empty() ? other : file, 0.0) +
+            end_case(exit_code, other.substr(0, other.find('\n')), other + "\n");
   return text + "</testsuite>\n";
 }
 
@@ -135,8 +135,8 @@ std::string github_annotations(const CheckReport& report) {
   for (const CheckVerdict& verdict : report.verdicts())
     if (verdict.status != CheckStatus::agreed && report.group_of(verdict) == nullptr)
       text += annotation(report, verdict);
-  for (const FailedCore& core : failed_cores(report))
-    text += annotation(core.folder + "/accepted.txt", "core", core.text);
+  for (const OtherFailure& other : other_failures(report))
+    text += annotation(other.file, other.kind, other.text);
   return text;
 }
 

@@ -65,14 +65,15 @@ std::string group_section(const DifferenceGroup& group, std::size_t checked, con
 std::string check_markdown(const CheckReport& report, const std::vector<GroupPicture>& pictures) {
   const bool is_green =
       report.count(CheckStatus::agreed) == static_cast<std::int64_t>(report.verdicts().size()) &&
-      failed_cores(report).empty();
+      other_failures(report).empty();
   std::string text = fmt::format("## hyrax-sim check: {}\n\n{}\n\n", is_green ? "agreed" : "not agreed",
                                  counts_sentence(report));
   const auto checked = static_cast<std::size_t>(report.scenario_count());
   for (std::size_t group = 0; group < report.groups().size(); ++group)
     text += group_section(report.groups()[group], checked,
                           group < pictures.size() ? pictures[group] : GroupPicture{});
-  for (const FailedCore& core : failed_cores(report)) text += "### core\n\n" + code_block(core.text) + "\n";
+  for (const OtherFailure& other : other_failures(report))
+    text += fmt::format("### {}\n\n{}\n", other.kind, code_block(printable_lines(other.text)));
   for (const CheckVerdict& verdict : report.verdicts())
     if (verdict.status != CheckStatus::agreed && report.group_of(verdict) == nullptr)
       text += fmt::format("- {}: {}: {}\n", code_span(verdict.path), name_of(verdict.status),

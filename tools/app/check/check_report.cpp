@@ -135,9 +135,10 @@ void print_every(const CheckReport& report) {
 
 }  // namespace
 
-CheckReport::CheckReport(const Core& core, std::vector<CheckVerdict> verdicts,
+CheckReport::CheckReport(const Core& core, std::vector<CheckVerdict> verdicts, std::vector<Failure> unlisted,
                          std::vector<std::string> arguments, std::string golden_folder)
     : verdicts_(std::move(verdicts)),
+      unlisted_(std::move(unlisted)),
       cores_(core, arguments, golden_folder),
       arguments_(std::move(arguments)),
       golden_folder_(std::move(golden_folder)) {
@@ -192,21 +193,24 @@ std::string counts_sentence(const CheckReport& report) {
   return counts_sentence(statuses, folders_failed);
 }
 
-std::vector<FailedCore> failed_cores(const CheckReport& report) {
-  std::vector<FailedCore> failed;
+std::vector<OtherFailure> other_failures(const CheckReport& report) {
+  std::vector<OtherFailure> failed;
+  for (const Failure& failure : report.unlisted())
+    failed.push_back({"folder", "", failure.what(), failure.exit_code()});
   for (const CoreVerdict* const core : report.cores()) {
     if (core->exit_code == ExitCode::agreed) continue;
     std::string text = core_text(*core, report.cores().size() == 1, report.groups().empty());
     text.pop_back();
-    failed.push_back({accepted_core_folder(core->golden_folder), std::move(text), core->exit_code});
+    failed.push_back({"core", accepted_core_folder(core->golden_folder) + "/accepted.txt", std::move(text),
+                      core->exit_code});
   }
   return failed;
 }
 
 void print_check(const CheckReport& report, const Printing& printing) {
   if (printing.is_quiet()) {
-    for (const FailedCore& core : failed_cores(report))
-      print_text("{}\n", core.text.substr(0, core.text.find('\n')));
+    for (const OtherFailure& other : other_failures(report))  // Those of folders are on standard error.
+      if (!other.file.empty()) print_text("{}\n", other.text.substr(0, other.text.find('\n')));
     for (const CheckVerdict& verdict : report.verdicts())
       if (verdict.status == CheckStatus::failed) print_error(verdict.error);
     print_names(report);

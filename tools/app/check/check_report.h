@@ -10,6 +10,7 @@
 #include "tools/app/causes/difference_group.h"
 #include "tools/app/check/check_verdict.h"
 #include "tools/app/command_line/print.h"
+#include "tools/files/failure.h"
 #include "tools/files/json.h"
 
 namespace hyrax {
@@ -18,14 +19,16 @@ namespace hyrax {
 class CheckReport {
  public:
   /// Refers to the core.
+  /// @param unlisted folders whose scenarios are not among the verdicts.
   /// @param arguments the scenarios and folders as given; none: the folder `scenarios`.
   /// @param golden_folder as given; empty if it was not.
-  CheckReport(const Core& core, std::vector<CheckVerdict> verdicts, std::vector<std::string> arguments,
-              std::string golden_folder);
+  CheckReport(const Core& core, std::vector<CheckVerdict> verdicts, std::vector<Failure> unlisted,
+              std::vector<std::string> arguments, std::string golden_folder);
   CheckReport(const CheckReport&) = delete;
   CheckReport& operator=(const CheckReport&) = delete;
 
   [[nodiscard]] const std::vector<CheckVerdict>& verdicts() const { return verdicts_; }
+  [[nodiscard]] const std::vector<Failure>& unlisted() const { return unlisted_; }
   [[nodiscard]] const std::vector<DifferenceGroup>& groups() const { return groups_; }
   /// Of every golden folder that scenarios have, in order of their names.
   [[nodiscard]] std::vector<const CoreVerdict*> cores() const { return cores_.verdicts(); }
@@ -46,6 +49,7 @@ class CheckReport {
 
  private:
   std::vector<CheckVerdict> verdicts_;
+  std::vector<Failure> unlisted_;
   CoreChecks cores_;
   std::vector<DifferenceGroup> groups_;
   std::unordered_map<const PairVerdict*, const DifferenceGroup*> group_of_;
@@ -56,13 +60,14 @@ class CheckReport {
 
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
 
-/// An accepted core by which the check fails, whatever the scenarios' verdicts are.
-struct FailedCore {
-  std::string folder;
-  std::string text;  ///< core_text of it, without the last line break.
+/// By which the check fails whatever the scenarios' verdicts are: a core, or a folder without scenarios.
+struct OtherFailure {
+  std::string_view kind;
+  std::string file;  ///< Of the accepted core; empty: a folder, which the text names.
+  std::string text;  ///< Without the last line break.
   ExitCode exit_code;
 };
-[[nodiscard]] std::vector<FailedCore> failed_cores(const CheckReport& report);
+[[nodiscard]] std::vector<OtherFailure> other_failures(const CheckReport& report);
 
 /// The verdict on a scenario of one of its groups.
 [[nodiscard]] inline const CheckVerdict& verdict_on(const PairVerdict& scenario) {
@@ -97,7 +102,7 @@ void print_check(const CheckReport& report, const Printing& printing);
 [[nodiscard]] Json check_json(const CheckReport& report);
 [[nodiscard]] std::string check_junit(const CheckReport& report);
 /// Workflow commands of GitHub Actions, "::error file=PATH,title=TITLE::MESSAGE", a line for each scenario
-/// that does not agree, of each cause the worst scenario first, and for each core by which the check fails.
+/// that does not agree, of each cause the worst scenario first, and for each other failure.
 [[nodiscard]] std::string github_annotations(const CheckReport& report);
 /// What was drawn of a group: names of files beside the summary; empty: none.
 struct GroupPicture {
