@@ -48,8 +48,6 @@ class Workflows(unittest.TestCase):
         for path in WORKFLOWS:
             self.assertEqual(writers(path.read_text()), ["publish"] if path.name == "release.yml" else [], path)
         self.assertEqual(writers(RELEASE.replace("permissions:\n  contents: read\n", "")), ["", "publish"])
-        self.assertEqual(writers(RELEASE.replace("  platform:\n", "  platform:\n    permissions: write-all\n")),
-                         ["platform", "publish"])
 
     def test_every_platform_has_a_job(self):
         self.assertEqual(rows_without_job(RELEASE), [])

@@ -30,7 +30,7 @@ struct AlteredStep {
   /// Y: ground, else top.
   std::string_view collide = "xy";
   /// With p, v position and speed against the wall, w the speed along it, b the bound:
-  /// c: p = b. m: p = 2 b - p. t: v = -v restitution. i: v = -v. k: v *= restitution. s: v = 0. h: v = -0.5
+  /// c: p = b. m: p = 2 b - p. t: v = -v restitution. k: v *= restitution. s: v = 0. h: v = -0.5
   /// v. o: as t, if v leads outwards. f: w *= friction. F: v *= friction. r: v = 0 if |v| < threshold.
   /// e: <= for <. S: v for |v|. q: w = 0 if |v| < threshold.
   std::string_view left = "ct";
@@ -59,9 +59,8 @@ struct AlteredStep {
   std::int64_t last_input_late = 0;
   double first_frame_factor = 1.0;  ///< Of frame 0 of a clock without jitter.
 
-  /// Golden files are compared without vx and vy; trajectory files have vx and vy exchanged.
+  /// Golden files are compared without vx and vy.
   bool is_comparer_blind = false;
-  bool swaps_columns = false;
 
   bool operator==(const AlteredStep&) const = default;
 };

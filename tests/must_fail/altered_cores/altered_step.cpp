@@ -26,7 +26,6 @@ void meet(std::string_view operations, const Axis& axis, double bound, double ou
     if (operation == 'c') p = bound;
     if (operation == 'm') p = 2.0 * bound - p;
     if (operation == 't') v = -v * step.restitution;
-    if (operation == 'i') v = -v;
     if (operation == 'k') v = v * step.restitution;
     if (operation == 's') v = 0.0;
     if (operation == 'h') v = -v * 0.5;
