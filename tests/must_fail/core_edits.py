@@ -7,7 +7,7 @@ import dataclasses
 
 GRAVITY, DRAG_X, DRAG_Y = "m_vy += GRAVITY * dt;", "m_vx *= AIR_DRAG;", "m_vy *= AIR_DRAG;"
 DRAG = f"{DRAG_X}\n    {DRAG_Y}"
-MOVE_X, MOVE_Y = "m_x += m_vx * dt;", "m_y += m_vy * dt;"
+MOVE_X = "m_x += m_vx * dt;"
 TURN_X, TURN_Y = "m_vx = -m_vx * RESTITUTION;", "m_vy = -m_vy * RESTITUTION;"
 LEFT, RIGHT = f"m_x = 0.0;\n      {TURN_X}", f"m_x = rightBound;\n      {TURN_X}"
 FRICTION = "m_vx *= GROUND_FRICTION;"
@@ -61,8 +61,6 @@ SINGLE = (
             "std::pow(AIR_DRAG, 60.0 * dt)"),
     changed("half_moves", MOVE_X, "m_x += m_vx * (dt / 2.0);\n    m_x += m_vx * (dt / 2.0);", "dt / 2.0"),
     changed("in_floats", DRAG_X, "m_vx = static_cast<float>(m_vx * AIR_DRAG);", "static_cast<float>"),
-    changed("two_substeps", f"{MOVE_X}\n    {MOVE_Y}",
-            "for (int part = 0; part < 2; ++part) {\n      m_x += m_vx * dt * 0.5;\n      m_y += m_vy * dt * 0.5;\n    }", "part < 2"),
     changed("set_velocity_swapped", "m_vx = vx;\n    m_vy = vy;", "m_vx = vy;\n    m_vy = vx;", "m_vx = vy;"),
     changed("constructor_without_vy", "m_vy(vy) {}", "m_vy(0.0) {}", "m_vy(0.0)"),
     changed("whole_pixels", MOVE_X, "m_x = std::floor(m_x + m_vx * dt);", "std::floor"),
@@ -83,9 +81,7 @@ def at_ground(name, condition, effect="m_vx *= 0.9;"):
 CONDITIONAL = (
     when("sprite_higher_than_wide", "objHeight > objWidth"),
     when("dt_below_1_ms", "dt < 0.001 && dt > 0.0"),
-    when("below_the_floor_by_500", "m_y > bottomBound + 500.0", "m_vx *= 0.9;"),
     at_ground("ground_slipping_slowly", "std::fabs(m_vx) < 0.5", "m_vx = 0.0;"),
-    at_ground("ground_of_small_windows", "bottomBound < 100.0", "m_vy *= 0.9;"),
     changed("rest_only_above_-600", "if (std::fabs(m_vy) < REST_THRESHOLD)",
             "if (std::fabs(m_vy) < REST_THRESHOLD && m_vx > -600.0)", "m_vx > -600.0"),
 )
@@ -100,7 +96,6 @@ EQUAL = (
     equal("comment", (GRAVITY, f"{GRAVITY}  // Downwards.")),
     equal("members_renamed", ("m_v", "speed_"), ("m_", "place_")),
     equal("constant_renamed", ("AIR_DRAG", "DRAG")),
-    equal("drag_in_y_first", (DRAG, f"{DRAG_Y}\n    {DRAG_X}")),
     equal("turn_before_clamp", (RIGHT, f"{TURN_X}\n      m_x = rightBound;")),
     equal("helper_function", (HELPERS, f"  static double turned(double v) {{ return -v * RESTITUTION; }}\n{HELPERS}"),
           (TURN_X, "m_vx = turned(m_vx);"), (TURN_Y, "m_vy = turned(m_vy);")),

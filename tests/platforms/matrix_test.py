@@ -81,11 +81,9 @@ class Rows(unittest.TestCase):
         needed = {need.package for row in (*BUILDS, *CONTROLS, *THIS_BUILD) for need in row.needs}
         self.assertEqual(needed - installed, set())
 
-    def test_each_row_is_daily_or_nightly_and_has_a_name_of_its_own(self):
-        every, *halves = (succeed(HERE / "run", "--list", "--rows", rows).out.splitlines() for rows in ("all", "daily", "nightly"))
-        self.assertEqual(sorted(every), sorted({*halves[0], *halves[1]}))
-        self.assertEqual(len(every), len(halves[0]) + len(halves[1]))
-        self.assertTrue(all(halves))
+    def test_each_row_has_a_name_of_its_own(self):
+        names = [row.folder for row in (*BUILDS, *CONTROLS)]
+        self.assertEqual(len(names), len(set(names)))
 
 
 if __name__ == "__main__":
