@@ -90,7 +90,7 @@ class Evaluated(CompareTest):
                 # A control: with the oracle of another core each of these fails.
                 for check in (self.check_library, self.check_flings, self.check_displays):
                     with self.assertRaises(AssertionError, msg=check):
-                        check("bounce_softer" if name != "bounce_softer" else "friction_wrong", card)
+                        check("bounce_softer" if name != "bounce_softer" else "no_rest_rule", card)
 
     def check_library(self, name, card):
         """Classes, contacts, distances and recordings."""
@@ -222,11 +222,6 @@ class Consequence(CompareTest):
         unseen = [("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAG;\n    if (screenWidth == 31001) m_vx *= 0.5;")]
         step = self.card("unseen", unseen)["step"]
         self.assertEqual((step["status"], step["why"]), ("not_proved", "its step is another one; no step is known whose bits differ"))
-        # Traced, it is the shipped core; compiled, it is not.
-        two_faced = [("GRAVITY = 1200.0;", "GRAVITY =\n#ifdef HYRAX_CORE_HEADER\n 1200.0;\n#else\n 1250.0;\n#endif\n")]
-        step = self.card("two_faced", two_faced)["step"]
-        self.assertEqual((step["status"], step["why"]),
-                         ("not_proved", "the traced steps are equal, but the compiled cores give other bits"))
         table = [("m_vx *= AIR_DRAG;", "const double drag[] = {0.998, 0.999};\n    m_vx *= drag[objWidth % 2];")]
         step = self.card("table", table)["step"]
         self.assertEqual(step["status"], "changed")
@@ -277,15 +272,12 @@ class OtherInterface(CompareTest):
 
     def test_without_constants_or_default_constructor_it_has_the_other_lines(self):
         edits = [("  static constexpr double GRAVITY = 1200.0;       ///< px/s^2, downwards.\n", ""), ("GRAVITY", "1200.0"),
-                 ("  physics() : physics(0.0, 0.0) {}\n", "")]
+                 ("AIR_DRAG", "DRAG"), ("  physics() : physics(0.0, 0.0) {}\n", "")]
         card = self.card("same_step", edits)
-        self.assertEqual((card["lacking"], card["step"]["status"]), ("the candidate has no GRAVITY", "proved_equal"))
+        self.assertEqual((card["lacking"], card["step"]["status"]), ("the candidate has no GRAVITY, AIR_DRAG", "proved_equal"))
         self.assertEqual((card["claims"], card["hard_cases"]["general"], card["hard_cases"]["listing"]), (None, None, None))
         self.assertEqual((card["hard_cases"]["cases_changed"], card["hard_cases"]["random_runs_changed"]["count"]), (0, 0))
         self.assertEqual(card["scenarios"]["same_bits"], len(LIBRARY))
-        card = self.card("other_step", [("AIR_DRAG = 0.999", "DRAG = 0.998"), ("AIR_DRAG", "DRAG"), *edits])
-        self.assertEqual(card["lacking"], "the candidate has no GRAVITY, AIR_DRAG")
-        self.assertGreater(card["hard_cases"]["random_runs_changed"]["count"], 100)
 
     def test_what_it_prints_and_its_macros_change_nothing(self):
         prints = [("#include <cmath>\n", "#include <cmath>\n#include <cstdio>\n#define State 1\n#define Bounds 2\n#  define core 3\n"
@@ -299,25 +291,17 @@ class Refused(CompareTest):
     """Candidates whose results cannot be compared, and bad input."""
 
     def test_hidden_defects_are_refused_with_the_reason(self):
-        for name in candidates.REFUSED if IS_ALL else ("static_counter", "exits", "divides_by_zero", "flushes_to_zero"):
+        for name in candidates.REFUSED if IS_ALL else ("static_counter", "exits_when_loaded", "flushes_to_zero"):
             with self.subTest(name):
                 edits, reason = candidates.REFUSED[name]
                 outcome = self.compare(BAD_INPUT, self.header(name, edits), "--limit", 20)
                 self.assertRegex(outcome.err, f"^{name}.h: refused: .*({reason})")
                 self.assertEqual(outcome.out, "")
 
-    @unittest.skipUnless(IS_ALL, "nightly")
-    def test_a_base_is_refused_as_a_candidate_is(self):
-        base = self.header("static_counter", candidates.REFUSED["static_counter"][0])
-        outcome = self.compare(BAD_INPUT, self.header("same", []), base)
-        self.assertRegex(outcome.err, "^static_counter.h: refused: does not repeat")
-
-    def test_a_header_that_does_not_compile_gets_a_sentence(self):
-        for edit, reason in ((("m_vx *= AIR_DRAG;", "m_vx *= AIR_DRAGG;"), r"broken\.h:\d+: 'AIR_DRAGG' was not declared.*"),
-                             (("double x() const", "double left() const"), r".*class physics needs .* const x, y, vx, vy")):
-            outcome = self.compare(BAD_INPUT, self.header("broken", [edit]), "--json")
-            self.assertRegex(outcome.err, rf"\Abroken\.h: does not compile: {reason}\n\Z")
-            self.assertEqual(outcome.out, "")
+    def test_a_header_whose_class_lacks_a_function_gets_a_sentence(self):
+        outcome = self.compare(BAD_INPUT, self.header("broken", [("double x() const", "double left() const")]), "--json")
+        self.assertRegex(outcome.err, r"\Abroken\.h: does not compile: .*class physics needs .* const x, y, vx, vy\n\Z")
+        self.assertEqual(outcome.out, "")
 
 
 if __name__ == "__main__":

@@ -43,7 +43,6 @@ CORES = {
     "same": (replay.Sprite, {}),
     "gravity_by_one_ulp": (replay.Sprite, {"GRAVITY_PX_PER_S2": 1200.0000000000002}),
     "bounce_softer": (replay.Sprite, {"RESTITUTION": 0.55}),
-    "friction_wrong": (replay.Sprite, {"GROUND_FRICTION": 0.7}),
     "no_rest_rule": (replay.Sprite, {"REST_THRESHOLD_PX_PER_S": 0.0}),
     "position_first": (PositionFirst, {}),
 }

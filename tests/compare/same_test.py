@@ -70,19 +70,8 @@ class SameTest(ProgramTest):
         self.assertEqual(card["scenarios"], {"count": 4, "same_bits": 4, "rounding": 0, "values": 0, "contacts": 0, "shape": 0,
                                              "cut": 0, "changed": []})
         self.assertEqual(card["flings"]["classes"]["same_bits"], 3)
-        for key in ("shift_px", "distance_px"):
-            self.assertEqual(card["flings"][key], {"samples": 3, "median": 0, "p10": 0, "p90": 0})
-        contacts = card["contacts"]
-        self.assertEqual([contacts[key] for key in ("scenarios", "moved", "only_before", "only_after")], [0, 0, 0, 0])
-        self.assertGreater(contacts["contacts"]["before"], 10)
-        for line in (card["displays"]["spread_px"], *card["energy"].values(), *(each["distance_px"] for each in card["exact"]),
-                     contacts["contacts"], card["flings"]["settled"]):
-            self.assertEqual(line["before"], line["after"])
         hard = card["hard_cases"]
         self.assertEqual((hard["cases"], hard["cases_changed"], hard["random_runs_changed"]["count"]), (1, 0, 0))
-        for line in (hard["general"], hard["listing"]):
-            self.assertEqual(line["cases_broken"], {"before": 0, "after": 0})
-            self.assertEqual([share["count"] for share in line["random_runs_broken"].values()], [0, 0])
         self.assertEqual((card["claims"]["changed"], card["claims"]["not_measured"], card["claims"]["other_numbers"]), ([], [], 0))
         self.assertEqual(card["recordings"], {"recordings": 2, "moved": []})
         self.assertEqual(card["consequence"], "None: every row has the same bits.")

@@ -91,8 +91,8 @@ class Gates(ProgramTest):
 
 
 class Numbers(ProgramTest):
-    """What studies print of many flings is what tests/oracle/flings.py computes, with the constants of the core; other constants
-    move every median, and another step does."""
+    """What studies print of many flings is what tests/oracle/flings.py computes, with the constants of the core. What a study says
+    of another step: Gates."""
 
     def rows(self, core, study, table):
         """A table of the study's document, as {key: row}."""
@@ -107,13 +107,6 @@ class Numbers(ProgramTest):
                 if column in row or "median" in column:
                     self.assertAlmostEqual(row[column], number, delta=1e-6 * max(1.0, number), msg=(row, column))
 
-    def assert_moved(self, study, table, core, method, *columns):
-        """By that core most rows of the method have another number in these columns: times come in frames."""
-        moved = self.rows(core, study, table)
-        for column in columns:
-            pairs = [(row[column], moved[key][column]) for key, row in self.rows("none", study, table).items() if method in (*key, "")]
-            self.assertGreater(2 * sum(abs(b - a) > 1e-6 for a, b in pairs), len(pairs), (core, column))
-
     def test_rest(self):
         for core, laws in CORES.items():
             rates = self.rows(core, "rest", "rates")
@@ -123,8 +116,6 @@ class Numbers(ProgramTest):
                 played.step()
                 zero, cycle = ((vy == 0.0) & (played.vy == 0.0)).sum(), ((vy == 0.0) != (played.vy == 0.0)).sum()
                 self.assert_numbers(rates[rate_hz,], rest=zero, cycle=cycle, buzz=100 - zero - cycle, time_BAND_s=played.anchor_s)
-        for core in ("gravity_stronger", "drag_before_gravity"):
-            self.assert_moved("rest", "rates", core, "", "time_median_s")
 
     def test_frame_rate(self):
         begin = numpy.concatenate([[[100.0], [100.0], [900.0], [-1200.0]], flings.starts(100)], axis=1)
@@ -137,7 +128,6 @@ class Numbers(ProgramTest):
                 for rate_hz, each in played.items():
                     self.assert_numbers(shifts[method, "steady", rate_hz], shift_BAND_px=abs(each.x - played[60.0].x), off_BAND_px=abs(each.x - exact),
                                         other_contacts=(each.contacts[:3] != played[60.0].contacts[:3]).any(axis=0).sum())
-        self.assert_moved("frame-rate", "shifts", "gravity_stronger", "paper", "shift_median_px", "off_median_px")
 
     def test_speed_error(self):
         begin = flings.starts_like(60.0, 900.0, 1000.0, -1350.0, 120)
@@ -150,8 +140,6 @@ class Numbers(ProgramTest):
                 apart.append(numpy.hypot(played.x - place[:, 0], played.y - place[:, 1]))
             row = self.rows("none", "speed-error", "bands")["fling", method, 60.0]
             self.assert_numbers(row, position_error_BAND_px=numpy.max(apart, axis=0), end_error_BAND_px=apart[-1])
-        for core in ("drag_in_y_twice", "drag_before_gravity"):
-            self.assert_moved("speed-error", "bands", core, "paper", "position_error_median_px", "end_error_median_px")
 
     def test_bounces(self):
         for core, laws in CORES.items():
@@ -164,7 +152,6 @@ class Numbers(ProgramTest):
                     kept = played.play(duration_s).energy() / begin
                     self.assert_numbers(rates[method, 24.0], **dict(zip((name, f"{name}_low", f"{name}_high"), flings.band(kept))))
                 self.assert_numbers(rates[method, 24.0], about_kept=((kept >= 0.5) & (kept <= 2.0)).sum())
-        self.assert_moved("bounces", "rates", "gravity_stronger", "paper", "ten_minutes")
 
 
 if __name__ == "__main__":

@@ -52,8 +52,6 @@ class Workflows(unittest.TestCase):
         for path in WORKFLOWS:
             self.assertEqual(writers(path.read_text()), ["publish"] if path.name == "release.yml" else [], path)
         self.assertEqual(writers(RELEASE.replace("permissions:\n  contents: read\n", "")), ["", "publish"])
-        self.assertEqual(writers(RELEASE.replace("  platform:\n", "  platform:\n    permissions: write-all\n")),
-                         ["platform", "publish"])
 
     def test_jobs_that_run_the_tests_may_mount_file_systems(self):
         for path in WORKFLOWS:

@@ -16,7 +16,7 @@ from process import run, succeed
 from result import processor_features
 from rows import BUILDS, CONTROLS, HERE, MASKED, PROJECT, THIS_BUILD, Needs, Row
 
-AS_MUST_BE, NOT_AS_MUST_BE, BAD_INPUT = 0, 1, 2
+NOT_AS_MUST_BE = 1
 SCENARIO = "flings/first-fling"
 LOADER = "/lib64/ld-linux-x86-64.so.2"
 
@@ -24,31 +24,16 @@ LOADER = "/lib64/ld-linux-x86-64.so.2"
 class Matrix(unittest.TestCase):
     """The driver, with golden files of its own."""
 
-    @classmethod
-    def setUpClass(cls):
-        cls.scratch = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
-        cls.addClassCleanup(shutil.rmtree, cls.scratch)
-
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
         self.addCleanup(shutil.rmtree, self.folder)
-        for digest in (PROJECT / "golden").rglob("*.txt"):
-            copy = self.folder / "golden" / digest.relative_to(PROJECT / "golden")
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(digest, copy)
+        shutil.copytree(PROJECT / "golden", self.folder / "golden", ignore=shutil.ignore_patterns("*.h5"))
 
-    def play(self, exit_code, *options, program=os.environ.get("HYRAX_REPLAY", "")):
-        """Plays a program; returns its table and its messages on stderr."""
-        outcome = run(HERE / "run", "--program", program, "--golden", self.folder / "golden", "--folder", self.scratch,
-                      *options)
-        self.assertEqual(outcome.exit_code, exit_code, outcome)
+    def play(self, program):
+        """Plays a program, which is not as it must be; returns its table and its messages on stderr."""
+        outcome = run(HERE / "run", "--program", program, "--golden", self.folder / "golden", "--folder", self.folder)
+        self.assertEqual(outcome.exit_code, NOT_AS_MUST_BE, outcome)
         return outcome.out, outcome.err
-
-    def test_the_golden_hashes_agree(self):
-        table, errors = self.play(AS_MUST_BE)
-        self.assertEqual(errors, "")
-        self.assertRegex(table, r"(?m)^\| this build .* (\d+) of \1 agree +\|$")
-        self.assertEqual(table, (self.scratch / "platforms.md").read_text(encoding="utf-8"))
 
     def test_one_digit_of_one_golden_hash_turns_it_red(self):
         digest = self.folder / "golden" / f"{SCENARIO}.txt"
@@ -56,20 +41,16 @@ class Matrix(unittest.TestCase):
         found = re.search(r"^state hash: ([0-9a-f]{31})([0-9a-f])$", text, re.MULTILINE)
         digest.write_text(text.replace(found.group(0), f"state hash: {found.group(1)}{int(found.group(2), 16) ^ 1:x}"),
                           encoding="utf-8")
-        table, errors = self.play(NOT_AS_MUST_BE)
+        table, errors = self.play(os.environ["HYRAX_REPLAY"])
         self.assertRegex(table, r"this build .* 1 of \d+ DIFFERENT")
         self.assertIn(f"scenarios/{SCENARIO}.json: golden {found.group(1)}", errors)
 
     def test_a_program_that_plays_and_refuses_nothing_is_red_in_every_line(self):
-        table, errors = self.play(NOT_AS_MUST_BE, program=shutil.which("true"))
+        table, errors = self.play(shutil.which("true"))
         must = [variant.must.kind for variant in THIS_BUILD] + ["agrees"]
         self.assertEqual(table.count("FAILED: exit code 0, 0 of "), must.count("agrees"))
         self.assertEqual(table.count("NOT REFUSED: exit code 0"), must.count("starts"))
         self.assertEqual(errors.count("BAD: "), len(THIS_BUILD) + 1)
-
-    def test_an_unknown_row_is_reported(self):
-        _, errors = self.play(BAD_INPUT, "--only", "no such row")
-        self.assertIn("--list prints all rows", errors)
 
 
 class Rows(unittest.TestCase):
@@ -100,11 +81,9 @@ class Rows(unittest.TestCase):
         needed = {need.package for row in (*BUILDS, *CONTROLS, *THIS_BUILD) for need in row.needs}
         self.assertEqual(needed - installed, set())
 
-    def test_each_row_is_daily_or_nightly_and_has_a_name_of_its_own(self):
-        every, *halves = (succeed(HERE / "run", "--list", "--rows", rows).out.splitlines() for rows in ("all", "daily", "nightly"))
-        self.assertEqual(sorted(every), sorted({*halves[0], *halves[1]}))
-        self.assertEqual(len(every), len(halves[0]) + len(halves[1]))
-        self.assertTrue(all(halves))
+    def test_each_row_has_a_name_of_its_own(self):
+        names = [row.folder for row in (*BUILDS, *CONTROLS)]
+        self.assertEqual(len(names), len(set(names)))
 
 
 if __name__ == "__main__":

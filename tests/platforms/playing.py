@@ -40,18 +40,12 @@ def compiler_of(start, row):
     return reported[0].split(" (")[0] if reported else row.compiler
 
 
-def hashes_of(output):
-    """{scenario: hash} of what hyrax-replay printed."""
-    lines = (line.split("  ", 1) for line in output.splitlines())
-    return {path: state_hash for state_hash, path in lines}
-
-
 def play(start, row, scenarios, is_reversed=False):
     """Plays what the row can; returns (verdict, is_as_golden, what was printed on stderr)."""
     chosen = [path for path, known in scenarios.items()
               if row.runs_on == "this machine" or known.steps <= EMULATED_STEPS_MAX]
     outcome = start(*(chosen[::-1] if is_reversed else chosen))
-    found = hashes_of(outcome.out)
+    found = dict(line.split("  ", 1)[::-1] for line in outcome.out.splitlines())  # {scenario: hash}
     different = [path for path in chosen if found.get(path) != scenarios[path].state_hash]
     left_out = f" ({len(scenarios) - len(chosen)} too long for an emulator)" if len(chosen) < len(scenarios) else ""
     if not chosen or len(found) < len(chosen) or (outcome.exit_code != 0 and not different):

@@ -20,16 +20,6 @@ def processor_features():
     return frozenset(found.group(1).split()) if found else frozenset()
 
 
-def missing_packages(row):
-    """Debian packages without which the row cannot be built or run."""
-    return [need.package for need in row.needs if not (glob.glob(need.what) or shutil.which(need.what))]
-
-
-def missing_features(row):
-    """Features without which this processor cannot run the row."""
-    return [feature for feature in row.cpu if feature not in processor_features()]
-
-
 @dataclasses.dataclass(frozen=True)
 class Result:
     """A line of the table."""
@@ -45,9 +35,9 @@ class Result:
 
 def hindrance_of(row, name, built_by="", flags="", runs_on=""):
     """Why a row or variant is not played here, as its line; nothing where it can be."""
-    if features := missing_features(row):
+    if features := [feature for feature in row.cpu if feature not in processor_features()]:
         return Result(name, built_by, flags, runs_on, f"not run here: the processor lacks {features[0]}")
-    if packages := missing_packages(row):
+    if packages := [need.package for need in row.needs if not (glob.glob(need.what) or shutil.which(need.what))]:
         return Result(name, built_by, flags, runs_on, f"skipped: needs {' '.join(packages)}", IN_CI,
                       "with CI=true, what is missing is a failure")
     return None

@@ -54,7 +54,7 @@ AlteredRecord make_record(const AlteredCore& core) {
 // The shipped one where the step is not altered.
 CoreRecord altered_record() {
   const AlteredCore& core = altered_core();
-  constexpr std::string_view kOutsideTheStep[] = {"nothing", "clock", "inputs", "comparer", "writer"};
+  constexpr std::string_view kOutsideTheStep[] = {"nothing", "clock", "inputs", "comparer"};
   if (std::ranges::find(kOutsideTheStep, core.operation) != std::end(kOutsideTheStep))
     return built_core_record();
   static const AlteredRecord texts = make_record(core);

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
 
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
-#include "sim/trajectory/columns.h"
 #include "tests/must_fail/altered_cores/altered_core.h"
 
 // The function of that symbol, and what other source files call in its place.
@@ -17,13 +15,10 @@
 
 namespace hyrax {
 
-class RowTable;  // tools/store/trajectory_parts.h, which needs HDF5.
-
 WRAPPED("_ZN5hyrax10FrameClockC1ERKNS_5ClockE", void, clock, FrameClock*, const Clock&)
 WRAPPED("_ZN5hyrax13jittered_dt_sEdRKNS_6JitterEl", double, jitter, double, const Jitter&, std::int64_t)
 WRAPPED("_ZN5hyrax15schedule_eventsERKNS_8ScenarioEll", Schedule, schedule, const Scenario&, std::int64_t,
         std::int64_t)
-WRAPPED("_ZN5hyrax8RowTable6appendERKNS_7ColumnsE", bool, append, RowTable*, const Columns&)
 WRAPPED("_ZN5hyrax9inputs_ofERKNS_8ScenarioEl", std::vector<Input>, inputs, const Scenario&, std::int64_t)
 
 namespace {
@@ -63,13 +58,6 @@ Schedule altered_schedule(const Scenario& scenario, std::int64_t steps, std::int
   Schedule schedule = original_schedule(scenario, steps, walked_frame_max);
   for (std::int64_t& frame : schedule.frames) frame = late(frame, steps, &frame == &schedule.frames.back());
   return schedule;
-}
-
-bool altered_append(RowTable* table, const Columns& rows) {
-  if (!altered_step().swaps_columns) return original_append(table, rows);
-  Columns swapped = rows;
-  std::swap(swapped.vx_px_per_s, swapped.vy_px_per_s);
-  return original_append(table, swapped);
 }
 
 std::vector<Input> altered_inputs(const Scenario& scenario, std::int64_t frames) {

@@ -18,7 +18,7 @@ struct Axis {
   double& along;
 };
 
-void meet(std::string_view operations, const Axis& axis, double bound, double outwards, double dt) {
+void meet(std::string_view operations, const Axis& axis, double bound, double outwards) {
   const AlteredStep& step = altered_step();
   auto& [p, v, w] = axis;
   for (const char operation : operations) {
@@ -26,18 +26,15 @@ void meet(std::string_view operations, const Axis& axis, double bound, double ou
     if (operation == 'c') p = bound;
     if (operation == 'm') p = 2.0 * bound - p;
     if (operation == 't') v = -v * step.restitution;
-    if (operation == 'i') v = -v;
     if (operation == 'k') v = v * step.restitution;
     if (operation == 's') v = 0.0;
     if (operation == 'h') v = -v * 0.5;
     if (operation == 'o') v = v * outwards > 0.0 ? -v * step.restitution : v;
     if (operation == 'f') w *= step.ground_friction;
     if (operation == 'F') v *= step.ground_friction;
-    if (operation == 'p') w *= std::pow(step.ground_friction, 60.0 * dt);
     if (operation == 'r') v = is_slow ? 0.0 : v;
     if (operation == 'e') v = std::fabs(v) <= step.rest_threshold ? 0.0 : v;
     if (operation == 'S') v = v < step.rest_threshold ? 0.0 : v;
-    if (operation == 'l') v = std::fabs(v) > step.rest_threshold ? 0.0 : v;
     if (operation == 'q') w = is_slow ? 0.0 : w;
   }
 }
@@ -49,13 +46,10 @@ bool claims(Claim claim, double beyond_bound_px) {
 
 void fly(AlteredBody& body, double dt) {
   const AlteredStep& step = altered_step();
-  auto& [x, y, vx, vy, last_dt] = body;
-  const double vx_before = vx, vy_before = vy;
-  last_dt = dt;
+  auto& [x, y, vx, vy] = body;
   const auto lose = [&](double factor) { vx *= factor, vy *= factor; };
   for (const char operation : step.fly) {
     if (operation == 'g') vy += step.gravity * dt;
-    if (operation == 'u') vy -= step.gravity * dt;
     if (operation == 'G') vx += step.gravity * dt;
     if (operation == 'X') vx *= step.air_drag;
     if (operation == 'Y') vy *= step.air_drag;
@@ -65,14 +59,8 @@ void fly(AlteredBody& body, double dt) {
     if (operation == 'x') x += vx * dt;
     if (operation == 'y') y += vy * dt;
     if (operation == '<') x -= vx * dt;
-    if (operation == '^') y -= vy * dt;
     if (operation == 'a') x += vy * dt;
-    if (operation == 'b') y += vx * dt;
     if (operation == 'l') vx = std::clamp(vx, -1500.0, 1500.0);
-    if (operation == 'v') {
-      x += (vx_before + vx) / 2.0 * dt;
-      y += (vy_before + vy) / 2.0 * dt;
-    }
     if (operation == 's') y += vy * dt + vx * 1e-9;
   }
 }
@@ -86,12 +74,12 @@ void collide(AlteredBody& body, int screen_width, int screen_height, int sprite_
   const auto meets = [&](std::string_view operations, Claim claim, const Axis& axis, double bound,
                          double outwards) {
     if (!claims(claim, outwards * (axis.position - bound))) return false;
-    meet(operations, axis, bound, outwards, body.dt);
+    meet(operations, axis, bound, outwards);
     return true;
   };
   const auto left = [&] { return meets(step.left, step.left_claims, in_x, 0.0, -1.0); };
-  const auto right = [&] { return meets(step.right, step.right_claims, in_x, right_bound, 1.0); };
-  const auto top = [&] { return meets(step.top, step.top_claims, in_y, 0.0, -1.0); };
+  const auto right = [&] { return meets(step.right, Claim::beyond_bound, in_x, right_bound, 1.0); };
+  const auto top = [&] { return meets(step.top, Claim::beyond_bound, in_y, 0.0, -1.0); };
   const auto ground = [&] { return meets(step.ground, step.ground_claims, in_y, bottom_bound, 1.0); };
   for (const char wall : step.collide) {
     if (wall == 'x') static_cast<void>(left() || right());

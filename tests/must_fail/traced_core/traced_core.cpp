@@ -3,14 +3,12 @@
 //
 // HYRAX_TRACED_HEADER is the path of the header, HYRAX_TRACED_STEP that of its step in canonical text, which
 // is played. With HYRAX_TRACED_WHY the program's record says that the step is not complete, and why.
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <memory>
+#include <map>
 #include <string>
-#include <utility>
 
 #include "sim/cause/header_change.h"
 #include "sim/core/core_of.h"
@@ -36,17 +34,14 @@ std::string text_of(const char* variable) {
 
 // The paper's where the header has none of the name.
 Constants constants_in(const std::string& header) {
-  Constants constants{1200.0, 0.6, 0.999, 0.8, 5.0};
-  const std::array<std::pair<const char*, double*>, 5> names = {
-      {{"GRAVITY", &constants.gravity_px_per_s2},
-       {"RESTITUTION", &constants.restitution},
-       {"AIR_DRAG", &constants.air_drag},
-       {"GROUND_FRICTION", &constants.ground_friction},
-       {"REST_THRESHOLD", &constants.rest_threshold_px_per_s}}};
-  for (const HeaderConstant& constant : header_constants(header))
-    for (const auto& [name, value] : names)
-      if (constant.name == name) *value = constant.value;
-  return constants;
+  std::map<std::string, double> values{{"GRAVITY", 1200.0},
+                                       {"RESTITUTION", 0.6},
+                                       {"AIR_DRAG", 0.999},
+                                       {"GROUND_FRICTION", 0.8},
+                                       {"REST_THRESHOLD", 5.0}};
+  for (const HeaderConstant& constant : header_constants(header)) values[constant.name] = constant.value;
+  return {values["GRAVITY"], values["RESTITUTION"], values["AIR_DRAG"], values["GROUND_FRICTION"],
+          values["REST_THRESHOLD"]};
 }
 
 // Refers to the texts.

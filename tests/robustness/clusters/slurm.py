@@ -36,15 +36,6 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
 
 
-def free_ports(count):
-    """Ports of loopback that nobody listens on."""
-    sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
-    ports = [each.getsockname()[1] for each in sockets]
-    for each in sockets:
-        each.close()
-    return ports
-
-
 class Cluster:
     """While it lasts, `environment` makes Slurm's commands talk to it."""
 
@@ -61,7 +52,9 @@ class Cluster:
         key = folder / "munge.key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o400)
-        controller_port, node_port = free_ports(2)
+        # Ports that nobody listens on.
+        with socket.create_server(("127.0.0.1", 0)) as one, socket.create_server(("127.0.0.1", 0)) as other:
+            controller_port, node_port = (each.getsockname()[1] for each in (one, other))
         (folder / "slurm.conf").write_text(CONFIGURATION.format(
             folder=folder, host=host, controller_port=controller_port, node_port=node_port, cpus=os.cpu_count()))
         self._start(folder, "munged", "--foreground", "--force", f"--key-file={key}", f"--socket={folder}/munge.socket",

@@ -8,7 +8,6 @@ import os
 import shutil
 
 import h5py
-import numpy
 
 from program import AGREED, BAD_INPUT, SOURCE, ProgramTest, fling, main
 
@@ -41,24 +40,11 @@ class HostileFile(ProgramTest):
                                 ("check", "--jobs", "1"), ("diff", "golden/fling.h5", "golden/other.h5"),
                                 ("drift", "golden/fling.h5"))
 
-    def test_that_hdf5_never_comes_back_from(self):
-        shutil.copyfile(FOUND / "trajectory/endless-heap.h5", self.golden)
-        self.assert_refused("reading it does not end", ("check",))
-
     def test_it_does_not_keep_a_blessing_from_replacing_it(self):
         shutil.copyfile(CRASHES[0], self.golden)
         outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "it was damaged")
         self.assertIn("replaces a golden file that cannot be read", outcome.out)
         self.expect(AGREED, "check")
-
-    def test_of_many_checked_at_once(self):
-        for number in range(12):
-            self.write(f"scenarios/bad/{number}.json", fling(name=f"n{number}"))
-            (self.folder / "golden/bad").mkdir(exist_ok=True)
-            shutil.copyfile(CRASHES[number % 2], self.folder / f"golden/bad/{number}.h5")
-            shutil.copyfile(self.golden.with_suffix(".txt"), self.folder / f"golden/bad/{number}.txt")
-        document = self.expect(BAD_INPUT, "check", "--json", "--jobs", "8").json
-        self.assertEqual((document["agreed"], document["failed"]), (2, 12))
 
     def grow(self, group, length):
         """Makes a group's columns claim so many elements, of which none is stored."""
@@ -90,29 +76,17 @@ class HostileFile(ProgramTest):
             self.expect(BAD_INPUT, "diff", path, "golden/other.h5", says=f"{path}: is not a regular file\n")
         self.expect(BAD_INPUT, "drift", "golden/fling.h5", says="golden/fling.h5: is not a regular file\n")
 
-    def test_a_scenario_from_a_pipe_is_read_to_its_end(self):
-        text = (self.folder / "scenarios/fling.json").read_bytes()
-        read, write = os.pipe()
-        os.write(write, text)
-        os.close(write)
-        self.expect(AGREED, "drift", f"/dev/fd/{read}", pass_fds=[read])
-        os.close(read)
-
     def test_complete_files_in_other_encodings_are_accepted(self):
         with h5py.File(self.golden) as whole, h5py.File(self.folder / "compressed.h5", "w") as copy:
-            copy.attrs.update(whole.attrs)
-            whole.visititems(lambda name, item: self.copy_compressed(copy, name, item))
-        self.expect(AGREED, "diff", "golden/fling.h5", "compressed.h5")
+            def add(name, item):
+                if isinstance(item, h5py.Group):
+                    copy.require_group(name).attrs.update(item.attrs)
+                else:
+                    copy.create_dataset(name, data=item[...], dtype=item.dtype, maxshape=(None,), compression="gzip")
 
-    @staticmethod
-    def copy_compressed(copy, name, item):
-        """An object of a file, in chunks and deflated where it is a dataset."""
-        if isinstance(item, h5py.Group):
-            copy.require_group(name).attrs.update(item.attrs)
-        elif len(item) > 0:
-            copy.create_dataset(name, data=numpy.asarray(item), dtype=item.dtype, compression="gzip")
-        else:
-            copy.create_dataset(name, shape=(0,), dtype=item.dtype)
+            copy.attrs.update(whole.attrs)
+            whole.visititems(add)
+        self.expect(AGREED, "diff", "golden/fling.h5", "compressed.h5")
 
 
 class CostlyScenario(ProgramTest):

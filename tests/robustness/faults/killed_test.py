@@ -99,10 +99,6 @@ class Trajectory(Killed):
         for scenario, tries_max in (("fling.json", CALLS_MAX), ("long.json", 12)):
             for _ in self.kill_everywhere("run", scenario, "-o", "out.h5", tries_max=tries_max):
                 self.assert_mended_by("run", scenario, "-o", "out.h5")
-            written = self.folder / "now/out.h5"
-            written.write_bytes(written.read_bytes()[:-1])
-            with self.assertRaises(AssertionError, msg="a file that is cut short"):
-                self.assert_old_or_new("cut short")
 
 
 class Blessing(Killed):
@@ -158,14 +154,6 @@ class Blessing(Killed):
             self.assertEqual(self.verdict("check"), DISAGREED if has_old_hash else AGREED)
             self.assert_mended_by(*command)
         self.assertEqual(seen, {False, True})
-
-    def test_a_rewritten_digest(self):
-        digest = self.folder / "before/golden/fling.txt"
-        self.write_before("scenarios/fling.json", fling())
-        digest.write_text(digest.read_text().replace("checksums: ", "checksum: "))
-        for _ in self.kill_everywhere("bless", "scenarios/fling.json", "--reason", "of an older form"):
-            is_new = "\nchecksums: " in (self.folder / "now/golden/fling.txt").read_text()
-            self.assertEqual(self.verdict("check"), AGREED if is_new else DISAGREED)
 
 
 class AcceptedCore(Killed):
