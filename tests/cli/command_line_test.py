@@ -16,10 +16,6 @@ class Help(ProgramTest):
             texts = {self.expect(AGREED, *name.split()).out for name in names}
             self.assertEqual(len(texts), 1, names)
 
-    def test_the_version_is_one_line(self):
-        for option in ("--version", "-V"):
-            self.assertRegex(self.expect(AGREED, option).out, r"\Ahyrax-sim \d+\.\d+\.\d+\n\Z")
-
     def test_the_schema_is_that_of_the_reader(self):
         schema = (SOURCE / "tools/files/scenario.schema.json").read_text(encoding="utf-8")
         self.assertEqual({self.expect(AGREED, "schema", *option).out for option in ((), ("--json",))}, {schema})
@@ -50,17 +46,6 @@ class Literal(ProgramTest):
         self.write("--", fling(name="dashes"))
         self.assertEqual(self.expect(AGREED, "validate", "--", "--json", "--").out,
                          "--json: good, 300 steps\n--: good, 300 steps\n")
-
-    def test_an_empty_value_takes_no_file(self):
-        self.write("fling.json", fling())
-        for name, *arguments in (("--output", "--output=", "fling.json"), ("-o", "-o", "", "fling.json"), ("--set", "fling.json", "--set=")):
-            self.expect(BAD_INPUT, "run", *arguments, says=f"hyrax-sim run: {name}: must not be empty; see `")
-        self.expect(BAD_INPUT, "run", "", says="SCENARIO: must not be empty")
-        self.assertEqual(self.names(), ["fling.json"])
-
-    def test_a_flag_takes_no_value_and_an_unknown_option_is_refused(self):
-        self.expect(BAD_INPUT, "check", "--json=false", says="--json: takes no value (found --json=false)")
-        self.expect(BAD_INPUT, "run", "a.json", "--outptu", "x.h5", says=("(found --outptu); allowed: --output, ", "(did you mean --output?)"))
 
 
 class Order(ProgramTest):

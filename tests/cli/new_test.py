@@ -5,7 +5,7 @@ import os
 
 import jsonschema
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest
 
 PRESENTMON = ('"Application",ProcessID,MsBetweenPresents,PresentMode\r\n'
               "game.exe,42,16.6667,Hardware: Independent Flip\r\n"
@@ -31,20 +31,6 @@ class New(ProgramTest):
         self.assertEqual([self.scenario()[key] for key in ("name", "clock", "steps", "events", "expect")], [
             "my-fling", {"rate_hz": 60}, 600, [{"step": 120, "fling": {"vx_px_per_s": -1500, "vy_px_per_s": -900}}], {"in_bounds": True, "finite": True}])
         self.assert_good()
-
-    def test_an_existing_file_is_kept_without_force(self):
-        for content in ("not a scenario", json.dumps(fling())):
-            self.write("my-fling.json", content)
-            before = self.state_of(".")
-            self.expect(BAD_INPUT, "new", "my-fling", says=("my-fling.json: exists", "--force"))
-            self.assertEqual(self.state_of("."), before)
-        self.expect(AGREED, "new", "my-fling", "--force")
-        self.assertEqual(self.scenario()["name"], "my-fling")
-
-    def test_a_bad_name_writes_nothing(self):
-        for name in ("My", "a b", "../up", "my-fling.json", "a" * 65):
-            self.expect(BAD_INPUT, "new", name, says="/name: must be 1 .. 64 of the characters")
-        self.assertEqual(self.names(), [])
 
     def test_inputs_and_golden_folders_are_protected(self):
         self.write("frames.json", "MsBetweenPresents\n5\n")

@@ -47,13 +47,6 @@ class StandardOutput(ProgramTest):
             self.assertEqual(outcome.err, "hyrax-sim: standard output cannot be written\n")
         self.assertEqual(self.names(), ["fling.csv", "fling.json", "fling.svg"])
 
-    def test_it_is_for_one_scenario_alone(self):
-        self.write("fling.json", fling())
-        for others in (("fling.json",), ("--json",), ("--drift",), ("--report", "a.html")):
-            outcome = self.expect(BAD_INPUT, "run", "fling.json", *others, "-o", "-", says="one")
-            self.assertEqual(outcome.out, "")
-        self.assertEqual(self.names(), ["fling.json"])
-
 
 class Output(ProgramTest):
     def setUp(self):
@@ -83,12 +76,6 @@ class Output(ProgramTest):
         self.assertEqual([run["scenario"] for run in runs],
                          ["all/a.json", "all/b/10.json", "all/b/2.json", "all/c/d/e.json"])
         self.assertEqual(self.names("out"), ["a.h5", "b-10.h5", "b-2.h5", "c-d-e.h5"])
-
-    def test_a_folder_that_cannot_be_made_is_exit_3(self):
-        self.write("file", "in the way")
-        self.expect(CANNOT_ACCESS, "run", "in/fling.json", "-o", "file/", says="file/: cannot be created")
-        self.expect(CANNOT_ACCESS, "run", "in/fling.json", "in/other.json", "-o", "file", says="file")
-        self.assertEqual((self.folder / "file").read_text(), "in the way")
 
 
 class Options(ProgramTest):

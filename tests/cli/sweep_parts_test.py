@@ -278,34 +278,6 @@ class Interrupted(FilesTest):
         self.assertEqual(members, 150_000)
         self.assertLess(done, members)
 
-    def test_what_is_left_is_neither_discarded_nor_another_file_unsaid(self):
-        os.rename(self.folder / self.file("out.h5"), self.folder / "sweep.h5.partial")
-        before = self.state_of(".")
-        for sweep in ("sweep.json", self.write("other.json", document(seed=8))):
-            self.sweep(sweep, "-o", "sweep.h5", exit_code=BAD_INPUT,
-                       says=("sweep.h5.partial: exists", "`--resume`", "`--force`"))
-        self.sweep("sweep.json", "--force", "--resume", exit_code=BAD_INPUT, says="--force: not with --resume")
-        (self.folder / "other.json").unlink()
-        self.assertEqual(self.state_of("."), before)
-        self.assertEqual(self.sweep("sweep.json", "--force", "--json").json["computed"], 100)
-        self.assertEqual(self.names(), ["sweep.h5", "sweep.json"])
-
-    def test_no_file_is_written_through_a_link(self):
-        self.write("sweep.json", document())
-        for link in (os.symlink, os.link):
-            self.write("precious.txt", "precious")
-            link(self.folder / "precious.txt", self.folder / "sweep.h5.partial")
-            for option in ((), ("--resume",)):
-                self.sweep("sweep.json", *option, exit_code=BAD_INPUT, says=("sweep.h5.partial", "`--force`"))
-            self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
-            self.sweep("sweep.json", "--force")
-            self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
-        self.leave("sweep.h5", rows_done=0)  # One that could be continued.
-        os.link(self.folder / "sweep.h5.partial", self.folder / "precious.h5")
-        before = self.state_of(".")
-        self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="sweep.h5.partial")
-        self.assertEqual(self.state_of("."), before)
-
     def test_only_the_same_sweep_is_resumed(self):
         self.leave(self.file("out.h5"), rows_done=0)
         (self.folder / "other.h5.partial").write_bytes((self.folder / "out.h5.partial").read_bytes())

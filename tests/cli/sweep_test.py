@@ -6,7 +6,7 @@ import re
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, few_threads, fling
+from program import AGREED, SOURCE, few_threads, fling
 from sweep_members import ALL, COLUMNS, WALLS, Members, any_sweep, assert_same_bits, base, datasets
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
@@ -92,26 +92,6 @@ class EveryMember(SweepTest):
 
 
 class Outputs(SweepTest):
-    def test_a_member_replaces_a_file_with_force_only(self):
-        self.write("sweep.json", document())
-        self.write("m.json", fling())
-        self.sweep("sweep.json", "--member", "3", "-o", "m.json", exit_code=BAD_INPUT,
-                   says=("m.json: exists", "--force"))
-        self.sweep("sweep.json", "--member", "3", "-o", "m.json", "--force")
-        self.expect(AGREED, "validate", "m.json")
-        self.sweep("sweep.json", "--member", "3", "-o", "sweep.json", "--force", exit_code=BAD_INPUT, says="an input")
-        self.assertEqual(self.names(), ["m.json", "sweep.json"])
-
-    def test_inputs_and_scenarios_are_protected(self):
-        self.write("base.json", fling())
-        self.write("sweep.json", document(base="base.json"))
-        self.write("x.h5", json.dumps(fling()))
-        before = self.state_of(".")
-        for output in ("base.json", "sweep.json", "x.h5", "out.csv"):
-            self.sweep("sweep.json", "-o", output, exit_code=BAD_INPUT, says=output)
-        self.assertEqual(self.state_of("."), before)
-        self.sweep("sweep.json", "-o", "no/folder.h5", exit_code=CANNOT_ACCESS, says="no/folder.h5")
-
     def test_the_mode_of_a_replaced_result_is_kept(self):
         self.write("sweep.json", document())
         self.sweep("sweep.json")
