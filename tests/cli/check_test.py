@@ -244,7 +244,7 @@ class Everything(CheckTest):
         one = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", "1")
         self.assertEqual(self.counts(one.json), (3, 1, 1, 0))
         for jobs, environment in ((2, os.environ), (64, os.environ), (8, few_threads(0)), (8, few_threads(1))):
-            outcome = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", str(jobs), env=environment)
+            outcome = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", f"{jobs:02}", env=environment)
             self.assertEqual(outcome.out, one.out)
 
     def test_golden_files_are_unchanged_for_every_verdict(self):

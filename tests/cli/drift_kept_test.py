@@ -20,22 +20,12 @@ class Stored(DriftTest):
         self.expect(AGREED, "run", "fling.json", "--drift", *arguments)
         return h5py.File(self.folder / "fling.h5")
 
-    def test_arcs_and_contacts_are_those_of_the_document(self):
+    def test_what_is_nowhere_and_who_checked_are_those_of_the_document(self):
         run = self.drift_of(fling())
         with self.groups("--reference", "gsl") as file:
             self.assertEqual((sorted(file["drift"]), sorted(file["reference"])), (["arcs", "contacts", "whole"], ["arcs"]))
-            for dataset, key in (("drift/arcs/last_step", "last_step"), ("drift/arcs/truncation", "truncation_px"),
-                                 ("reference/arcs/gsl_vs_closed", "gsl_vs_closed_px"),
-                                 ("drift/contacts/time_error", "time_error_s")):
-                self.assertEqual(file[dataset][:].tolist(), [entry[key] for entry in run[dataset.split("/")[1]]])
-            ends = {code: name for name, code in h5py.check_enum_dtype(file["drift/arcs/ended_by"].dtype).items()}
-            self.assertEqual([ends[code] for code in file["drift/arcs/ended_by"]],
-                             [arc["ended_by"] for arc in run["arcs"]])
-            self.assertEqual(file["drift/whole/end"][0], run["whole"]["end_px"])
             none, = re.search(r"row of the first other contact \((\S+): none\)", DOCUMENT).groups()
             self.assertEqual((run["whole"]["contacts_differ_from"], file["drift/whole/contacts_differ_from"][0]), (None, int(none)))
-            self.assertEqual(file["drift/arcs"].attrs["skipped"], run["skipped_arcs"])
-            self.assertEqual(file["drift/arcs"].attrs["total"], len(run["arcs"]))
             self.assertEqual(file["reference"].attrs["checked_by"], "GSL rk8pd, tolerance 1e-12")
 
     @staticmethod

@@ -7,18 +7,10 @@ import time
 from process import is_alive
 from program import AGREED, ProgramTest, fling
 
-EVENTS = [{"step": 20, "hitch": {"dt_s": 0.25}}, {"step": 100, "grab": {}}, {"step": 110, "place": {"x_px": 5, "y_px": 5}},
-          {"step": 120, "release": {"vx_px_per_s": 12.25, "vy_px_per_s": 99}}]
-
 
 class Shrink(ProgramTest):
-    """A throw of 300 frames and four events."""
-
-    def setUp(self):
-        super().setUp()
-        self.write("fling.json", fling(events=EVENTS, expect={"finite": True}))
-
     def test_an_interrupt_leaves_no_temporary_file(self):
+        self.write("fling.json", fling())
         temporary = self.folder / "temporary"
         temporary.mkdir()
         process = self.begin("shrink", "fling.json", "--fails", "echo $$ > shell; touch {}.seen; sleep 60; true", "-o", "small.json",

@@ -69,15 +69,6 @@ class EveryMember(SweepTest):
         self.assertEqual(list(found["inputs/start.y_px"][:5]), [0, 1, 2, 3, 0])
         self.assertEqual(len(found["members/x"]), 20)
 
-    def test_columns_say_their_units(self):
-        units = {"start.x_px": "px", "start.vx_px_per_s": "px/s", "clock.rate_hz": "Hz", "events.0.hitch.dt_s": "s"}
-        vary = {"/" + name.replace(".", "/"): {"uniform": [1, 2]} for name in units}
-        self.computed(document(base=base(events=[{"step": 3, "hitch": {"dt_s": 0.5}}]), vary=vary, keep=ALL))
-        with h5py.File(self.folder / "sweep.h5") as file:
-            found = {name: file["inputs"][name].attrs["units"] for name in file["inputs"]}
-            self.assertEqual(found, units)
-            self.assertIn("program", file["provenance"].attrs)
-
     def test_the_base_may_be_a_file_beside_the_sweep(self):
         self.write("deep/base.json", fling(expect={"in_bounds": True}))
         self.write("deep/sweep.json", document(base="base.json"))
@@ -86,6 +77,7 @@ class EveryMember(SweepTest):
         assert_same_bits(self, datasets(self.folder / "beside.h5"), datasets(self.folder / "sweep.h5"), "base")
         with h5py.File(self.folder / "beside.h5") as file:
             self.assertNotIn("expect", json.loads(file.attrs["sweep"])["base"])
+            self.assertIn("program", file["provenance"].attrs)
         self.write("deep/base.json", fling(name=None))
         self.sweep("deep/sweep.json", "--member", "7", "-o", "member.json")
         self.assertEqual(json.loads((self.folder / "member.json").read_text())["name"], "base-member-7")
