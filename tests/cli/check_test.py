@@ -32,23 +32,6 @@ class Verdict(CheckTest):
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "x", "--dry-run",
                     says="nothing written: 1 of 3 scenarios differ by more than --accept allows; --accept shape")
 
-    def test_many_missing_golden_files_are_one_line_and_one_command(self):
-        self.project("a/third", "fourth", "fifth", "sixth")
-        shutil.rmtree(self.folder / "golden")
-        out = self.expect(GOLDEN_MISSING, "check").out
-        self.assertEqual(out, "7 scenarios: missing: no golden file: scenarios/a/first.json, scenarios/a/second.json, "
-                              "scenarios/a/third.json and 4 more\n  to create them  hyrax-sim bless scenarios --reason TEXT\n"
-                              "7 checked: 0 agreed, 0 disagreed, 7 without golden file, 0 failed\n")
-
-    def test_converted_line_ends_are_one_paragraph(self):
-        for path in self.folder.glob("golden/**/*.txt"):
-            path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
-        document = self.check(DISAGREED)
-        self.assertEqual([len(group["scenarios"]) for group in document["groups"]], [3])
-        self.assertIn("3 of 3 scenarios differ: the golden file was changed since it was blessed: golden/a/first.txt: its line "
-                      "ends were converted to CR LF; a line `golden/** -text` in .gitattributes keeps Git from it",
-                      self.expect(DISAGREED, "check").out)
-
     def test_without_memory_it_says_so_and_threads_take_none_that_it_needs(self):
         if self.is_sanitized():
             self.skipTest("a sanitizer takes memory of its own")
@@ -76,12 +59,6 @@ class Verdict(CheckTest):
                 self.expect(BAD_INPUT, "bless", "scenarios/third.json", "--reason", "again", says=error)
                 path.unlink()
                 path.write_bytes(kept)
-
-    def test_golden_names_another_folder(self):
-        (self.folder / "golden").rename(self.folder / "elsewhere")
-        self.check(AGREED, "--golden", str(self.folder / "elsewhere"), "scenarios/a")
-        self.assertTrue(self.expect(GOLDEN_MISSING, "check", "scenarios", "--golden", "nowhere").out.startswith(
-            "3 scenarios: missing: no folder nowhere: scenarios/a/first.json, "))
 
 
 class Unreferenced(CheckTest):

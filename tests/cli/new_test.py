@@ -5,7 +5,7 @@ import os
 
 import jsonschema
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest
+from program import AGREED, CANNOT_ACCESS, ProgramTest
 
 PRESENTMON = ('"Application",ProcessID,MsBetweenPresents,PresentMode\r\n'
               "game.exe,42,16.6667,Hardware: Independent Flip\r\n"
@@ -31,14 +31,6 @@ class New(ProgramTest):
         self.assertEqual([self.scenario()[key] for key in ("name", "clock", "steps", "events", "expect")], [
             "my-fling", {"rate_hz": 60}, 600, [{"step": 120, "fling": {"vx_px_per_s": -1500, "vy_px_per_s": -900}}], {"in_bounds": True, "finite": True}])
         self.assert_good()
-
-    def test_inputs_and_golden_folders_are_protected(self):
-        self.write("frames.json", "MsBetweenPresents\n5\n")
-        before = self.state_of(".")
-        self.expect(BAD_INPUT, "new", "frames", "--clock-from", "frames.json", "--force", says="an input of this command")
-        self.assertEqual(self.state_of("."), before)
-        self.project("one")
-        self.expect(BAD_INPUT, "new", "one", says="golden", cwd=self.folder / "golden")
 
     # --- recorded frame times as the clock
 

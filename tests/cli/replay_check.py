@@ -2,7 +2,6 @@
 
 import math
 import re
-import shutil
 
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, FLING, GOLDEN_MISSING, SOURCE, fling
 
@@ -25,12 +24,6 @@ class ReplayCheckCases:
         expected = self.expect(exit_code, "check", *arguments)
         self.assertEqual(COUNTS.search(found.out).group(), COUNTS.search(expected.out).group())
         return found.out
-
-    def refuse(self, exit_code, *arguments, says):
-        """It ends with this exit code and an error, and checks nothing."""
-        found = self.run_replay("check", *arguments)
-        self.assertEqual((found.exit_code, found.out), (exit_code, ""), str(found))
-        self.assertIn(says, found.err)
 
     def change_summary(self, name, change):
         """Replaces the text of a summary."""
@@ -126,13 +119,3 @@ class ReplayCheckCases:
         self.check(GOLDEN_MISSING)
         self.check(AGREED, "--golden", "elsewhere")
         self.check(AGREED, "scenarios/a", "--golden", "elsewhere")
-
-    def test_bad_usage_is_reported(self):
-        self.refuse(BAD_INPUT, "--fast", says="hyrax-replay check: unknown option (found --fast); allowed: --golden, --help; see")
-        self.refuse(BAD_INPUT, "--golden", says="--golden: value is missing: DIR")
-        self.refuse(BAD_INPUT, "--golden", "a", "--golden", "b", says="--golden: given twice")
-        (self.folder / "empty").mkdir()
-        self.refuse(BAD_INPUT, "empty", says="empty: no scenario found (*.json)")
-        self.check(BAD_INPUT, "scenarios", "empty", says="empty: no scenario found (*.json)\n")
-        shutil.rmtree(self.folder / "scenarios")
-        self.refuse(BAD_INPUT, says="scenarios: no such folder in the current one; name the scenarios or folders to check")

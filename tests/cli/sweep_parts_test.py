@@ -178,18 +178,6 @@ class Parts(FilesTest):
                        says=f"{index} without {count} names no part; this process computes all of them")
         self.assertEqual(self.names(), ["sweep.h5", "sweep.json"])
 
-    def test_bad_parts_are_refused(self):
-        self.write("sweep.json", document())
-        for part in ("1", "2/2", "-1/2", "0/0", "a/b", "/", "1/", "/2", "0/2/3"):
-            self.sweep("sweep.json", "--part", part, exit_code=BAD_INPUT, says=("--part", part))
-        self.sweep("sweep.json", "--parts", "2", exit_code=BAD_INPUT, says="JOB_COMPLETION_INDEX")
-        for variables in ({"OMPI_COMM_WORLD_RANK": "3", "OMPI_COMM_WORLD_SIZE": "3"}, {"OMPI_COMM_WORLD_RANK": "0", "OMPI_COMM_WORLD_SIZE": "0"},
-                          {"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_MIN": "2"},
-                          {"SLURM_ARRAY_TASK_ID": "4", "SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_STEP": "3"},
-                          {"SLURM_ARRAY_TASK_ID": "x", "SLURM_ARRAY_TASK_COUNT": "3"}):
-            self.sweep("sweep.json", exit_code=BAD_INPUT, says=next(iter(variables)), env={**NO_CLUSTER, **variables})
-        self.assertEqual(self.names(), ["sweep.json"])
-
 
 class Interrupted(FilesTest):
     def test_after_kills_at_random_moments_the_file_is_the_same(self):
