@@ -82,8 +82,6 @@ class Causes(CauseTest):
         self.expect(AGREED, "bless", "--core", "--reason", "again")
         self.expect(AGREED, "check")
         self.assertEqual(self.expect(AGREED, "bless", "--core", "--reason", "again").out, "core: accepted already\n")
-        self.expect(BAD_INPUT, "bless", self.write("alone.json", fling()), "--core", "--reason", "x", says="--core: needs scenarios")
-        self.expect(BAD_INPUT, "check", "alone.json", "--core", says="--core: needs a folder named scenarios")
         self.assertEqual(self.expect(AGREED, "check", "scenarios/a", "--core").out, "core: the accepted one\n")
         self.assertEqual(self.expect(AGREED, "check", "--core").out, "core: the accepted one\n")
 

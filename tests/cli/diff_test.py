@@ -160,13 +160,6 @@ class Diff(ProgramTest):
             file["trajectory/x"][300] += 1e-9
         self.assertIn("\n  rest       1e-9 px apart: x 345.341, y 952 px; settled since 4 s\n  contacts   no contact moved\n  class ", self.text())
 
-    def test_another_name_or_program_is_no_difference(self):
-        self.write("other.json", fling(name="other", description="another text"))
-        self.expect(AGREED, "run", "other.json", "-o", "b.h5")
-        with h5py.File(self.folder / "b.h5", "r+") as file:
-            file["provenance"].attrs["compiler"] = "another"
-        self.diff(AGREED)
-
     def test_other_build_settings_are_shown_with_what_they_mean(self):
         with self.copied() as file:
             file["trajectory/x"][100] += 0.25
