@@ -7,7 +7,7 @@ import h5py
 import numpy
 
 from program import AGREED, SOURCE, few_threads, fling
-from sweep_members import ALL, COLUMNS, WALLS, Members, any_sweep, assert_same_bits, base, datasets
+from sweep_members import ALL, COLUMNS, WALLS, any_sweep, assert_same_bits, base, columns_of_runs, datasets
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
 
@@ -20,7 +20,7 @@ class EveryMember(SweepTest):
             sweep = any_sweep(seed)
             with self.subTest(f"HYRAX_SEED={SEED}, sweep {number}: {json.dumps(sweep)}"):
                 found = self.computed(sweep, f"--threads={1 + number}")
-                assert_same_bits(self, found, Members(self, sweep).columns(), f"seed {seed}")
+                assert_same_bits(self, found, columns_of_runs(self, sweep), f"seed {seed}")
 
     def test_without_any_other_thread_the_numbers_are_the_same(self):
         threads = self.computed(document(members=300, base=base(steps=1_100_000)), "--threads=3")  # In chunks of 64.
@@ -33,7 +33,7 @@ class EveryMember(SweepTest):
         sweep = document(members=32_772, keep=ALL, base=base(steps=100))
         found = self.computed(sweep)
         assert_same_bits(self, {name: values[members] for name, values in found.items()},
-                         Members(self, sweep).columns(members), "alone")
+                         columns_of_runs(self, sweep, members), "alone")
         self.assertEqual(len(numpy.unique(found["members/state_hash"], axis=0)), 32_772, "a member is another one")
         kept = self.computed(document(members=32_772, keep=ALL[:4], base=base(steps=100)))  # By kernels, which hash nothing.
         assert_same_bits(self, kept, {name: found[name] for name in kept}, "without hashes")
@@ -50,7 +50,7 @@ class EveryMember(SweepTest):
         for key, rule in (("seed", {"member": True}), ("sigma_s", {"uniform": [0, 0.008]}), ("rate_hz", {"uniform": [50, 70]})):
             vary = {f"/clock/{'' if key == 'rate_hz' else 'jitter/'}{key}": rule}
             sweep = document(members=8, keep=ALL[:4], vary=vary, base=base(clock=clock, events=events, steps=120))
-            assert_same_bits(self, self.computed(sweep), Members(self, sweep).columns(), key)
+            assert_same_bits(self, self.computed(sweep), columns_of_runs(self, sweep), key)
 
     def test_what_is_not_kept_is_not_there(self):
         row = re.search(r"^\| `keep` \| (.*)\. The first three if left out \|$", (SOURCE / "sim/ensemble/README.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
