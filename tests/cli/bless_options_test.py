@@ -280,11 +280,3 @@ class Prune(ProgramTest):
         self.expect(AGREED, "bless", "scenarios", "--golden", "elsewhere", "--prune", "--reason", "renamed")
         self.assertEqual(self.names("elsewhere"), ["a", "bad.h5", "bad.txt", "core"])
         self.expect(AGREED, "check", "--golden", "elsewhere")
-
-    def test_other_arguments_are_refused(self):
-        before = self.state_of(".")
-        for path in ("golden", "scenarios/fling.json", "no-such", "."):
-            self.expect(BAD_INPUT, "bless", "--prune", path, says="must be a folder named scenarios or below one")
-        self.expect(BAD_INPUT, "bless", "--prune", cwd=self.folder / "golden", says="(found scenarios, which does not exist)")
-        self.expect(BAD_INPUT, "bless", "--reason", "x", says="SCENARIO: at least 1 needed")
-        self.assertEqual(self.state_of("."), before)

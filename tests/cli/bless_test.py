@@ -36,12 +36,6 @@ class Bless(ProgramTest):
         self.expect(AGREED, "check")
         self.expect(AGREED, "check", "--quick")
 
-    def test_it_refuses_without_a_reason(self):
-        for arguments in ((), ("--reason", ""), ("--reason", " \t\n ")):
-            outcome = self.expect(BAD_INPUT, "bless", "scenarios/new.json", *arguments, says="--reason")
-            self.assertEqual(outcome.out, "")
-        self.assert_golden_untouched()
-
     def test_verbose_shows_the_first_difference(self):
         self.write("scenarios/fling.json", fling(start=ANOTHER_START))
         outcome = self.expect(AGREED, "bless", "scenarios/fling.json", "--reason", "further left", "--verbose")

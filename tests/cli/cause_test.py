@@ -14,7 +14,7 @@ import xxhash
 
 from check_program import THIRD, CheckTest
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, fling
+from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, fling
 
 ALTERED = os.environ["HYRAX_ALTERED_SIM"]
 
@@ -82,8 +82,6 @@ class Causes(CauseTest):
         self.expect(AGREED, "bless", "--core", "--reason", "again")
         self.expect(AGREED, "check")
         self.assertEqual(self.expect(AGREED, "bless", "--core", "--reason", "again").out, "core: accepted already\n")
-        self.expect(BAD_INPUT, "bless", self.write("alone.json", fling()), "--core", "--reason", "x", says="--core: needs scenarios")
-        self.expect(BAD_INPUT, "check", "alone.json", "--core", says="--core: needs a folder named scenarios")
         for other in (("--filter", "a"), ("--list",), ("--last-failed",), ("--junit", "a.xml"), ("--annotate", "github"), ("--summary", "a.md")):
             self.expect(BAD_INPUT, "check", "--core", *other, says="--core: not with ")
         self.assertEqual(self.expect(AGREED, "check", "scenarios/a", "--core").out, "core: the accepted one\n")
@@ -298,12 +296,3 @@ class Documents(CauseTest):
         self.assertNotIn("\x1b", text)
         self.assertIn("- ```scenarios/tick`s``.json```: failed", text)
         self.assertIn("- `scenarios/line\\u000abreak.json`: failed", text)
-
-    def test_outputs_are_guarded(self):
-        self.expect(BAD_INPUT, "check", "--summary", "golden/report.md", says="--summary: ")
-        self.expect(BAD_INPUT, "check", "--unnoticed", "golden/new", says="--unnoticed: ")
-        self.expect(BAD_INPUT, "check", "--summary", "report.txt", says="--summary: ")
-        self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report.md", says="--summary: ")
-        self.expect(BAD_INPUT, "check", "--summary", "report.md", "--junit", "report-1.svg", says="report-1.svg")
-        self.expect(CANNOT_ACCESS, "check", "--summary", "no/such/report.md", says="no/such/report.md")
-        self.assertEqual(self.names(), ["golden", "scenarios"])

@@ -98,13 +98,6 @@ class OneVerdict(PairTest):
             self.assertEqual({entry["scenario"]: (entry["golden"]["status"], entry["golden"].get("class")) for entry in runs},
                              wanted)
 
-    def test_quick_judges_expectations(self):
-        self.project("third")
-        self.scenario("third", start=fling()["start"], expect={"contacts": {"right": 2}})
-        full, quick = (self.expect(DISAGREED, "check", "--json", *option).json for option in ((), ("--quick",)))
-        entry, = full["results"]
-        self.assertEqual((entry["status"], entry["class"], quick), ("disagreed", None, full))
-
 
 class Seal(PairTest):
     """A summary's checksums make reading the golden file unnecessary, and must never hide a fault in it."""

@@ -46,9 +46,6 @@ class Errors(DriftTest):
         self.assertEqual(run["whole_why"], "the sprite is larger than its window in row 0")
         with h5py.File(self.folder / "drift.h5") as file:
             self.assertEqual((file["drift"].attrs["whole_why"], "whole" in file["drift"]), (run["whole_why"], False))
-        self.assertIsNone(self.drift_of(fling(), "-o", "drift.h5")["whole"]["contacts_differ_from"])
-        with h5py.File(self.folder / "drift.h5") as file:
-            self.assertEqual(list(file["drift/whole/contacts_differ_from"]), [-1])
 
     def test_a_long_rest_is_counted_without_being_played(self):
         steps = 60_000

@@ -2,7 +2,7 @@
 
 import os
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling
+from program import AGREED, CANNOT_ACCESS, ProgramTest, fling
 
 
 class Folders(ProgramTest):
@@ -72,9 +72,3 @@ class Folders(ProgramTest):
         self.expect(CANNOT_ACCESS, "run", "scenarios", "-o", "out/", says=says)
         self.assertIn("one.h5", self.names("out"))
         self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", says=["nothing written", *says])
-
-    def test_a_suffix_in_capitals_is_not_passed_over(self):
-        self.write("scenarios/a/TWO.JSON", fling(name="two"))
-        self.assertEqual(self.listed(BAD_INPUT), ["scenarios/a/TWO.JSON", "scenarios/a/one.json"])
-        self.expect(BAD_INPUT, "validate", "scenarios",
-                    says="scenarios/a/TWO.JSON: unknown suffix (found .JSON); allowed: .json")

@@ -49,16 +49,6 @@ class Fuzz(ProgramTest):
         self.assertIn(f", {failure['steps_before']} frames: breaks ", (self.folder / failure["scenario"]).read_text())
         return failure["run"]
 
-    def test_the_part_is_taken_from_the_environment(self):
-        variables = {"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "4"}
-        outcome = self.expect(AGREED, "fuzz", "--runs", "10", "--json", env={**os.environ, **variables},
-                              says="hyrax-sim fuzz: part 1/4, from SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT\n")
-        self.assertEqual(outcome.json["part"], {"index": 1, "count": 4})
-
-    def test_the_same_program_has_the_same_hashes(self):
-        self.assertEqual(self.expect(AGREED, "fuzz", "--runs", "40", "--against", PROGRAM, "-q").out,
-                         "all invariants hold, all state hashes agree\n")
-
     def test_another_program_that_does_not_end_is_not_waited_for(self):
         (self.folder / "other").write_text(f'#!/bin/sh\nmkdir asked 2>&- && exec {PROGRAM} "$@"\nexec sleep 600\n')
         (self.folder / "other").chmod(0o755)

@@ -5,7 +5,7 @@ import os
 
 import jsonschema
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling
+from program import AGREED, CANNOT_ACCESS, ProgramTest
 
 PRESENTMON = ('"Application",ProcessID,MsBetweenPresents,PresentMode\r\n'
               "game.exe,42,16.6667,Hardware: Independent Flip\r\n"
@@ -32,28 +32,6 @@ class New(ProgramTest):
             "my-fling", {"rate_hz": 60}, 600, [{"step": 120, "fling": {"vx_px_per_s": -1500, "vy_px_per_s": -900}}], {"in_bounds": True, "finite": True}])
         self.assert_good()
 
-    def test_an_existing_file_is_kept_without_force(self):
-        for content in ("not a scenario", json.dumps(fling())):
-            self.write("my-fling.json", content)
-            before = self.state_of(".")
-            self.expect(BAD_INPUT, "new", "my-fling", says=("my-fling.json: exists", "--force"))
-            self.assertEqual(self.state_of("."), before)
-        self.expect(AGREED, "new", "my-fling", "--force")
-        self.assertEqual(self.scenario()["name"], "my-fling")
-
-    def test_a_bad_name_writes_nothing(self):
-        for name in ("My", "a b", "../up", "my-fling.json", "a" * 65):
-            self.expect(BAD_INPUT, "new", name, says="/name: must be 1 .. 64 of the characters")
-        self.assertEqual(self.names(), [])
-
-    def test_inputs_and_golden_folders_are_protected(self):
-        self.write("frames.json", "MsBetweenPresents\n5\n")
-        before = self.state_of(".")
-        self.expect(BAD_INPUT, "new", "frames", "--clock-from", "frames.json", "--force", says="an input of this command")
-        self.assertEqual(self.state_of("."), before)
-        self.project("one")
-        self.expect(BAD_INPUT, "new", "one", says="golden", cwd=self.folder / "golden")
-
     # --- recorded frame times as the clock
 
     def new(self, text, *options):
@@ -66,18 +44,19 @@ class New(ProgramTest):
         self.assertEqual(scenario["steps"], len(scenario["clock"]["dt_s"]))
         return scenario["clock"]["dt_s"]
 
-    def test_presentmon_as_it_is(self):
-        for text in ("\ufeff" + PRESENTMON, PRESENTMON.replace("\r\n", "\n"), PRESENTMON.removesuffix("\r\n"),
-                     PRESENTMON + "\r\n\n", PRESENTMON):
-            self.assertEqual(self.new(text), [16.6667 / 1000, 33.25 / 1000, 0])
+    def test_clocks_of_both_versions_of_presentmon_and_of_other_columns_and_units(self):
+        dt_s, text = [16.6667 / 1000, 33.25 / 1000, 0], 'n,"dt, s"\n1,0.5\n2,"1e-3"\n'
+        for recorded, options, found in (
+                *((each, (), dt_s) for each in ("\ufeff" + PRESENTMON, PRESENTMON.replace("\r\n", "\n"), PRESENTMON.removesuffix("\r\n"),
+                                                PRESENTMON + "\r\n\n")),
+                (PRESENTMON, ("--unit", "s"), [16.6667, 33.25, 0]),
+                *((f"n,{header}\n1,16\n", (), [0.016]) for header in (
+                    "msBetweenPresents", "MsBetweenPresents", "FrameTime", "frametime", " Frame Time ")),
+                *((f"{header}\n16\n", ("--column", header.lower()), [0.016]) for header in ("FrameTime", "MsBetweenPresents")),
+                ("n,FrameTime\n1,16\n", ("--column", "N", "--unit", "s"), [1]), (text, ("--column", "dt, s", "--unit", "s"), [0.5, 0.001]),
+                (text, ("--column", "n", "--unit", "ms"), [0.001, 0.002]), (PRESENTMON, (), dt_s)):
+            self.assertEqual(self.new(recorded, *options), found, (recorded, options))
         self.assert_good()
-
-    def test_both_versions_of_presentmon_whatever_the_case(self):
-        for header in ("msBetweenPresents", "MsBetweenPresents", "FrameTime", "frametime", " Frame Time "):
-            self.assertEqual(self.new(f"n,{header}\n1,16\n"), [0.016])
-        self.assertEqual(self.new("n,FrameTime\n1,16\n", "--column", "N", "--unit", "s"), [1])
-        for column in ("FrameTime", "MsBetweenPresents"):
-            self.assertEqual(self.new(f"{column}\n16\n", "--column", column.lower()), [0.016])
 
     def test_one_of_several_sources_has_to_be_picked(self):
         for picked, dt_s, dropped in ((("--application", "DWM.exe"), [0.004], 0), (("--process", "43"), [0.016], 0), (
@@ -91,12 +70,6 @@ class New(ProgramTest):
         os.mkfifo(self.folder / "frames.csv")
         for arguments in (("new", "a", "--clock-from"), ("run",), ("validate",), ("sweep",)):
             self.expect(CANNOT_ACCESS, *arguments, "frames.csv", says="frames.csv: cannot be read: is a pipe or a device")
-
-    def test_another_column_and_unit(self):
-        text = 'n,"dt, s"\n1,0.5\n2,"1e-3"\n'
-        self.assertEqual(self.new(text, "--column", "dt, s", "--unit", "s"), [0.5, 0.001])
-        self.assertEqual(self.new(text, "--column", "n", "--unit", "ms"), [0.001, 0.002])
-        self.assertEqual(self.new(PRESENTMON, "--unit", "s"), [16.6667, 33.25, 0])
 
     def test_many_frames_keep_the_event_where_it_is(self):
         self.assertEqual(len(self.new("MsBetweenPresents\n" + "7\n" * 500)), 500)

@@ -60,9 +60,6 @@ class Shapes(InstalledPackage):
         project = cls.root / "shapes"
         project.mkdir()
         headers = {"moon": moon_header()}
-        # A further member that counts, and that nothing of x, y, vx and vy reads.
-        headers["counted"] = moon_header().replace("      m_y = bottomBound;\n", "      m_y = bottomBound;\n      ++m_bounces;\n").replace(
-            "  double m_vx, m_vy;\n", "  double m_vx, m_vy;\n  int m_bounces = 0;\n")
         for name, (old, new, _) in SHAPES.items():
             headers[name] = SHIPPED.replace(old, new)
             assert headers[name] != SHIPPED
@@ -151,12 +148,6 @@ class Shapes(InstalledPackage):
         self.assertIn("the paper's step with constants of its own", self.expect(AGREED).out)
         self.expect(AGREED, "bless", "fling.json", "--golden", "golden", "--reason", "x")
         self.expect(AGREED, "check", "fling.json", "--golden", "golden")
-
-    def test_a_further_member_that_nothing_reads_keeps_the_shape(self):
-        self.use("counted")
-        drift = self.expect(AGREED, "drift", "fling.json", "--json").json["runs"][0]
-        self.assertLess(drift["worst"]["implementation_px"], 1e-9)
-        self.expect_sweep_as_runs()
 
     def test_another_shape_is_refused_by_its_first_expression_and_has_the_rest(self):
         for name, (_, _, expression) in SHAPES.items():

@@ -28,11 +28,6 @@ class Detail(ProgramTest):
         for arguments in ((*names[:3],), ("many", "-v")):
             self.assertIn("  state hash ", self.expect(AGREED, "run", *arguments, "-o", "out/").out)
 
-    def test_errors_are_printed(self):
-        bad = self.write("scenarios/bad.json", "{")
-        for arguments in (("run", bad), ("validate", bad), ("check", bad), ("drift", bad), ("bless", bad, "--reason", "x")):
-            self.expect(BAD_INPUT, *arguments, "-q", says="bad.json: line 1, column")
-
     def test_a_document_is_the_same_but_a_verbose_one_of_run_has_the_margin_too(self):
         normal, quiet, verbose = self.printed("diff", "fling.h5", "fling.h5", "--json")
         self.assertEqual((quiet, verbose), (normal, normal))

@@ -47,13 +47,6 @@ class StandardOutput(ProgramTest):
             self.assertEqual(outcome.err, "hyrax-sim: standard output cannot be written\n")
         self.assertEqual(self.names(), ["fling.csv", "fling.json", "fling.svg"])
 
-    def test_it_is_for_one_scenario_alone(self):
-        self.write("fling.json", fling())
-        for others in (("fling.json",), ("--json",), ("--drift",), ("--report", "a.html")):
-            outcome = self.expect(BAD_INPUT, "run", "fling.json", *others, "-o", "-", says="one")
-            self.assertEqual(outcome.out, "")
-        self.assertEqual(self.names(), ["fling.json"])
-
 
 class Output(ProgramTest):
     def setUp(self):
@@ -74,21 +67,6 @@ class Output(ProgramTest):
             before = set(self.state_of("."))
             self.expect(AGREED, "run", *arguments)
             self.assertEqual(set(self.state_of(".")) - before, {str(self.folder / path) for path in written})
-
-    def test_a_folder_means_the_scenarios_in_it_in_name_order(self):
-        for path in ("b/2.json", "b/10.json", "a.json", "c/d/e.json"):
-            self.write(f"all/{path}", fling(name=path.replace("/", "-").removesuffix(".json")))
-        self.write("all/notes.txt", "no scenario")
-        runs = self.expect(AGREED, "run", "all", "-o", "out/", "--json").json["runs"]
-        self.assertEqual([run["scenario"] for run in runs],
-                         ["all/a.json", "all/b/10.json", "all/b/2.json", "all/c/d/e.json"])
-        self.assertEqual(self.names("out"), ["a.h5", "b-10.h5", "b-2.h5", "c-d-e.h5"])
-
-    def test_a_folder_that_cannot_be_made_is_exit_3(self):
-        self.write("file", "in the way")
-        self.expect(CANNOT_ACCESS, "run", "in/fling.json", "-o", "file/", says="file/: cannot be created")
-        self.expect(CANNOT_ACCESS, "run", "in/fling.json", "in/other.json", "-o", "file", says="file")
-        self.assertEqual((self.folder / "file").read_text(), "in the way")
 
 
 class Options(ProgramTest):
@@ -131,11 +109,6 @@ class Golden(ProgramTest):
         self.assertEqual((list(run["golden"]), run["golden"]["first_divergence"]["field"]),
                          (["file", "status", "class", "first_divergence"], "x"))
         self.assertEqual((run["status"], run["golden"]["class"]), ("disagreed", "shape"))
-
-    def test_a_missing_golden_file_is_reported_and_is_not_a_failure(self):
-        for suffix in ("txt", "h5"):
-            (self.folder / f"golden/fling.{suffix}").unlink()
-            self.assertIn(f"golden         missing: golden/fling.{suffix}; to create it: ", self.expect(AGREED, "run", self.path).out)
 
     def test_with_a_damaged_golden_file_nothing_is_written(self):
         os.truncate(self.folder / "golden/fling.h5", 5000)

@@ -2,7 +2,7 @@
 
 import h5py
 
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, ProgramTest, fling
+from program import AGREED, DISAGREED, SOURCE, ProgramTest, fling
 
 HARD = SOURCE / "scenarios/hard"
 CALM = fling(name="calm", steps=900)
@@ -58,9 +58,7 @@ class HardCases(ProgramTest):
 
     def test_long_cases_are_left_out_of_the_quick_study(self):
         document = self.study(AGREED, HARD / "a-fling-a-minute.json", "--json").json
-        names = [case["case"] for case in document["cases"]]
-        self.assertEqual(names, ["a-fling-a-minute", "a-fling-a-minute/an-hour"])
-        self.study(BAD_INPUT, HARD / "ten-million-steps.json", says="hyrax-sim study hard-cases: no case is left with --quick; run it without")
+        self.assertEqual([case["case"] for case in document["cases"]], ["a-fling-a-minute", "a-fling-a-minute/an-hour"])
 
     def test_in_a_checkout_version_control_ignores_them(self):
         ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()

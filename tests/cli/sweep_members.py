@@ -82,35 +82,21 @@ def any_sweep(seed):
     return document
 
 
-class Members:
-    """Every member of a sweep as `run` plays it, without help of the command sweep."""
-
-    def __init__(self, test, sweep):
-        self.test = test
-        self.sweep = sweep
-        self.count = oracle.member_count(sweep)
-
-    def runs(self, members=None):
-        """The summaries of `run --json`, and the paths of the trajectories."""
-        members = range(self.count) if members is None else members
-        for member in members:
-            self.test.write(f"alone/member-{member}.json", oracle.scenario(self.sweep, member))
-        paths = [f"alone/member-{member}.json" for member in members]
-        runs = self.test.expect(AGREED, "run", *paths, "-o", "alone/", "--json").json["runs"]
-        return [(member, run, self.test.folder / f"alone/member-{member}.h5")
-                for member, run in zip(members, runs, strict=True)]
-
-    def columns(self, members=None):
-        """The columns of the result file, from the runs."""
-        columns = {}
-        kept = {f"members/{name}" for keep in self.sweep["keep"] for name in COLUMNS[keep]}
-        for member, run, path in self.runs(members):
-            row = {name: value for name, value in expected_row(run, path).items() if name in kept}
-            for key, value in oracle.inputs(self.sweep, member).items():
-                row["inputs/" + key[1:].replace("/", ".")] = value
-            for name, value in row.items():
-                columns.setdefault(name, []).append(value)
-        return columns
+def columns_of_runs(test, sweep, members=None):
+    """The columns of a sweep's result file, from `run` of each member, without help of the command sweep."""
+    members = range(oracle.member_count(sweep)) if members is None else members
+    paths = [test.write(f"alone/member-{member}.json", oracle.scenario(sweep, member)) for member in members]
+    runs = test.expect(AGREED, "run", *paths, "-o", "alone/", "--json").json["runs"]
+    columns = {}
+    kept = {f"members/{name}" for keep in sweep["keep"] for name in COLUMNS[keep]}
+    for member, run in zip(members, runs, strict=True):
+        row = expected_row(run, test.folder / f"alone/member-{member}.h5")
+        row = {name: value for name, value in row.items() if name in kept}
+        for key, value in oracle.inputs(sweep, member).items():
+            row["inputs/" + key[1:].replace("/", ".")] = value
+        for name, value in row.items():
+            columns.setdefault(name, []).append(value)
+    return columns
 
 
 def expected_row(run, path):

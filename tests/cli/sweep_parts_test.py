@@ -178,18 +178,6 @@ class Parts(FilesTest):
                        says=f"{index} without {count} names no part; this process computes all of them")
         self.assertEqual(self.names(), ["sweep.h5", "sweep.json"])
 
-    def test_bad_parts_are_refused(self):
-        self.write("sweep.json", document())
-        for part in ("1", "2/2", "-1/2", "0/0", "a/b", "/", "1/", "/2", "0/2/3"):
-            self.sweep("sweep.json", "--part", part, exit_code=BAD_INPUT, says=("--part", part))
-        self.sweep("sweep.json", "--parts", "2", exit_code=BAD_INPUT, says="JOB_COMPLETION_INDEX")
-        for variables in ({"OMPI_COMM_WORLD_RANK": "3", "OMPI_COMM_WORLD_SIZE": "3"}, {"OMPI_COMM_WORLD_RANK": "0", "OMPI_COMM_WORLD_SIZE": "0"},
-                          {"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_MIN": "2"},
-                          {"SLURM_ARRAY_TASK_ID": "4", "SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_STEP": "3"},
-                          {"SLURM_ARRAY_TASK_ID": "x", "SLURM_ARRAY_TASK_COUNT": "3"}):
-            self.sweep("sweep.json", exit_code=BAD_INPUT, says=next(iter(variables)), env={**NO_CLUSTER, **variables})
-        self.assertEqual(self.names(), ["sweep.json"])
-
 
 class Interrupted(FilesTest):
     def test_after_kills_at_random_moments_the_file_is_the_same(self):
@@ -277,34 +265,6 @@ class Interrupted(FilesTest):
         done, members = map(int, re.search(r"(\d+) of (\d+) members, ", shown.decode()).groups())
         self.assertEqual(members, 150_000)
         self.assertLess(done, members)
-
-    def test_what_is_left_is_neither_discarded_nor_another_file_unsaid(self):
-        os.rename(self.folder / self.file("out.h5"), self.folder / "sweep.h5.partial")
-        before = self.state_of(".")
-        for sweep in ("sweep.json", self.write("other.json", document(seed=8))):
-            self.sweep(sweep, "-o", "sweep.h5", exit_code=BAD_INPUT,
-                       says=("sweep.h5.partial: exists", "`--resume`", "`--force`"))
-        self.sweep("sweep.json", "--force", "--resume", exit_code=BAD_INPUT, says="--force: not with --resume")
-        (self.folder / "other.json").unlink()
-        self.assertEqual(self.state_of("."), before)
-        self.assertEqual(self.sweep("sweep.json", "--force", "--json").json["computed"], 100)
-        self.assertEqual(self.names(), ["sweep.h5", "sweep.json"])
-
-    def test_no_file_is_written_through_a_link(self):
-        self.write("sweep.json", document())
-        for link in (os.symlink, os.link):
-            self.write("precious.txt", "precious")
-            link(self.folder / "precious.txt", self.folder / "sweep.h5.partial")
-            for option in ((), ("--resume",)):
-                self.sweep("sweep.json", *option, exit_code=BAD_INPUT, says=("sweep.h5.partial", "`--force`"))
-            self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
-            self.sweep("sweep.json", "--force")
-            self.assertEqual((self.folder / "precious.txt").read_text(), "precious")
-        self.leave("sweep.h5", rows_done=0)  # One that could be continued.
-        os.link(self.folder / "sweep.h5.partial", self.folder / "precious.h5")
-        before = self.state_of(".")
-        self.sweep("sweep.json", "--resume", exit_code=BAD_INPUT, says="sweep.h5.partial")
-        self.assertEqual(self.state_of("."), before)
 
     def test_only_the_same_sweep_is_resumed(self):
         self.leave(self.file("out.h5"), rows_done=0)

@@ -26,8 +26,8 @@ class SweepTest(ProgramTest):
         """The command, outside a cluster."""
         return self.expect(exit_code, "sweep", *arguments, **{"env": NO_CLUSTER, **options})
 
-    def computed(self, sweep, *arguments, output="sweep.h5"):
+    def computed(self, sweep, *arguments):
         """The datasets of its result."""
         self.write("sweep.json", sweep)
-        self.sweep("sweep.json", "-o", output, *arguments)
-        return datasets(self.folder / output)
+        self.sweep("sweep.json", *arguments)
+        return datasets(self.folder / "sweep.h5")

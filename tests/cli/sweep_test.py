@@ -6,8 +6,8 @@ import re
 import h5py
 import numpy
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, SOURCE, few_threads, fling
-from sweep_members import ALL, COLUMNS, WALLS, Members, any_sweep, assert_same_bits, base, datasets
+from program import AGREED, SOURCE, few_threads, fling
+from sweep_members import ALL, COLUMNS, WALLS, any_sweep, assert_same_bits, base, columns_of_runs, datasets
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
 
@@ -20,7 +20,7 @@ class EveryMember(SweepTest):
             sweep = any_sweep(seed)
             with self.subTest(f"HYRAX_SEED={SEED}, sweep {number}: {json.dumps(sweep)}"):
                 found = self.computed(sweep, f"--threads={1 + number}")
-                assert_same_bits(self, found, Members(self, sweep).columns(), f"seed {seed}")
+                assert_same_bits(self, found, columns_of_runs(self, sweep), f"seed {seed}")
 
     def test_without_any_other_thread_the_numbers_are_the_same(self):
         threads = self.computed(document(members=300, base=base(steps=1_100_000)), "--threads=3")  # In chunks of 64.
@@ -33,7 +33,7 @@ class EveryMember(SweepTest):
         sweep = document(members=32_772, keep=ALL, base=base(steps=100))
         found = self.computed(sweep)
         assert_same_bits(self, {name: values[members] for name, values in found.items()},
-                         Members(self, sweep).columns(members), "alone")
+                         columns_of_runs(self, sweep, members), "alone")
         self.assertEqual(len(numpy.unique(found["members/state_hash"], axis=0)), 32_772, "a member is another one")
         kept = self.computed(document(members=32_772, keep=ALL[:4], base=base(steps=100)))  # By kernels, which hash nothing.
         assert_same_bits(self, kept, {name: found[name] for name in kept}, "without hashes")
@@ -50,7 +50,7 @@ class EveryMember(SweepTest):
         for key, rule in (("seed", {"member": True}), ("sigma_s", {"uniform": [0, 0.008]}), ("rate_hz", {"uniform": [50, 70]})):
             vary = {f"/clock/{'' if key == 'rate_hz' else 'jitter/'}{key}": rule}
             sweep = document(members=8, keep=ALL[:4], vary=vary, base=base(clock=clock, events=events, steps=120))
-            assert_same_bits(self, self.computed(sweep), Members(self, sweep).columns(), key)
+            assert_same_bits(self, self.computed(sweep), columns_of_runs(self, sweep), key)
 
     def test_what_is_not_kept_is_not_there(self):
         row = re.search(r"^\| `keep` \| (.*)\. The first three if left out \|$", (SOURCE / "sim/ensemble/README.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
@@ -69,15 +69,6 @@ class EveryMember(SweepTest):
         self.assertEqual(list(found["inputs/start.y_px"][:5]), [0, 1, 2, 3, 0])
         self.assertEqual(len(found["members/x"]), 20)
 
-    def test_columns_say_their_units(self):
-        units = {"start.x_px": "px", "start.vx_px_per_s": "px/s", "clock.rate_hz": "Hz", "events.0.hitch.dt_s": "s"}
-        vary = {"/" + name.replace(".", "/"): {"uniform": [1, 2]} for name in units}
-        self.computed(document(base=base(events=[{"step": 3, "hitch": {"dt_s": 0.5}}]), vary=vary, keep=ALL))
-        with h5py.File(self.folder / "sweep.h5") as file:
-            found = {name: file["inputs"][name].attrs["units"] for name in file["inputs"]}
-            self.assertEqual(found, units)
-            self.assertIn("program", file["provenance"].attrs)
-
     def test_the_base_may_be_a_file_beside_the_sweep(self):
         self.write("deep/base.json", fling(expect={"in_bounds": True}))
         self.write("deep/sweep.json", document(base="base.json"))
@@ -86,32 +77,13 @@ class EveryMember(SweepTest):
         assert_same_bits(self, datasets(self.folder / "beside.h5"), datasets(self.folder / "sweep.h5"), "base")
         with h5py.File(self.folder / "beside.h5") as file:
             self.assertNotIn("expect", json.loads(file.attrs["sweep"])["base"])
+            self.assertIn("program", file["provenance"].attrs)
         self.write("deep/base.json", fling(name=None))
         self.sweep("deep/sweep.json", "--member", "7", "-o", "member.json")
         self.assertEqual(json.loads((self.folder / "member.json").read_text())["name"], "base-member-7")
 
 
 class Outputs(SweepTest):
-    def test_a_member_replaces_a_file_with_force_only(self):
-        self.write("sweep.json", document())
-        self.write("m.json", fling())
-        self.sweep("sweep.json", "--member", "3", "-o", "m.json", exit_code=BAD_INPUT,
-                   says=("m.json: exists", "--force"))
-        self.sweep("sweep.json", "--member", "3", "-o", "m.json", "--force")
-        self.expect(AGREED, "validate", "m.json")
-        self.sweep("sweep.json", "--member", "3", "-o", "sweep.json", "--force", exit_code=BAD_INPUT, says="an input")
-        self.assertEqual(self.names(), ["m.json", "sweep.json"])
-
-    def test_inputs_and_scenarios_are_protected(self):
-        self.write("base.json", fling())
-        self.write("sweep.json", document(base="base.json"))
-        self.write("x.h5", json.dumps(fling()))
-        before = self.state_of(".")
-        for output in ("base.json", "sweep.json", "x.h5", "out.csv"):
-            self.sweep("sweep.json", "-o", output, exit_code=BAD_INPUT, says=output)
-        self.assertEqual(self.state_of("."), before)
-        self.sweep("sweep.json", "-o", "no/folder.h5", exit_code=CANNOT_ACCESS, says="no/folder.h5")
-
     def test_the_mode_of_a_replaced_result_is_kept(self):
         self.write("sweep.json", document())
         self.sweep("sweep.json")

@@ -98,10 +98,6 @@ class HyraxTest(ProgramTest):
         """Waits until a frame with such an input was played."""
         self.wait_for(kind, lambda log: sum(kind in line.get("inputs", ()) for line in log) >= count)
 
-    def wait_for_time(self, t_s):
-        """Waits until the hyrax has lived for so long."""
-        self.wait_for(f"{t_s} s", lambda log: any(line.get("t_s", 0) >= t_s for line in log))
-
     def wait_for_sleep(self):
         """Waits until it is at rest and plays no more frames."""
         self.wait_for("asleep", lambda log: log and "asleep_after_frame" in log[-1])
@@ -109,7 +105,7 @@ class HyraxTest(ProgramTest):
     def start_and_fling(self):
         """The program, at work upon a hyrax that came down from the top, bounced, and was flung by the hand."""
         process = self.start()
-        self.wait_for_time(3.5)
+        self.wait_for("3.5 s", lambda log: any(line.get("t_s", 0) >= 3.5 for line in log))
         self.hand(*FLING)
         self.wait_for_input("release")
         return process

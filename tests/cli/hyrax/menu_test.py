@@ -2,7 +2,7 @@
 
 import time
 
-from hyrax_program import FOLDER, HYRAX, HyraxTest, read_log
+from hyrax_program import FOLDER, HYRAX, HyraxTest
 from program import AGREED, fling
 
 ESCAPE, RETURN = 27, 13
@@ -41,10 +41,6 @@ class Menu(HyraxTest):
                 time.sleep(0.05)
             self.hand("key", ESCAPE, "sleep", 100)
         self.fail(f"{letters}: nothing came of it")
-
-    def has_input(self, *kinds):
-        """Whether a frame had just these inputs."""
-        return any(line.get("inputs") == [*kinds] for line in read_log(self.folder / "flight.log"))
 
     @staticmethod
     def saved(name=""):
