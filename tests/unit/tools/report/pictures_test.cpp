@@ -1,5 +1,5 @@
 // Pictures, compared with approved ones to the last line of their SVG; figures, tables and verdicts as the
-// report page reads them; scales and colours.
+// report page reads them; scales.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -15,7 +15,6 @@
 #include "tools/files/text_file.h"
 #include "tools/report/figure_json.h"
 #include "tools/report/figure_svg.h"
-#include "tools/report/look.h"
 #include "tools/report/page_file.h"
 #include "tools/report/plot_scale.h"
 #include "tools/report/result_page.h"
@@ -156,25 +155,6 @@ TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
   EXPECT_FALSE(scale_of(axis, {1.0, 10.0}).end_of_strip());
   EXPECT_FALSE(scale_of(axis, {1e-9, 1e-7, 1.0}).end_of_strip()) << "nothing is empty between them";
   EXPECT_FALSE(scale_of(axis, {1e-10, 1e-9}).end_of_strip()) << "there is no rest";
-}
-
-TEST(Look, TextHasContrastAndSeriesDiffer) {
-  for (const Tone tone : {Tone::ink, Tone::quiet, Tone::vermilion, Tone::orange, Tone::blue, Tone::green,
-                          Tone::purple, Tone::sky_blue, Tone::lavender}) {
-    const std::string colour = colour_of(tone), card = colour_named("card");
-    EXPECT_GE(contrast_of(colour, card), 4.5) << name_of(tone);
-    EXPECT_GE(contrast_of(dark_of(colour), dark_of(card)), 4.5) << name_of(tone);
-  }
-  for (const auto& [good, bad] :
-       {std::pair("good", "bad"), {"fill-good", "fill-bad"}, {"good-tint", "bad-tint"}})
-    for (const bool is_dark : {false, true}) {
-      const auto hue = [is_dark = is_dark](const std::string& name) {  // Green less red.
-        const std::string colour = is_dark ? dark_of(colour_named(name)) : colour_named(name);
-        return std::stoi(colour.substr(3, 2), nullptr, 16) - std::stoi(colour.substr(1, 2), nullptr, 16);
-      };
-      EXPECT_GT(hue(good), 0) << good;
-      EXPECT_LT(hue(bad), 0) << bad;
-    }
 }
 
 // Each fault is found in a picture that has it.

@@ -34,14 +34,12 @@ Columns colourful_rows(std::int64_t count) {
 
 std::vector<Contact> contacts_at_each_wall(std::int64_t count) {
   std::vector<Contact> contacts;
-  for (std::int64_t i = 0; i < count; ++i) {
-    Contact contact;
-    contact.step = contact.last_step = i + 1;
-    contact.wall = kWalls[static_cast<std::size_t>(i) % 4];
-    contact.x_px = static_cast<double>(i * 59 % 1792);
-    contact.y_px = static_cast<double>(i * 31 % 952);
-    contacts.push_back(contact);
-  }
+  for (std::int64_t i = 0; i < count; ++i)
+    contacts.push_back({.step = i + 1,
+                        .last_step = i + 1,
+                        .wall = kWalls[static_cast<std::size_t>(i) % 4],
+                        .x_px = static_cast<double>(i * 59 % 1792),
+                        .y_px = static_cast<double>(i * 31 % 952)});
   return contacts;
 }
 
