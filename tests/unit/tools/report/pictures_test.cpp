@@ -44,17 +44,20 @@ TEST(Pictures, OfFiguresAreThoseApproved) {
   }
 }
 
-// Of which rows were not recorded.
-TEST(Pictures, OfARunIsTheOneApproved) {
-  const Scenario scenario =
-      load_scenario(HYRAX_SOURCE_DIR "/tests/unit/tools/report/pictures/thrown-twice.json");
-  RunRecorder recorder(step_count(scenario));
-  static_cast<void>(replay(shipped_core(), scenario, recorder));
-  const StoredRun run = recorder.take();
-  Columns rows;
-  for (std::size_t row = 0; row < run.rows.size(); ++row)
-    if (row < 60 || row > 75) rows.append(run.rows.row(row));
-  expect_picture("run.svg", run_svg(scenario, rows, run.contacts));
+// Of which rows were not recorded: of one with all kinds of inputs, one with a logarithmic scale of speeds,
+// and ones in windows much longer than wide, and larger and smaller than any picture.
+TEST(Pictures, OfRunsAreThoseApproved) {
+  for (const std::string name : {"thrown-twice", "fast", "tall", "wide", "small"}) {
+    const Scenario scenario =
+        load_scenario(HYRAX_SOURCE_DIR "/tests/unit/tools/report/pictures/" + name + ".json");
+    RunRecorder recorder(step_count(scenario));
+    static_cast<void>(replay(shipped_core(), scenario, recorder));
+    const StoredRun run = recorder.take();
+    Columns rows;
+    for (std::size_t row = 0; row < run.rows.size(); ++row)
+      if (row < 60 || row > 75) rows.append(run.rows.row(row));
+    expect_picture(name + ".svg", run_svg(scenario, rows, run.contacts));
+  }
 }
 
 TEST(FigureJson, RefusesWhatIsNoFigureAndSaysWhere) {
@@ -159,21 +162,17 @@ TEST(PlotScale, AStripTakesTheDataFarBelowTheRest) {
 
 // Each fault is found in a picture that has it.
 TEST(PictureFaults, FindsOverlapsCutTextsAndPaleOnes) {
-  struct Text {
-    SvgPoint at;
-    const char* text;
-    Tone tone = Tone::ink;
-  };
-  const auto first_fault = [](const std::vector<Text>& texts) {
+  const auto fault = [](const SvgPoint& at, const std::string& text, Tone tone = Tone::ink) {
     Sheet sheet{200, 100};
-    for (const Text& each : texts) sheet.svg.text(each.at, each.text, {.tone = each.tone});
+    sheet.svg.text({20, 20}, "one", {});
+    sheet.svg.text(at, text, {.tone = tone});
     const std::vector<std::string> faults = picture_faults(svg_text("t", sheet));
     return faults.empty() ? "" : faults.front();
   };
-  EXPECT_EQ(first_fault({{{20, 20}, "one"}, {{20, 50}, "two"}}), "");
-  EXPECT_EQ(first_fault({{{20, 20}, "one"}, {{25, 24}, "two"}}), "overlap: one and two");
-  EXPECT_EQ(first_fault({{{180, 20}, "long text"}}), "cut: long text");
-  EXPECT_EQ(first_fault({{{20, 20}, "pale", Tone::hairline}}), "pale: pale");
+  EXPECT_EQ(fault({20, 50}, "two"), "");
+  EXPECT_EQ(fault({25, 24}, "two"), "overlap: one and two");
+  EXPECT_EQ(fault({180, 20}, "long text"), "cut: long text");
+  EXPECT_EQ(fault({20, 50}, "pale", Tone::hairline), "pale: pale");
   EXPECT_EQ(picture_faults("<svg><style>svg{height:auto}</style></svg>").size(), 1u);
   const Series one{.name = "a", .x = {1}, .y = {1}};
   EXPECT_EQ(shared_looks({one, one}).size(), 1u);
