@@ -6,14 +6,9 @@
 #include <regex>
 #include <string>
 
-#include "sim/core/shipped_core.h"
-#include "sim/replay/replay.h"
-#include "sim/trajectory/stored_run.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/report/picture_faults.h"
-#include "tools/files/scenario_reader.h"
-#include "tools/files/text_file.h"
 #include "tools/report/look.h"
 #include "tools/report/run_scene.h"
 
@@ -155,59 +150,6 @@ TEST(RunSvg, APathAndAPictureHaveABound) {
   EXPECT_LE(points, 2 * kPathPointsMax);
   EXPECT_NE(svg.find(">path drawn up to "), std::string::npos) << "and says what is missing";
   EXPECT_LT(svg.size(), kSvgBytesMax);
-}
-
-std::string described(const PathPoint& point) {
-  return " (" + six_digits(point.x_px) + ", " + six_digits(point.y_px) + ")";
-}
-std::string described(const Box& box) {
-  return described(PathPoint{box.left_px, box.top_px}) + " .." +
-         described(PathPoint{box.right_px, box.bottom_px});
-}
-
-std::string described(const RunScene& scene) {
-  constexpr const char* kKinds[] = {"flown", "moved", "unrecorded"};
-  std::string text = "view" + described(scene.view);
-  for (const Size& window : scene.windows)
-    text += "\nwindow " + std::to_string(window.width_px) + " x " + std::to_string(window.height_px);
-  for (const auto& sprite : {scene.start, scene.end})
-    text += "\nsprite" + (sprite ? described(*sprite) : " -");
-  if (scene.not_finite) text += "\nnot finite" + described(*scene.not_finite);
-  text += "\nspeeds " + six_digits(scene.path.speed_px_per_s_low) + " .. " +
-          six_digits(scene.path.speed_px_per_s_max);
-  for (const Stroke& stroke : scene.path.strokes)
-    text += std::string("\n") + kKinds[static_cast<std::size_t>(stroke.kind)] + " " +
-            std::to_string(stroke.points.size()) + described(stroke.points.front()) + " .." +
-            described(stroke.points.back());
-  text += "\nbeads every " + std::to_string(scene.path.frames_per_bead) + ":";
-  for (const PathPoint& bead : scene.path.beads) text += described(bead);
-  for (const Throw& one : scene.throws)
-    text += "\nthrow" + described(PathPoint{one.x_px, one.y_px}) + " by" +
-            described(PathPoint{one.velocity.vx_px_per_s, one.velocity.vy_px_per_s});
-  for (const TimedInput& input : scene.inputs)
-    text += "\ninput " + std::string(input.what) + " at " + six_digits(input.t_s) + " s" +
-            described(PathPoint{input.x_px, input.y_px});
-  for (const Wall wall : kWalls) text += "\ncontacts " + std::to_string(scene.contacts[wall]);
-  for (const Bounce& bounce : scene.bounces)
-    text += "\n" + std::string(kWallNames[wall_index(bounce.wall)]) + described(bounce.sprite);
-  for (const Box& ghost : scene.ghosts) text += "\nghost" + described(ghost);
-  return text + "\n\n";
-}
-
-TEST(RunScene, OfRunsAreThoseApproved) {
-  const std::string path = HYRAX_SOURCE_DIR "/tests/unit/tools/report/run_scenes.json";
-  const Json listed = parse_json(read_text_file(path), path);
-  std::vector<Scenario> scenarios = {eventful_fling()};
-  for (const Json& each : *listed.get<Json::Array>()) scenarios.push_back(to_scenario(each, path, ""));
-  std::string text;
-  for (const Scenario& scenario : scenarios) {
-    RunRecorder recorder(step_count(scenario));
-    static_cast<void>(replay(shipped_core(), scenario, recorder));
-    StoredRun run = recorder.take();
-    if (scenario.name == "not-finite") run.rows.vx_px_per_s.back() = run.rows.x_px.back() = kNotGiven;
-    text += described(make_run_scene(scenario, run.rows, run.contacts, 640.0));
-  }
-  expect_approved("tests/unit/tools/report/run_scene.txt", text);
 }
 
 }  // namespace
