@@ -75,7 +75,7 @@ class Schema(unittest.TestCase):
     def test_agrees_with_the_reader_over_the_table(self):
         """But for what only the reader detects: where the schema refuses that, too, remove `only_reader`."""
         differing = [entry["name"] for entry in entries_of(self.table)
-                     if self.validator.is_valid(document_of(entry, self.table)) != ("faults" not in entry or "only_reader" in entry)]
+                     if self.validator.is_valid(document_of(entry, self.table)) != ("refused" not in entry or "only_reader" in entry)]
         self.assertEqual(differing, [])
 
     def test_takes_every_scenario_file_which_names_it(self):
