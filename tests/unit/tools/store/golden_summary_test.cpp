@@ -171,9 +171,6 @@ TEST(FileChecksum, IsThatOfTheBytesOfAFile) {
     EXPECT_THROW(static_cast<void>(file_checksum(folder.at(none))), Failure);
   write_bytes(folder.at("empty"), "");
   EXPECT_EQ(file_checksum(folder.at("empty")), "99aa06d3014798d86001c324468d497f");  // XXH3-128 of nothing.
-  write_bytes(folder.at("one"), "a golden file");
-  write_bytes(folder.at("two"), "a golden fild");
-  EXPECT_NE(file_checksum(folder.at("one")), file_checksum(folder.at("two")));
   std::string bytes;  // More than are read at once.
   for (std::size_t place = 0; place < 200'001; ++place) bytes += static_cast<char>(place * place >> 7);
   write_bytes(folder.at("long"), bytes);
