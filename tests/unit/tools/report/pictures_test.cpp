@@ -44,8 +44,8 @@ TEST(Pictures, OfFiguresAreThoseApproved) {
   }
 }
 
-// Of which rows were not recorded: of runs with all kinds of inputs, of one that becomes non-finite, one with
-// a logarithmic scale of speeds, and ones in windows much longer than wide, and larger and smaller than any
+// Of runs with all kinds of inputs, of which one lacks some rows, of one that becomes non-finite, one with a
+// logarithmic scale of speeds, and ones in windows much longer than wide, and larger and smaller than any
 // picture.
 TEST(Pictures, OfRunsAreThoseApproved) {
   const std::string path = HYRAX_SOURCE_DIR "/tests/unit/tools/report/pictures/runs.json";
