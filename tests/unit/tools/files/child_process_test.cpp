@@ -44,12 +44,9 @@ TEST(ChildProcess, MayEndByASignalOrTooLate) {
 }
 
 TEST(ChildProcess, ThatCannotBeStartedIsNamed) {
-  for (const auto& [program, reason] :
-       {std::pair{"/no/such/program", "No such file or directory"}, {"/etc/passwd", "Permission denied"}}) {
-    EXPECT_EQ(refusal_of([&file = program] { static_cast<void>(run_child({file}, "", 1.0)); },
-                         ExitCode::cannot_access),
-              std::string(program) + ": cannot be started: " + reason);
-  }
+  EXPECT_EQ(
+      refusal_of([] { static_cast<void>(run_child({"/etc/passwd"}, "", 1.0)); }, ExitCode::cannot_access),
+      "/etc/passwd: cannot be started: Permission denied");
 }
 
 TEST(RunProgram, EndsByWhatItsWorkThrows) {

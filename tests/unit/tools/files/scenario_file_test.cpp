@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "sim/scenario/frame_clock.h"
+#include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
@@ -112,6 +113,17 @@ TEST_F(ScenarioFile, HoldsOverridesToTheSameRulesAndNeedsANameWhereItsOwnIsNone)
   EXPECT_TRUE(overridden("/stpes", "7").starts_with(path + ": /stpes: unknown key"));
   EXPECT_EQ(overridden("/steps/x", "7"), path + ": /steps/x: does not exist (found no 'x')");
   EXPECT_TRUE(overridden("steps", "7").starts_with(path + ": steps: is not a JSON Pointer"));
+}
+
+TEST_F(ScenarioFile, KeepsTheSignOfZeroWhenWritten) {
+  Scenario scenario = fling_at(60.0, 5, {{std::int64_t{1}, Fling{{-0.0, 0.0}}}});
+  scenario.start = {-0.0, 0.0};
+  scenario.clock.base = FixedStep{-0.0};
+  const Scenario again = parse_scenario(scenario_file_text(scenario), "written");
+  EXPECT_TRUE(std::signbit(again.start.x_px));
+  EXPECT_FALSE(std::signbit(again.start.y_px));
+  EXPECT_TRUE(std::signbit(std::get<FixedStep>(again.clock.base).dt_s));
+  EXPECT_TRUE(std::signbit(std::get<Fling>(again.events[0].action).velocity.vx_px_per_s));
 }
 
 constexpr char kSource[] = "some/base.json";
