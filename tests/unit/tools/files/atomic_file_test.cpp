@@ -34,7 +34,8 @@ class AtomicFileTest : public testing::Test {
   const TempFolder folder_;
 };
 
-TEST_F(AtomicFileTest, KeepsTheModeOfTheFileThatItReplacesAndIsReadableForOthersIfNew) {
+TEST_F(AtomicFileTest, IsCompleteKeepsTheModeOfTheFileThatItReplacesAndIsReadableForOthersIfNew) {
+  const std::string text = std::string("a\0b\r\n", 5) + std::string(200'000, 'x');
   struct stat found {};
   for (const mode_t mode : {0600u, 0640u, 0444u, 0666u}) {
     const std::string path = old_file("a.txt");
@@ -48,22 +49,16 @@ TEST_F(AtomicFileTest, KeepsTheModeOfTheFileThatItReplacesAndIsReadableForOthers
     }
     ASSERT_EQ(stat(path.c_str(), &found), 0);
     EXPECT_EQ(found.st_mode & 07777, mode);
+    EXPECT_EQ(read_text_file(path), "new");
     fs::remove(path);
   }
   const mode_t before = umask(022);
-  write_text_file(path("a.txt"), "new");
+  write_text_file(path("a.txt"), text);
   umask(before);
   ASSERT_EQ(stat(path("a.txt").c_str(), &found), 0);
   EXPECT_EQ(found.st_mode & 0777u, 0644u);
-}
-
-TEST_F(AtomicFileTest, WritesACompleteFileAndReplacesAnOldOne) {
-  const std::string text = std::string("a\0b\r\n", 5) + std::string(200'000, 'x');
-  for (const std::string& file : {path("new.txt"), old_file("old.txt")}) {
-    write_text_file(file, text);
-    EXPECT_EQ(read_text_file(file), text);
-  }
-  EXPECT_EQ(folder_.names(), (Names{"new.txt", "old.txt"}));
+  EXPECT_EQ(read_text_file(path("a.txt")), text);
+  EXPECT_EQ(folder_.names(), Names{"a.txt"});
 }
 
 TEST_F(AtomicFileTest, AcceptsANewNameOnly) {

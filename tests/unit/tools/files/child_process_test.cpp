@@ -32,23 +32,21 @@ TEST(ChildProcess, MayPrintMoreThanIsKept) {
 }
 
 TEST(ChildProcess, MayEndByASignalOrTooLate) {
-  EXPECT_EQ(end_of("kill -TERM $$").exit_code, 128 + 15);
+  EXPECT_EQ(end_text(end_of("kill -TERM $$"), 9.0), "signal 15 (exit code 143)");
+  EXPECT_EQ(end_text(end_of("exit 128"), 9.0), "exit code 128");
   ChildEnd late;
   // On a busy machine a short time ends before the child has printed.
   for (double limit_s = 0.2; late.out.empty() && limit_s < 60.0; limit_s *= 2.0) {
     late = end_of("echo first; sleep 600", "", limit_s);
-    EXPECT_TRUE(late.is_timed_out);
+    EXPECT_EQ(end_text(late, 2.5), "no end within 2.5 s");
   }
   EXPECT_EQ(late.out, "first\n");
 }
 
 TEST(ChildProcess, ThatCannotBeStartedIsNamed) {
-  for (const auto& [program, reason] :
-       {std::pair{"/no/such/program", "No such file or directory"}, {"/etc/passwd", "Permission denied"}}) {
-    EXPECT_EQ(refusal_of([&file = program] { static_cast<void>(run_child({file}, "", 1.0)); },
-                         ExitCode::cannot_access),
-              std::string(program) + ": cannot be started: " + reason);
-  }
+  EXPECT_EQ(
+      refusal_of([] { static_cast<void>(run_child({"/etc/passwd"}, "", 1.0)); }, ExitCode::cannot_access),
+      "/etc/passwd: cannot be started: Permission denied");
 }
 
 TEST(RunProgram, EndsByWhatItsWorkThrows) {
@@ -67,13 +65,6 @@ TEST(RunProgram, EndsByWhatItsWorkThrows) {
   EXPECT_EQ(end_by([] { refuse_input("file: bad"); }), "2 file: bad\n");
   EXPECT_EQ(end_by([] { throw std::bad_alloc(); }), "70 hyrax-x: out of memory\n");
   EXPECT_EQ(end_by([] { throw std::logic_error("oops"); }), "70 hyrax-x: internal error: oops\n");
-}
-
-TEST(EndText, SaysHowAProgramEnded) {
-  EXPECT_EQ(end_text({0, false, "", ""}, 10.0), "exit code 0");
-  EXPECT_EQ(end_text({128, false, "", ""}, 10.0), "exit code 128");
-  EXPECT_EQ(end_text({139, false, "", ""}, 10.0), "signal 11 (exit code 139)");
-  EXPECT_EQ(end_text({137, true, "", ""}, 2.5), "no end within 2.5 s");
 }
 
 }  // namespace

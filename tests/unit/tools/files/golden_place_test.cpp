@@ -4,11 +4,18 @@
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/check_status.h"
 #include "tools/files/golden_place.h"
+#include "tools/files/json.h"
 #include "tools/files/path.h"
 #include "tools/files/summary_text.h"
+#include "tools/files/text_file.h"
 
 namespace hyrax {
 namespace {
+
+Json::Array rows_of(const char* name) {
+  const std::string path = HYRAX_SOURCE_DIR "/tests/unit/tools/files/paths.json";
+  return *parse_json(read_text_file(path), path).find(name)->get<Json::Array>();
+}
 
 std::string place_of(const std::string& scenario, const std::string& golden_folder = "") {
   const auto place = golden_place(scenario, golden_folder);
@@ -16,45 +23,24 @@ std::string place_of(const std::string& scenario, const std::string& golden_fold
   const std::string stem = place->h5_path.substr(0, place->h5_path.size() - 3);
   EXPECT_EQ(place->txt_path, stem + ".txt");
   EXPECT_EQ(place->h5_path, stem + ".h5");
-  return stem;
+  return stem + (place->is_reserved ? " is reserved" : "");
 }
 
-TEST(GoldenPlace, IsBesideTheScenariosFolderOrBelowTheGivenOne) {
-  for (const auto& [scenario, place] :
-       {std::pair{"scenarios/flings/first-fling.json", "golden/flings/first-fling"},
-        {"a/b/scenarios/x.json", "a/b/golden/x"},
-        {"/data/scenarios/deep/er/x.json", "/data/golden/deep/er/x"},
-        // The nearest one.
-        {"scenarios/old/scenarios/hard/x.json", "scenarios/old/golden/hard/x"},
-        {"scenarios/my-scenarios/x.json", "golden/my-scenarios/x"},
-        // However the path is written.
-        {"./scenarios/./flings/x.json", "golden/flings/x"},
-        {"scenarios/flings/../clocks/x.json", "golden/clocks/x"},
-        {"scenarios//x.json", "golden/x"},
-        {"scenarios/v1.2/a.b.json", "golden/v1.2/a.b"},
-        {"/data/flings/x.json", "none"},
-        {"/data/scenarios-old/x.json", "none"}})
-    EXPECT_EQ(place_of(scenario), place);
-  EXPECT_EQ(place_of("scenarios/flings/x.json", "/elsewhere"), "/elsewhere/flings/x");
-  EXPECT_EQ(place_of("/data/scenarios/a/b/x.json", "other"), "other/a/b/x");
-  for (const char* const folder : {"/elsewhere", "/elsewhere/"})
-    EXPECT_EQ(place_of("/data/flings/x.json", folder), "/elsewhere/x");
-}
-
-TEST(GoldenPlace, ReservesTheFolderCoreAtTheTopOfScenarios) {
-  for (const char* const scenario : {"scenarios/core/x.json", "scenarios/core/deep/x.json"})
-    EXPECT_TRUE(golden_place(scenario, "")->is_reserved) << scenario;
-  for (const char* const scenario :
-       {"scenarios/core.json", "scenarios/a/core/x.json", "core/scenarios/x.json"})
-    EXPECT_FALSE(golden_place(scenario, "")->is_reserved) << scenario;
+// Each row is a scenario, the folder that is given, and the place.
+TEST(GoldenPlace, IsBesideTheScenariosFolderOrBelowTheGivenOneAndOutsideOfTheFolderCoreAtItsTop) {
+  for (const Json& row : rows_of("golden files")) {
+    const Json::Array& texts = *row.get<Json::Array>();
+    EXPECT_EQ(place_of(*texts[0].get<std::string>(), *texts[1].get<std::string>()),
+              *texts[2].get<std::string>())
+        << to_text(row);
+  }
 }
 
 TEST(CountsSentence, HasWhatIsNotCheckedBehindIt) {
   using enum CheckStatus;
-  EXPECT_EQ(counts_sentence({agreed, disagreed, disagreed, missing, failed, unreferenced}, 0),
-            "5 checked: 1 agreed, 2 disagreed, 1 without golden file, 1 failed; 1 unreferenced");
-  EXPECT_EQ(counts_sentence({}, 2),
-            "0 checked: 0 agreed, 0 disagreed, 0 without golden file, 0 failed; 2 folders failed");
+  EXPECT_EQ(counts_sentence({agreed, disagreed, disagreed, missing, failed, unreferenced}, 2),
+            "5 checked: 1 agreed, 2 disagreed, 1 without golden file, 1 failed; 1 unreferenced; 2 folders "
+            "failed");
 }
 
 TEST(GoldenPlace, FollowsALinkBeforeDotsAndIsFoundFromWithinTheScenariosFolder) {
@@ -73,23 +59,14 @@ TEST(GoldenPlace, FollowsALinkBeforeDotsAndIsFoundFromWithinTheScenariosFolder) 
   std::filesystem::current_path(before);
 }
 
+// Each row is a path and its parts.
 TEST(FileName, HasFolderStemAndExtension) {
-  struct Case {
-    std::string_view path, folder, stem, extension;
-  };
-  for (const Case& each :
-       {Case{"scenarios/flings/corner-fling.json", "scenarios/flings/", "corner-fling", ".json"},
-        {"corner.fling.json", "", "corner.fling", ".json"},
-        {"/fling", "/", "fling", ""},
-        // Dots in names of folders, a hidden file, a folder.
-        {"a.b/fling", "a.b/", "fling", ""},
-        {"../fling.json", "../", "fling", ".json"},
-        {"a/.json", "a/", ".json", ""},
-        {"a/", "a/", "", ""}}) {
-    const FileName name = file_name(each.path);
-    EXPECT_EQ(name.folder, each.folder) << each.path;
-    EXPECT_EQ(name.stem, each.stem) << each.path;
-    EXPECT_EQ(name.extension, each.extension) << each.path;
+  for (const Json& row : rows_of("names")) {
+    const std::string& path = *row.get<Json::Array>()->front().get<std::string>();
+    const FileName name = file_name(path);
+    EXPECT_EQ(to_text(Json::Array{path, std::string(name.folder), std::string(name.stem),
+                                  std::string(name.extension)}),
+              to_text(row));
   }
 }
 

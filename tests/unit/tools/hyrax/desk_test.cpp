@@ -69,15 +69,12 @@ TEST(Hand, GivesItsMeanVelocityOverTheLastTenthOfASecond) {
   EXPECT_EQ(moved_hand({40, 0}, 80, 2).velocity(160 * kMs), (Velocity{800.0, 0.0})) << "seldom messages";
 }
 
-TEST(Hand, IgnoresOlderMoves) {
+TEST(Hand, IgnoresOlderMovesAndHasDraggedForTenMillisecondsAtLeast) {
   Hold hand = hand_at({0, 0});
   hand.move({-900, 300}, 100 * kMs);
   for (int move = 1; move <= 10; ++move) hand.move({-900 + 5 * move, 300}, (100 + 10 * move) * kMs);
   EXPECT_EQ(hand.velocity(200 * kMs), (Velocity{500.0, 0.0}));
-}
-
-TEST(Hand, HasDraggedForTenMillisecondsAtLeast) {
-  Hold hand = hand_at({0, 0}, 50);
+  hand = hand_at({0, 0}, 50);
   EXPECT_EQ(hand.velocity(50), Velocity{});
   hand.move({1, 0}, 51);
   EXPECT_EQ(hand.velocity(52), (Velocity{100.0, 0.0}));

@@ -91,8 +91,12 @@ TEST_F(ChosenFromMenu, ThePetPausesGoesOnAndIsReset) {
   frames(10);
   choose(Choice::pause);
   EXPECT_TRUE(pet.is_paused());
+  frames(10);
+  EXPECT_EQ(pet.session().now().row.step, 10);
   choose(Choice::pause);
   EXPECT_FALSE(pet.is_paused());
+  frames(1);
+  EXPECT_EQ(pet.session().now().row.dt_s, 1.0 / 60.0);
   choose(Choice::reset);
   frames(1);
   EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Place{{448.0, 0.0}}, Stop{}}));

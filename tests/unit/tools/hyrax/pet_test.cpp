@@ -100,15 +100,13 @@ TEST_F(PetOnADesk, FollowsTheHandAndFliesAsFastAsItWhenItIsLetGo) {
   EXPECT_TRUE(same_bits(row().dt_s, 0.004)) << "its flight begins when it is let go";
 }
 
-TEST_F(PetOnADesk, IsGrabbedAndLetGoWithinOneFrame) {
+TEST_F(PetOnADesk, IsLetGoWithinOneFrameOrDropsWhenTheHandIsTakenAway) {
   frames(10);
   grab();
   pet.let_go(hand, ticks, kDesk);
   frames(1);
   EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Grab{}, Release{}}));
-}
-
-TEST_F(PetOnADesk, DropsWhenTheHandIsTakenAway) {
+  pet.reset(ticks);
   grab();
   drag_away(11);  // The last of it no frame has shown.
   pet.drop(ticks);
@@ -157,19 +155,6 @@ TEST_F(PetOnADesk, SleepsInAHandThatDoesNotMove) {
   EXPECT_FALSE(pet.is_asleep());
   pet.let_go(hand, ticks, kDesk);
   frames(10);
-}
-
-TEST_F(PetOnADesk, DoesNotMoveWhilePausedUntilItIsGrabbed) {
-  frames(10);
-  pet.pause();
-  frames(10);
-  EXPECT_EQ(row().step, 10);
-  pet.resume(ticks);
-  frames(1);
-  EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS));
-  pet.pause();
-  grab();
-  EXPECT_FALSE(pet.is_paused());
 }
 
 TEST_F(PetOnADesk, IsResetToItsFirstPosition) {

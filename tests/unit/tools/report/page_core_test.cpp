@@ -102,20 +102,20 @@ TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
   EXPECT_EQ(Numbers(played.came_to.begin() + 7, played.came_to.end()),
             (Numbers{errors.implementation_px->value, errors.truncation_px->value, errors.model_px->value,
                      errors.energy_drift_rel_max->value, 1.0, 2.0, 0.0, 9.0}));
-  const NumbersByName rows = columns(row_column);
+  NumbersByName rows{{"step", each(trace.rows(), &Row::step)},
+                     {"contact", each(trace.rows(), &Row::contact)}};
   for (const RowColumn& column : kRowColumns)
-    EXPECT_EQ(rows.at(std::string(column.name)),
-              each(trace.rows(), [&](const Row& row) { return column.number(row).value(); }))
-        << column.name;
-  EXPECT_EQ(rows.at("step"), each(trace.rows(), &Row::step));
-  EXPECT_EQ(rows.at("contact"), each(trace.rows(), &Row::contact));
+    rows[std::string(column.name)] =
+        each(trace.rows(), [&](const Row& row) { return column.number(row).value(); });
+  EXPECT_EQ(columns(row_column), rows);
   const NumbersByName contacts = columns(contact_column);
   EXPECT_EQ(contacts.at("step"), each(trace.contacts(), &Contact::step));
   EXPECT_EQ(contacts.at("last_step"), each(trace.contacts(), &Contact::last_step));
-  const NumbersByName shown = columns(error_column);
-  EXPECT_EQ(shown.at("implementation"), each(measured.rows, &RowErrors::implementation_px));
-  EXPECT_EQ(shown.at("truncation"), each(measured.rows, &RowErrors::truncation_px));
-  EXPECT_EQ(shown.at("model"), each(measured.rows, &RowErrors::model_px));
+  EXPECT_EQ(columns(error_column),
+            (NumbersByName{{"step", each(measured.rows, &RowErrors::step)},
+                           {"implementation", each(measured.rows, &RowErrors::implementation_px)},
+                           {"truncation", each(measured.rows, &RowErrors::truncation_px)},
+                           {"model", each(measured.rows, &RowErrors::model_px)}}));
   EXPECT_EQ(columns(contact_error_column).at("overshoot"),
             each(measured.contacts, &ImpactErrors::overshoot_px));
   const NumbersByName causes = columns(cause_column);

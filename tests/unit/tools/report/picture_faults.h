@@ -41,26 +41,6 @@ inline std::vector<ShownText> texts_in(const std::string& sheet) {
   return texts;
 }
 
-/// The middle of the first of these texts; fails the test if it is missing.
-inline SvgPoint place_of(const std::string& svg, const std::string& text) {
-  for (const ShownText& shown : texts_in(svg))
-    if (shown.text == text) return shown.box.centre();
-  ADD_FAILURE() << text;
-  return {};
-}
-
-/// The first rectangle of that colour; fails the test if there is none.
-inline SvgBox rectangle_of(const std::string& svg, const std::string& colour) {
-  const std::regex rectangle(
-      "<rect x=\"([-0-9.]+)\" y=\"([-0-9.]+)\" width=\"([0-9.]+)\" height=\"([0-9.]+)\"[^>]*fill=\"" +
-      colour + "\"");
-  std::smatch found;
-  EXPECT_TRUE(std::regex_search(svg, found, rectangle)) << colour;
-  if (found.empty()) return {};
-  const double x = std::stod(found[1]), y = std::stod(found[2]);
-  return {x, y, x + std::stod(found[3]), y + std::stod(found[4])};
-}
-
 /// The relative luminance of "#rrggbb" by WCAG 2.
 inline double luminance_of(const std::string& colour) {
   double sum = 0.0;

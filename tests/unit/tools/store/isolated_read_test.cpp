@@ -18,7 +18,10 @@ namespace {
 
 class IsolatedRead : public testing::Test {
  protected:
-  void SetUp() override { write_bytes(path_, "a file"); }
+  IsolatedRead() {
+    write_bytes(path_, "a file");
+    write_bytes(other_, "another");
+  }
 
   // The sentence, without the path.
   std::string message_of(const auto& read) const {
@@ -27,7 +30,7 @@ class IsolatedRead : public testing::Test {
   }
 
   const TempFolder folder_;
-  const std::string path_ = folder_.at("run.h5");
+  const std::string path_ = folder_.at("run.h5"), other_ = folder_.at("other.h5");
 };
 
 TEST_F(IsolatedRead, ChangesNothingHereAndLeavesARefusalToTheReadingThatFollows) {
@@ -107,17 +110,7 @@ TEST_F(IsolatedRead, ReportsTooMuchMemory) {
   EXPECT_EQ(message_of([] { std::vector<double>(static_cast<std::size_t>(-1)); }), sentence);
 }
 
-// A second file, so that there is something to read together.
-class ReadTogether : public IsolatedRead {
- protected:
-  void SetUp() override {
-    IsolatedRead::SetUp();
-    write_bytes(other_, "another");
-  }
-  const std::string other_ = folder_.at("other.h5");
-};
-
-TEST_F(ReadTogether, IsNotReadAgainUntilItChanges) {
+TEST_F(IsolatedRead, TogetherIsNotRepeatedUntilAFileChanges) {
   read_isolated_together({path_, other_}, [](const std::string&) {});
   for (const char* const changed : {"a changed file", "a file changed again"}) {
     EXPECT_EQ(message_of([] { std::raise(SIGSEGV); }), "");
@@ -127,7 +120,7 @@ TEST_F(ReadTogether, IsNotReadAgainUntilItChanges) {
   }
 }
 
-TEST_F(ReadTogether, IsTheSameFileUnderAnotherNameOnly) {
+TEST_F(IsolatedRead, OnceTrustsTheSameFileUnderAnotherNameOnly) {
   trust_own_file(other_);
   std::filesystem::rename(other_, path_);
   EXPECT_EQ(message_of([] { std::raise(SIGSEGV); }), "");
@@ -142,7 +135,7 @@ TEST_F(ReadTogether, IsTheSameFileUnderAnotherNameOnly) {
   EXPECT_NE(message_of([] { std::raise(SIGSEGV); }), "");
 }
 
-TEST_F(ReadTogether, WithOneThatCrashesEachIsReadByItselfUnlessThatIsIsolatedInTheChild) {
+TEST_F(IsolatedRead, TogetherWithOneThatCrashesEachIsReadByItselfUnlessThatIsIsolatedInTheChild) {
   const auto crash = [] { std::raise(SIGSEGV); };
   read_isolated_together({path_, other_}, [&](const std::string& path) {
     if (path == other_) crash();

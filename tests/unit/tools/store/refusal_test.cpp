@@ -72,12 +72,6 @@ TEST_F(Refusal, OfAFileCutShortAtAnyLength) {
   }
 }
 
-TEST_F(Refusal, OfAFolderAndAFileThatIsMissing) {
-  EXPECT_THROW(read_all(folder_.at("")), Failure);
-  EXPECT_EQ(refusal_of([] { read_all("/no/such/run.h5"); }, ExitCode::cannot_access),
-            "/no/such/run.h5: cannot be read: No such file or directory");
-}
-
 TEST_F(Refusal, OfADamagedTrajectoryFileIsThatApproved) {
   for (const char* const text : {"step,t,x,y\n0,0,0,0\n", ""}) {
     write_bytes(path_, text);
