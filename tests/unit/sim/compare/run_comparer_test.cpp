@@ -143,6 +143,14 @@ Row some_row() {
           .contact = 3};
 }
 
+TEST(FirstDifference, ComparesTheFieldsInOrder) {
+  Row actual = some_row();
+  for (auto field = kRowFields.rbegin(); field != kRowFields.rend(); ++field) {
+    actual = with_fault(actual, field->name);
+    EXPECT_EQ(first_difference(some_row(), actual)->field, field->name);
+  }
+}
+
 TEST(FirstDifference, DistinguishesSignedZeros) {
   Row expected = some_row(), actual = some_row();
   expected.vx_px_per_s = 0.0;
