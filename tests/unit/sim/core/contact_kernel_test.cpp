@@ -76,7 +76,7 @@ struct ReflectedStep {
   }
 };
 
-TEST(KernelOfARowCore, GivesTheBitsOfItsStepAndTheContactsOfItsRows) {
+TEST(KernelOfARowCore, GivesTheContactsOfItsRows) {
   const Core reflected{
       .kernel = std::make_shared<const ContactKernel>(
           std::make_shared<const KernelOf<StepCores<ReflectedStep>>>(), nullptr, std::nullopt)};
@@ -85,34 +85,19 @@ TEST(KernelOfARowCore, GivesTheBitsOfItsStepAndTheContactsOfItsRows) {
   TraceSink trace;
   const RunSummary summary = replay(reflected, scenario, trace);
   const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
-  State state = start_state(scenario);
-  std::vector<Contact> bounces;
-  for (std::int64_t step = 1; step <= 600; ++step) {
-    const State before = state;
-    ReflectedStep{}(state, 1.0 / 60.0, bounds);
-    ASSERT_TRUE(same_bits(state, state_of(trace.rows()[static_cast<std::size_t>(step)]))) << step;
-    const auto bounce = [&](Wall wall) {
-      bounces.push_back({.step = step,
-                         .last_step = step,
-                         .wall = wall,
-                         .x_px = state.x_px,
-                         .y_px = state.y_px,
-                         .vx_before_px_per_s = before.vx_px_per_s,
-                         .vy_before_px_per_s = before.vy_px_per_s,
-                         .vx_after_px_per_s = state.vx_px_per_s,
-                         .vy_after_px_per_s = state.vy_px_per_s});
-    };
-    if (before.vx_px_per_s > 0.0 && state.vx_px_per_s < 0.0) bounce(Wall::right);
-    if (before.vx_px_per_s < 0.0 && state.vx_px_per_s > 0.0) bounce(Wall::left);
-    if (state.vy_px_per_s < before.vy_px_per_s) bounce(Wall::ground);
+  for (std::size_t step = 1; step <= 600; ++step) {
+    const Row &before = trace.rows()[step - 1], &after = trace.rows()[step];
+    ASSERT_EQ(after.contact, contact_of_rows(bounds, state_of(before), after.dt_s, state_of(after))) << step;
   }
-  ASSERT_GE(bounces.size(), 6u);
-  ASSERT_EQ(trace.contacts().size(), bounces.size());
-  for (std::size_t index = 0; index < bounces.size(); ++index) {
-    Contact found = trace.contacts()[index];
-    EXPECT_TRUE(std::isnan(found.overshoot_px));
-    found.overshoot_px = found.t_s = 0.0;
-    EXPECT_EQ(found, bounces[index]);
+  ASSERT_GE(trace.contacts().size(), 6u);
+  for (const Contact& contact : trace.contacts()) {
+    const auto step = static_cast<std::size_t>(contact.step);
+    const State before = state_of(trace.rows()[step - 1]);
+    EXPECT_TRUE(std::isnan(contact.overshoot_px));
+    EXPECT_TRUE(same_bits({contact.x_px, contact.y_px, contact.vx_after_px_per_s, contact.vy_after_px_per_s},
+                          state_of(trace.rows()[step])));
+    EXPECT_EQ(contact.vx_before_px_per_s, before.vx_px_per_s);
+    EXPECT_EQ(contact.vy_before_px_per_s, before.vy_px_per_s);
   }
   EXPECT_EQ(summary.contacts.top, 0);
   EXPECT_TRUE(summary.had_friction);

@@ -101,31 +101,5 @@ TEST(StuckSpeed, IsLeftOutOnceARunHasIt) {
   }
 }
 
-bool is_stuck(double vx_px_per_s, double x_px, std::vector<double> dt_s, const Constants& constants) {
-  const Stretch stretch{.window = kDesktopWindow,
-                        .sprite = kHyrax,
-                        .dt_s = dt_s.data(),
-                        .is_dt_fixed = false,
-                        .frames = std::ssize(dt_s)};
-  return has_stuck_vx(stretch, {x_px, 952.0, vx_px_per_s, 0.0}, constants);
-}
-
-// Each condition alone.
-TEST(StuckSpeed, NeedsEachOfItsConditions) {
-  const Constants core = *shipped_core().constants;
-  EXPECT_TRUE(is_stuck(2.0 * kUnit, 700.0, {0.01, 0.02}, core));
-  EXPECT_TRUE(is_stuck(-kUnit, 0.0, {0.01, 0.02}, core));
-  EXPECT_FALSE(is_stuck(0.0, 700.0, {0.01, 0.02}, core)) << "costs nothing";
-  EXPECT_FALSE(is_stuck(3.0 * kUnit, 700.0, {0.01, 0.02}, core)) << "the ground takes of it";
-  EXPECT_FALSE(is_stuck(501.0 * kUnit, 700.0, {0.01, 0.02}, core)) << "drag takes of it";
-  EXPECT_FALSE(is_stuck(2.0 * kUnit, 0.0, {0.01, 1.0}, core)) << "the long frame moves it";
-  EXPECT_FALSE(is_stuck(2.0 * kUnit, -0.0, {0.01}, core)) << "the zero's sign changes";
-  EXPECT_FALSE(is_stuck(2.0 * kUnit, 1793.0, {0.01}, core)) << "a wall turns it";
-  EXPECT_FALSE(is_stuck(1e-300, 700.0, {0.01}, core));
-  Constants rough = core;
-  rough.ground_friction = 0.5;
-  EXPECT_FALSE(is_stuck(kUnit, 700.0, {0.01}, rough));
-}
-
 }  // namespace
 }  // namespace hyrax

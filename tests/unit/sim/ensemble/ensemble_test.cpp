@@ -174,6 +174,9 @@ TEST(Ensemble, EqualsTheReplayWithJitter) {
       sweep.vary.push_back({"/clock/rate_hz", ScenarioNumberKind::real, UniformDraw{50.0, 150.0}});
       sweep.vary.push_back({pointer, ScenarioNumberKind::real, UniformDraw{0.0, most}});
       expect_same_in_all_details(sweep, std::string(pointer) + " and rates");
+      base = fling_at(60.0, 50);
+      base.clock = {FixedStep{0.9e9}, Jitter{kind, most, 0xFFFFFFFFFFFFFF11u}};  // To the longest frames.
+      expect_same(sweep_over(base, 8), std::string(pointer) + " in long frames");
     }
 }
 

@@ -10,7 +10,6 @@
 #include "sim/ensemble/lanes.h"
 #include "sim/motion/state.h"
 #include "sim/physics/physics.h"
-#include "sim/scenario/frame_clock.h"
 
 namespace hyrax {
 namespace {
@@ -116,39 +115,6 @@ TEST(Kernels, MoveAsUpdateDoes) {
           EXPECT_EQ(different, 0) << kernels.name << ", " << steps << " steps of " << dt_s << " s";
         }
     }
-}
-
-TEST(Kernels, DrawTheFrameTimesOfTheClock) {
-  const Start start{{300.0, 100.0, 900.0, -400.0}, {1920, 1080}};
-  const struct {
-    Jitter::Kind kind;
-    LaneClock clock;
-    std::uint64_t draws;
-    double amount;
-  } cases[] = {{Jitter::Kind::uniform, LaneClock::uniform, 1, 1.0},
-               {Jitter::Kind::normal, LaneClock::normal, 12, 0.02},
-               {Jitter::Kind::missed_frames, LaneClock::missed_frames, 1, 0.3}};
-  for (const KernelSet& kernels : kernel_sets())
-    for (const auto& [kind, clock, draws, amount] : cases)
-      for (const double dt_s : {1.0 / 60.0, 0.9e9}) {
-        constexpr std::int64_t kFirst = 1000;
-        Lanes lanes{};
-        lanes.constants = *shipped_core().constants;
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          load(lanes, lane, start, dt_s);
-          lanes.amount[lane] = amount;
-          const std::uint64_t seed = 0xFFFFFFFFFFFFFF00u + 17 * lane;
-          lanes.draw[lane] = seed + std::uint64_t{kFirst} * draws * 0x9E3779B97F4A7C15u;
-        }
-        kernels.play(lanes, 50, Detail::final, clock);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          State state = start.state;
-          for (std::int64_t frame = kFirst; frame < kFirst + 50; ++frame)
-            state = updated({state, start.window},
-                            jittered_dt_s(dt_s, {kind, amount, 0xFFFFFFFFFFFFFF00u + 17 * lane}, frame), 1);
-          EXPECT_TRUE(is_same(state_in(lanes, lane), state)) << kernels.name << ", lane " << lane;
-        }
-      }
 }
 
 TEST(Kernels, AreAlwaysThereAndHaveNames) {

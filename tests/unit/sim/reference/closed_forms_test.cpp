@@ -164,15 +164,6 @@ TEST(ArcSolution, WithoutDragIsNewtonsParabolaAndItsSums) {
   EXPECT_EQ(solution.gravity_energy_px2_per_s2(), -kGravity * kGravity / 64 / 2);
 }
 
-TEST(ArcSolution, WithoutHorizontalMotionDoesNotSolveX) {
-  ArcSolution solution((Model()));
-  solution.start({500.0, -900.0}, false);
-  for (int i = 0; i < 200; ++i) solution.advance(1.0 / 60);
-  EXPECT_EQ(solution.discrete().dx_px, 0.0);
-  EXPECT_EQ(solution.matched().vx_px_per_s, 0.0);
-  EXPECT_EQ(solution.model().x_px, 0.0);
-}
-
 double relative_error(double value, const Wide& truth) {
   return std::fabs(((Wide(value) - truth) / truth).rounded());
 }

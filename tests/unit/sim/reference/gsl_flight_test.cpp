@@ -56,20 +56,6 @@ TEST(GslFlight, KeepsItsDigitsOverManyFrames) {
   EXPECT_LT(apart_px(gsl, std::vector<double>(100'000, 1e-3), kVelocity), 1e-8);
 }
 
-TEST(GslFlight, FliesTheModelAtItsOwnRate) {
-  GslFlight gsl;
-  ArcSolution closed((Model()));
-  for (const double dt_s : {1e-3, 1.0 / 60.0, 20.0}) {
-    closed.start(kVelocity, true);
-    gsl.start(kVelocity, true);
-    for (int frame = 0; frame < 50; ++frame) closed.advance(dt_s);
-    const auto model = gsl.model(50 * dt_s);
-    const Position expected = closed.model();
-    EXPECT_NEAR(model.value().dx_px, expected.x_px, 1e-13 * std::fabs(expected.x_px) + 1e-11) << dt_s;
-    EXPECT_NEAR(model->dy_px, expected.y_px, 1e-13 * std::fabs(expected.y_px) + 1e-11) << dt_s;
-  }
-}
-
 // The two share nothing: Halley's steps on the closed form, and Brent's method on GSL's solution.
 TEST(GslFlight, FindsTheTimeOfImpactAfterAllSpeedIsLost) {
   const Approach fall{-300.0, 0.0, 1200.0, 100.0};
@@ -89,14 +75,6 @@ TEST(GslFlight, CrossesAWallAtOnceWhenOnItAndAtNoTimeForNan) {
 TEST(GslFlight, SolvesTheFlightByTheImplicitEulerMethod) {
   GslFlight gsl({.stepper = GslStepper::rk1imp, .tolerance = 1e-3});
   EXPECT_LT(apart_px(gsl, kOneSecond, kVelocity), 10.0);
-}
-
-TEST(GslFlight, LeavesXAtZeroWhenNotRequested) {
-  GslFlight gsl;
-  gsl.start(kVelocity, false);
-  ASSERT_TRUE(gsl.advance(kFrame_s));
-  EXPECT_EQ(gsl.flight().dx_px, 0.0);
-  EXPECT_EQ(gsl.flight().vx_px_per_s, 0.0);
 }
 
 TEST(GslFlight, RefusesAStateATimeAndAResultThatAreNotFinite) {

@@ -42,19 +42,6 @@ TEST(WholeRun, NamesTheFirstContactThatIsNotTheExactImpacts) {
   }
 }
 
-TEST(WholeRun, GetsTheInputsOfTheRun) {
-  Scenario scenario = fling();
-  const double apart_px = whole_of(scenario).end_px;
-  scenario.events = {{std::int64_t{300}, Grab{}},
-                     {std::int64_t{310}, Place{{640.0, 200.0}}},
-                     {std::int64_t{320}, Release{{0.0, 0.0}}},
-                     {std::int64_t{420}, Hitch{0.5}},
-                     {std::int64_t{500}, Resize{Size{1280, 720}, std::nullopt}}};
-  EXPECT_GT(apart_px, 10.0);
-  EXPECT_EQ(whole_of(scenario).end_px, 0.0) << "dropped without horizontal speed";
-  EXPECT_GT(whole_of(scenario).max_px, 5.0);
-}
-
 // At 100 Hz the sprite ends in two states by turns.
 TEST(WholeRun, OfARepetitionIsThatOfEveryRow) {
   std::vector<double> energy_end_px;

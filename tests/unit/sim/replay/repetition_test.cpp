@@ -9,7 +9,6 @@
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
-#include "sim/scenario/frame_clock.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 
@@ -35,17 +34,6 @@ RunSummary expect_skipping_changes_nothing(const Scenario& scenario, std::int64_
   expected.steps_computed = a.steps_computed;
   EXPECT_EQ(text_of(a), text_of(expected)) << which;
   return a;
-}
-
-TEST(SkippedRepetition, ChangesNothingInScenarioFiles) {
-  int skipped = 0;
-  for (const std::string& path : scenario_files()) {
-    const Scenario scenario = load_scenario(path);
-    const std::int64_t rows_every = step_count(scenario) > 100'000 ? 9973 : 1;
-    const RunSummary summary = expect_skipping_changes_nothing(scenario, rows_every, path);
-    if (summary.steps_computed < summary.steps) ++skipped;
-  }
-  EXPECT_GE(skipped, 3);
 }
 
 TEST(SkippedRepetition, ChangesNothingInRandomFlings) {
@@ -116,15 +104,6 @@ TEST(SkippedRepetition, CoversWhatIsHeldWithoutTimeOrKnocksForever) {
   knocking.window = {100, 1080};
   const WallCounts contacts = expect_skipping_changes_nothing(knocking, 0, "knocking").contacts;
   EXPECT_GT(contacts.left + contacts.right, kContactsRecordedMax);
-}
-
-TEST(SkippedRepetition, IsDisabledUnderJitter) {
-  Scenario scenario = fling_at(60.0, 20'000);
-  scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.0, 1};
-  TraceSink trace(RowSink::Wants{});
-  const RunSummary summary = play(scenario, trace, true);
-  EXPECT_EQ(summary.steps_computed, summary.steps);
-  EXPECT_EQ(summary.periodic_from_step, std::nullopt);
 }
 
 TEST(SkippedRepetition, IsPeriodicFromTheRowItNames) {

@@ -67,12 +67,6 @@ TEST(Schedule, ResolvesTimesToThePublishedFrames) {
   }
 }
 
-TEST(Schedule, WalksOnceForManyTimesBeyondTheEnd) {
-  const Clock clock{FixedStep{1.0}, Jitter{Jitter::Kind::uniform, 0.5, 1}};
-  const std::vector<Event> events(100'000, at_time(1e9));
-  EXPECT_EQ(schedule(with_events(clock, 100'000, events)).faulty.size(), events.size());
-}
-
 // Even where the limit of walked frames would let it walk them all.
 TEST(Schedule, DrawsNoJitterAfterTheLastTimedEvent) {
   const Clock clock{FixedRate{60.0}, Jitter{Jitter::Kind::uniform, 0.5, 1}};

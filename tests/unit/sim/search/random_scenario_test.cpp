@@ -1,16 +1,14 @@
 // Random scenarios: valid, reproducible, of every feature; and no rule broken by the shipped core.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 
 #include "sim/core/kernel_of.h"
 #include "sim/core/shipped_core.h"
-#include "sim/motion/displays.h"
 #include "sim/physics/physics.h"
 #include "sim/scenario/frame_clock.h"
+#include "sim/scenario/split_mix64.h"
 #include "sim/search/random_scenario.h"
 #include "sim/search/run_check.h"
 #include "sim/search/scenario_edit.h"
@@ -29,14 +27,16 @@ TEST(RandomRun, IsAValidScenarioThatItsFileGivesBack) {
   }
 }
 
-TEST(RandomRun, IsTheSameWheneverItIsDrawn) {
-  const RandomRun one = random_run(shipped_core(), 5, 17);
-  static_cast<void>(random_run(shipped_core(), 5, 18));
-  const RandomRun again = random_run(shipped_core(), 5, 17);
-  EXPECT_TRUE(plays_the_same(one.scenario, again.scenario));
-  EXPECT_EQ(one.stops, again.stops);
-  EXPECT_EQ(one.scenario.name, "fuzz-5-17");
-  EXPECT_FALSE(plays_the_same(one.scenario, random_run(shipped_core(), 6, 17).scenario));
+// Features, stops and scenarios, whatever was drawn before.
+TEST(RandomRun, IsThatOfItsNumber) {
+  std::uint64_t digest = 0;
+  for (std::uint64_t run = 0; run < 2000; ++run) {
+    const RandomRun random = random_run(shipped_core(), 2, run);
+    std::string text = random.features.to_string() + scenario_file_text(random.scenario);
+    for (const std::int64_t stop : random.stops) text += " " + std::to_string(stop);
+    for (const char letter : text) digest = split_mix64(digest, static_cast<unsigned char>(letter));
+  }
+  EXPECT_EQ(digest, 9011392166195519378u);
 }
 
 // What the features are for comes about: each kind of action, jitter and clock, and sizes that do not fit.
@@ -61,60 +61,6 @@ TEST(RandomRun, ReachesWhatTheFormatAllows) {
   EXPECT_EQ(jitters.size(), 3u);
   EXPECT_GT(oversized, 50);
   EXPECT_GT(zero_frames, 50);
-}
-
-TEST(RandomRun, StartsAsItsFeaturesSay) {
-  int outside = 0, fast = 0, on_bounds = 0, leaving_the_threshold = 0;
-  std::int64_t longest = 0;
-  for (std::uint64_t run = 0; run < 2000; ++run) {
-    const RandomRun random = random_run(shipped_core(), 2, run);
-    const auto has = [&random](Feature feature) {
-      return random.features[static_cast<std::size_t>(feature)];
-    };
-    const Scenario& scenario = random.scenario;
-    const Bounds bounds = bounds_of(scenario.window, scenario.sprite);
-    const Position& start = scenario.start;
-    const Velocity& velocity = scenario.start_velocity;
-    const double speed_px_per_s = std::max(std::fabs(velocity.vx_px_per_s), std::fabs(velocity.vy_px_per_s));
-    if (has(Feature::corners)) {  // It moves towards the walls that are near.
-      EXPECT_NEAR(start.x_px, std::signbit(velocity.vx_px_per_s) ? 10.0 : bounds.right_px - 10.0, 10.001);
-      EXPECT_NEAR(start.y_px, std::signbit(velocity.vy_px_per_s) ? 10.0 : bounds.bottom_px - 10.0, 10.001);
-    } else {
-      if (has(Feature::rest)) {
-        EXPECT_EQ(start.y_px, bounds.bottom_px);
-        const double dt_s = FrameClock(scenario.clock).dt_s(0);
-        leaving_the_threshold += velocity.vy_px_per_s == 5.0 / 0.6 / 0.999 - 1200.0 * dt_s ? 1 : 0;
-      }
-      on_bounds += has(Feature::on_bounds) && (start.x_px == 0.0 || start.x_px == bounds.right_px) ? 1 : 0;
-      const bool is_outside = std::fabs(start.x_px) > 1e4;
-      EXPECT_LE(is_outside, has(Feature::outside));
-      outside += is_outside ? 1 : 0;
-    }
-    EXPECT_LE(speed_px_per_s > 2500.0, has(Feature::fast) || has(Feature::rest));
-    fast += speed_px_per_s > 2500.0 ? 1 : 0;
-    EXPECT_LE(has(Feature::small_window),
-              std::max(scenario.window.width_px, scenario.window.height_px) <= 64);
-    const std::int64_t steps = step_count(scenario);
-    EXPECT_LE(steps, has(Feature::long_run) ? 2000 : 80);
-    longest = std::max(longest, steps);
-  }
-  EXPECT_GT(outside, 50);
-  EXPECT_GT(fast, 100);
-  EXPECT_GT(on_bounds, 100);
-  EXPECT_GT(leaving_the_threshold, 50);
-  EXPECT_GT(longest, 1500);
-}
-
-TEST(RandomRun, IsPlayedOnEachDisplayAtEachRate) {
-  std::set<std::pair<std::int32_t, double>> drawn;
-  for (std::uint64_t run = 0; run < 40'000; ++run) {
-    const Scenario scenario = random_run(shipped_core(), 7, run).scenario;
-    const auto* const rate = std::get_if<FixedRate>(&scenario.clock.base);
-    if (rate != nullptr) drawn.emplace(scenario.window.width_px, rate->rate_hz);
-  }
-  for (const Size& display : kDisplays)
-    for (const double rate_hz : kDisplayRates_hz)
-      EXPECT_TRUE(drawn.contains({display.width_px, rate_hz})) << display.width_px << " at " << rate_hz;
 }
 
 // Is kicked once, by a count of the steps of all runs.

@@ -51,12 +51,6 @@ std::vector<Cost> steady_costs(const std::vector<double>& times_ns) {
   return costs;
 }
 
-TEST(ParetoFront, HasThePointsThatNoOtherBeats) {
-  EXPECT_EQ(pareto_front(steady_costs({1.0, 2.0, 3.0, 4.0}), {5.0, 6.0, 1.0, 1.0}),
-            (std::vector<bool>{true, false, true, false}));
-  EXPECT_EQ(pareto_front(steady_costs({1.0}), {std::nan("")}), std::vector<bool>{false});
-}
-
 TEST(ParetoFront, KeepsWhatIsBeatenWithinTheNoiseOnly) {
   std::vector<Cost> costs = steady_costs({10.0, 10.0});
   costs[1] = cost_of({8.0, 11.0, 9.0});
@@ -65,6 +59,7 @@ TEST(ParetoFront, KeepsWhatIsBeatenWithinTheNoiseOnly) {
   EXPECT_EQ(pareto_front(costs, {2.0, 1.0}), (std::vector<bool>{false, true}));
   costs[1] = {};
   EXPECT_EQ(pareto_front(costs, {2.0, 1.0}), (std::vector<bool>{true, false})) << "not measured";
+  EXPECT_EQ(pareto_front(costs, {std::nan(""), 1.0}), (std::vector<bool>(2, false)));
 }
 
 TEST(ParetoFront, LastBitsDoNotDecideBetweenExactMethods) {
@@ -167,6 +162,7 @@ TEST(SpeedErrorRules, SayWhereWhatIsAllowedAndWhatWasFoundOrThatAMethodFails) {
 TEST(SpeedErrorRules, AllowAnAdaptiveMethodToGiveUpAndNotToMissItsTolerance) {
   SpeedError study = some_study();
   study.methods.push_back({.name = "gsl-rk8pd-1e-12", .family = "GSL rk8pd", .accuracy = Adaptive{1e-12}});
+  study.probe.drift_rel = 1.0;  // Costs break no rule.
   study.points.push_back({0, study.methods.size() - 1, 60.0, {.is_failed = true}});
   EXPECT_EQ(broken_rules(study), std::vector<std::string>{});
   study.points.back().errors = {};
@@ -206,13 +202,6 @@ TEST(SpeedErrorRules, FindAnErrorThatIsNoNumber) {
       study.points[1].errors.*error = value;
       EXPECT_TRUE(is_broken(study, "the method has a finite error (paper, long-arc, 30 Hz): "));
     }
-}
-
-TEST(SpeedErrorRules, JudgeNoCosts) {
-  SpeedError study = some_study();
-  for (WorkPoint& point : study.points) point.cost = {};
-  study.probe.drift_rel = 1.0;
-  EXPECT_EQ(broken_rules(study), std::vector<std::string>{});
 }
 
 TEST(SpeedError, RanksNothingOnAnUnsteadyClock) {

@@ -143,24 +143,36 @@ struct SubSteps {
     }
   }
 };
-struct WallsOnTheBound {
+struct WallsOnTheBoundAndAllInside {
   void operator()(auto& b, const auto& f) const {
     fly(b, f);
     if (b.x <= 0.0)
       turn_x(b, Wall::left, 0.0, fabs(b.vx));
     else if (b.x >= right_of(f))
       turn_x(b, Wall::right, right_of(f), -fabs(b.vx));
-    if (b.y >= bottom_of(f)) turn_y(b, Wall::ground, bottom_of(f), 0.0);
+    if (!(b.y >= 0.0 && b.y <= bottom_of(f))) {
+      meet(b.y < 0.0 ? Wall::top : Wall::ground, b.vx, b.vy);
+      if (b.y < 0.0)
+        b.y = -b.y;
+      else
+        b.y = bottom_of(f) * 2.0 - b.y;
+      b.vy = -b.vy * 0.9;
+    }
   }
 };
-struct NeverNegativeBounds {
+struct NeverNegativeBoundsAndClamped {
   void operator()(auto& b, const auto& f) const {
     auto right = right_of(f);
     if (right < 0.0) right = 0.0;
     fly(b, f);
     if (b.x < 0.0) turn_x(b, Wall::left, 0.0, -b.vx);
     if (b.x > right) turn_x(b, Wall::right, right, -b.vx);
-    meet_y(b, f);
+    auto inside = b.y;
+    if (b.y < 0.0)
+      inside = 0.0;
+    else if (b.y > bottom_of(f))
+      inside = bottom_of(f);
+    if (!(inside == b.y)) turn_y(b, b.y < 0.0 ? Wall::top : Wall::ground, inside, -b.vy * 0.6);
   }
 };
 
@@ -192,19 +204,6 @@ struct FrictionOfTheRowBefore {
     if (b.y > bottom_of(f)) turn_y(b, Wall::ground, bottom_of(f), -b.vy * 0.6);
   }
 };
-struct Clamped {
-  void operator()(auto& b, const auto& f) const {
-    fly(b, f);
-    auto inside = b.x;
-    if (b.x < 0.0)
-      inside = 0.0;
-    else if (b.x > right_of(f))
-      inside = right_of(f);
-    if (!(inside == b.x)) turn_x(b, b.x < 0.0 ? Wall::left : Wall::right, inside, -b.vx * 0.6);
-    meet_y(b, f);
-  }
-};
-
 struct WallsFirst {
   static constexpr bool kTellsVelocity = false;  // What it falls with comes later.
   void operator()(auto& b, const auto& f) const {
@@ -212,46 +211,25 @@ struct WallsFirst {
     fly(b, f);
   }
 };
-struct ByItsMiddle {
+struct ByTheRoomLeftAndItsMiddle {
   void operator()(auto& b, const auto& f) const {
-    const auto half = to_real(f.sprite_width) * 0.5;
-    fly(b, f);
-    if (b.x + half < half)
-      turn_x(b, Wall::left, 0.0, -b.vx);
-    else if (b.x + half > to_real(f.window_width) - half)
-      turn_x(b, Wall::right, right_of(f), -b.vx);
-    meet_y(b, f);
-  }
-};
-struct ByTheRoomLeft {
-  void operator()(auto& b, const auto& f) const {
+    const auto half = to_real(f.sprite_height) * 0.5;
     fly(b, f);
     if (b.x < 0.0)
       turn_x(b, Wall::left, 0.0, -b.vx);
     else if (right_of(f) - b.x < 0.0)
       turn_x(b, Wall::right, right_of(f), -b.vx);
-    meet_y(b, f);
-  }
-};
-struct AllInside {
-  void operator()(auto& b, const auto& f) const {
-    fly(b, f);
-    if (!(b.x >= 0.0 && b.x <= right_of(f))) {
-      meet(b.x < 0.0 ? Wall::left : Wall::right, b.vx, b.vy);
-      if (b.x < 0.0)
-        b.x = -b.x;
-      else
-        b.x = right_of(f) * 2.0 - b.x;
-      b.vx = -b.vx;
-    }
-    meet_y(b, f);
+    if (b.y + half < half)
+      turn_y(b, Wall::top, 0.0, -b.vy);
+    else if (b.y + half > to_real(f.window_height) - half)
+      turn_y(b, Wall::ground, bottom_of(f), -b.vy);
   }
 };
 template <class Core>
 class ContactsOf : public testing::Test {};
-using Cores = testing::Types<OtherFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBound,
-                             NeverNegativeBounds, SnapsToTheLeft, ShelfInside, FrictionOfTheRowBefore,
-                             Clamped, WallsFirst, ByItsMiddle, ByTheRoomLeft, AllInside>;
+using Cores = testing::Types<OtherFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBoundAndAllInside,
+                             NeverNegativeBoundsAndClamped, SnapsToTheLeft, ShelfInside,
+                             FrictionOfTheRowBefore, WallsFirst, ByTheRoomLeftAndItsMiddle>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
 TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {

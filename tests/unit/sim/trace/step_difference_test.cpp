@@ -67,31 +67,23 @@ using F = const Frame&;
 const std::vector<Change>& changes() {
   static const std::vector<Change> all = {
       {"speed limit", slower_where([](B b, F) { return b.vx > 9000.0; })},
-      {"extreme speed", slower_where([](B b, F) { return b.vx > 1e11; })},
       {"slow stops", slower_where([](B b, F) { return fabs(b.vx) < 0.001; })},
       {"equal speeds", slower_where([](B b, F) { return b.vx == b.vy; })},
-      {"right wall between", right_wall_if([](B, F f) { return right(f) < 2000.0 || right(f) > 3000.0; })},
       {"right wall near the top", right_wall_if([](B b, F) { return b.y >= 50.0; })},
       {"rest when slow in x", rest_if([](B b, F) { return b.vx > -600.0; })},
-      {"rest on the left", rest_if([](B b, F f) { return b.x < right(f) * Real(0.5); })},
       {"width 2560", slower_where([](B, F f) { return f.window_width == Whole(2560); })},
       {"height 1440", slower_where([](B, F f) { return f.window_height == Whole(1440); })},
       {"a width nobody has", slower_where([](B, F f) { return f.window_width == Whole(771234); })},
       {"bound of 1", slower_where([](B, F f) { return right(f) == 1.0; })},
-      {"sprite of 64", slower_where([](B, F f) { return f.sprite_width == Whole(64); })},
       {"sprite of 77", slower_where([](B, F f) { return f.sprite_width == Whole(77); })},
-      {"sprite wider than the window", slower_where([](B, F f) { return f.window_width < f.sprite_width; })},
       {"sprite larger than the window",
        slower_where([](B, F f) { return right(f) < 0.0 && bottom(f) < 0.0; })},
       {"many pixels", slower_where([](B, F f) { return f.window_width * f.window_height > Whole(9e6); })},
-      {"dt of 10 ms", slower_where([](B, F f) { return f.dt == 0.01; })},
       {"dt of 100 to 120 ms", slower_where([](B, F f) { return f.dt > 0.1 && f.dt < 0.12; })},
-      {"dt of 300 to 450 ms", slower_where([](B, F f) { return f.dt > 0.3 && f.dt < 0.45; })},
       {"dt of 7.77 ms", slower_where([](B, F f) { return f.dt == 0.00777; })},
       {"dt of 0", slower_where([](B, F f) { return f.dt == 0.0; })},
       {"very long frames", slower_where([](B, F f) { return f.dt > 1e6; })},
       {"144 Hz", slower_where([](B, F f) { return f.dt > 1.0 / 144.5 && f.dt < 1.0 / 143.5; })},
-      {"farther than the window", slower_where([](B b, F f) { return b.vx * f.dt > right(f); })},
       {"far outside", slower_where([](B b, F) { return b.x > 1e5; })},
       {"a circle of 1 px", slower_where([](B b, F) {
          return (b.x - Real(960.0)) * (b.x - Real(960.0)) + (b.y - Real(540.0)) * (b.y - Real(540.0)) < 1.0;
@@ -99,10 +91,7 @@ const std::vector<Change>& changes() {
       {"a negative zero", slower_where([](B b, F) { return Real(1.0) / b.vy == -HUGE_VAL; })},
       {"exactly on the left wall", at_walls([](B b, F) { return b.x == 0.0; },
                                             [](Body& b) { b.vx = -b.vx * Real(0.6); })},
-      {"exactly on the right wall", at_walls([](B b, F f) { return b.x == right(f); },
-                                             [](Body& b) { b.vx = -b.vx * Real(0.6); })},
       {"corner", slower_where([](B b, F f) { return b.x > right(f) && b.y > bottom(f); })},
-      {"ground when fast", stops_where([](B b, F f) { return b.y > bottom(f) && b.vy > 3000.0; })},
       {"four conditions", stops_where([](B b, F f) {
          return b.vx > 1000.0 && b.vy < -1000.0 && b.y < 100.0 && f.dt > 0.02;
        })},
@@ -318,16 +307,6 @@ TEST(StepSearch, StaysWithinWhatScenariosAllowAndItsSteps) {
     EXPECT_GE(search.steps_tried, 20'000);
     EXPECT_LT(search.steps_tried, 20'020);
   }
-}
-
-TEST(StepSearch, TriesTheSameStepsForTheSameSeed) {
-  const StepPair pair(canonical(record_listing()),
-                      edited(slower_where([](B, F f) { return f.window_width % Whole(7) == Whole(3); })));
-  const DifferenceSearch a = pair.search(0, 5, 100'000);
-  const DifferenceSearch b = pair.search(0, 5, 100'000);
-  ASSERT_TRUE(a.found && b.found);
-  EXPECT_EQ(a.steps_tried, b.steps_tried);
-  EXPECT_TRUE(same_bits(a.found->world.state, b.found->world.state));
 }
 
 TEST(StepSearch, PlaysFlingsWhereThereAreFurtherMembers) {

@@ -109,18 +109,6 @@ TEST_F(StepPlayer, GivesTheBitsOfPhysicsInRandomSteps) {
   }
 }
 
-TEST_F(StepPlayer, SaysWhichPathAStepTakes) {
-  std::vector<int> taken(program_->step().paths_of(CoreFunction::update).size());
-  for (const double x : {-1.0, 5.0, 2000.0})
-    for (const double y : {-1.0, 5.0, 2000.0})
-      for (const double vy : {-40.0, -20.0, 40.0, 4000.0}) {
-        TracedBody body(*program_, {x, y, 0.0, vy});
-        body.update(1.0 / 60.0, 1000, 1000, 64, 64);
-        ++taken[static_cast<std::size_t>(body.path())];
-      }
-  EXPECT_EQ(std::count(taken.begin(), taken.end(), 0), 0);
-}
-
 // One update of a body at (x, y, vx, vy) in a window of 1000 x 1000, the sprite 100 x 100.
 State once(const Update& update, const State& from, int window_width_px = 1000) {
   const auto program = make_step_program(canonical(record(update)));

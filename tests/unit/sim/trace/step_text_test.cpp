@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
-#include <random>
 
 #include "recording.h"
 
@@ -16,55 +14,6 @@ using namespace recording;
 std::string text_of(const Update& update) { return step_text(canonical(record(update))); }
 std::string text_of_sum(const std::function<Real(const Body&, const Frame&)>& x) {
   return text_of([&](Body& body, const Frame& frame) { body.x = x(body, frame); });
-}
-
-// The same step with its expressions and comparisons in another order.
-TracedStep shuffled(const TracedStep& step, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  TracedStep other = step;
-  std::vector<std::int32_t> place(step.expressions.size(), -1);
-  other.expressions.clear();
-  std::vector<std::size_t> open(step.expressions.size());
-  for (std::size_t index = 0; index < open.size(); ++index) open[index] = index;
-  while (!open.empty()) {
-    const std::size_t pick = random() % open.size();
-    Expression expression = step.expressions[open[pick]];
-    bool has_operands = true;
-    for (std::int32_t& operand : expression.operands) {
-      if (operand < 0) continue;
-      operand = place[static_cast<std::size_t>(operand)];
-      has_operands &= operand >= 0;
-    }
-    if (!has_operands) continue;
-    if ((expression.op == Operator::add || expression.op == Operator::multiply) && random() % 2 == 0)
-      std::swap(expression.operands[0], expression.operands[1]);
-    place[open[pick]] = static_cast<std::int32_t>(other.expressions.size());
-    other.expressions.push_back(expression);
-    open.erase(open.begin() + static_cast<std::ptrdiff_t>(pick));
-  }
-  for (StepComparison& comparison : other.comparisons) {
-    comparison.left = place[static_cast<std::size_t>(comparison.left)];
-    comparison.right = place[static_cast<std::size_t>(comparison.right)];
-  }
-  std::reverse(other.comparisons.begin(), other.comparisons.end());
-  for (std::vector<StepPath>& paths : other.paths) {
-    for (StepPath& path : paths) {
-      for (StepOutcome& outcome : path.outcomes)
-        outcome.comparison = static_cast<std::int32_t>(step.comparisons.size()) - 1 - outcome.comparison;
-      std::shuffle(path.outcomes.begin(), path.outcomes.end(), random);
-      for (std::int32_t& member : path.members) member = place[static_cast<std::size_t>(member)];
-    }
-    std::shuffle(paths.begin(), paths.end(), random);
-  }
-  return other;
-}
-
-TEST(StepText, DoesNotDependOnHowTheStepWasRecorded) {
-  const TracedStep listing = record_listing();
-  const std::string text = step_text(canonical(listing));
-  EXPECT_EQ(listing.paths_of(CoreFunction::update).size(), 12u);
-  for (std::uint64_t seed = 1; seed <= 50; ++seed)
-    ASSERT_EQ(step_text(canonical(shuffled(listing, seed))), text) << seed;
 }
 
 TEST(StepText, IsOneForStepsOfTheSameBits) {

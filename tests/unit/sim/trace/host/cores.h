@@ -160,15 +160,6 @@ struct WhileTimeIsLeft : Body<> {
   }
 };
 
-struct FourSubSteps : Body<> {
-  using Body::Body;
-  void update(double dt, int width, int height, int object_width, int object_height) {
-    physics part(m_x, m_y, m_vx, m_vy);
-    for (int i = 0; i < 4; ++i) part.update(dt / 4, width, height, object_width, object_height);
-    setPos(part.x(), part.y());
-  }
-};
-
 struct Remembers : Body<> {
   using Body::Body;
   void update(double dt, int, int, int, int) {

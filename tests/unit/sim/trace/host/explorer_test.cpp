@@ -93,7 +93,6 @@ TEST_F(Explorer, GoesOnWhereACorePrints) { EXPECT_EQ(text_of<Prints>(), text_of<
 
 TEST_F(Explorer, SaysWhyAStepIsNotComplete) {
   EXPECT_EQ(why_incomplete<WhileTimeIsLeft>(), "more than 4,096 paths");
-  EXPECT_EQ(why_incomplete<FourSubSteps>(), "more than 4,096 paths");
   EXPECT_EQ(why_incomplete<Remembers>(), "memory outside the body");
   EXPECT_EQ(why_incomplete<Chance>(), "memory outside the body");
   EXPECT_EQ(why_incomplete<OtherMember>(),
