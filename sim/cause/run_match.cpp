@@ -143,7 +143,7 @@ std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun&
   const Keyframe from = keyframe_of_block(run.blocks, std::max<std::int64_t>(0, differing - 1));
   RunRecorder recorder(0);  // Of all rows.
   Replay replay(core, run.scenario, from, recorder);
-  replay.play_to(std::min(run.steps, from.row.step + 2 * kRows - 1));
+  replay.play_to(std::min({run.steps, replay.steps(), from.row.step + 2 * kRows - 1}));
   static_cast<void>(replay.finish());
   StepCollector collector(run.inputs, {state_of(from.row), from.window, from.sprite, from.is_held},
                           from.row.step);
