@@ -102,6 +102,10 @@ class Golden(ProgramTest):
         super().setUp()
         self.path, = self.project("fling")
 
+    def test_where_it_is_missing_nothing_agreed(self):
+        run, = self.expect(AGREED, "run", self.write("scenarios/alone.json", fling(name="alone")), "--json").json["runs"]
+        self.assertEqual((run["status"], run["golden"]["status"]), ("played", "missing"))
+
     def test_a_difference_is_exit_1_and_the_output_is_written_all_the_same(self):
         self.write(self.path, fling(start={"x_px": 101, "y_px": 100}))
         run = self.expect(DISAGREED, "run", self.path, "--json").json["runs"][0]

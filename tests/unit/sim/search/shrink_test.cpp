@@ -1,4 +1,5 @@
-// Smaller scenarios play the rows that they are meant to keep, and shrinking finds the smallest that fails.
+// Smaller scenarios play the rows that they are meant to keep, and shrinking finds the smallest that fails,
+// the same one each time.
 #include <gtest/gtest.h>
 
 #include "sim/core/shipped_core.h"
@@ -50,6 +51,19 @@ TEST(Shrink, WhatIsNeededIsKept) {
             (Complexity{.steps = 0, .events = 0, .clock = 3, .digits = 5}));
   EXPECT_EQ(left([](const Scenario& each) { return each.expect.has_value(); }).extras, 1);
   EXPECT_EQ(left(meets_the_top).extras, 0);
+}
+
+TEST(Shrink, IsDeterministicAndOfRandomRunsAsWell) {
+  for (std::uint64_t run = 0; run < 40; ++run) {
+    const Scenario scenario = random_run(shipped_core(), 9, run).scenario;
+    if (!meets_the_top(scenario)) continue;
+    const Shrunk one = shrink(shipped_core(), scenario, meets_the_top);
+    const Shrunk again = shrink(shipped_core(), scenario, meets_the_top);
+    EXPECT_TRUE(meets_the_top(one.scenario));
+    EXPECT_LE(complexity_of(one.scenario).steps, 1) << scenario.name;
+    EXPECT_TRUE(plays_the_same(one.scenario, again.scenario));
+    EXPECT_EQ(one.trials, again.trials);
+  }
 }
 
 TEST(Shrink, WhatDoesNotFailIsReturnedAsItIs) {

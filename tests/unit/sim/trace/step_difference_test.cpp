@@ -242,6 +242,20 @@ TEST(StepDifferences, AreNoticedOnlyWhereTheyAreEvaluated) {
   EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), 2);
 }
 
+TEST(StepDifferences, WithoutEffectAreNotNoticedByALaterRow) {
+  const StepPair pair(canonical(record_listing()),
+                      edited([](Listing& l) { l.friction = 0.81, l.restitution = 0.61; }));
+  const StepInput lying{{{100, 936, 0, 0}, {1000, 1000}, {64, 64}}, 0.001};
+  const StepInput at_the_left{{{0.5, 100, -300, 0}, {1000, 1000}, {64, 64}}, 0.01};
+  std::vector<bool> evaluated(pair.differences().size()), noticed = evaluated, at_the_left_alone = evaluated;
+  std::vector<TracedBody> lies = bodies_of(pair, lying.world.state),
+                          flies = bodies_of(pair, at_the_left.world.state);
+  EXPECT_FALSE(pair.notice(lying, lies, evaluated, noticed));
+  EXPECT_TRUE(pair.notice(at_the_left, flies, evaluated, noticed));
+  EXPECT_TRUE(notice(pair, at_the_left, at_the_left_alone));
+  EXPECT_EQ(noticed, at_the_left_alone);
+}
+
 // A fifth member that counts steps, and slows the body down after some.
 struct CountingBody : Body {
   Whole steps;
