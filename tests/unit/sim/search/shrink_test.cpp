@@ -51,6 +51,14 @@ TEST(Shrink, WhatIsNeededIsKept) {
             (Complexity{.steps = 0, .events = 0, .clock = 3, .digits = 5}));
   EXPECT_EQ(left([](const Scenario& each) { return each.expect.has_value(); }).extras, 1);
   EXPECT_EQ(left(meets_the_top).extras, 0);
+  scenario = fling_at(60.0, 0);
+  scenario.clock = {RecordedSteps{{0.5, 0.01, 0.01, 0.01, 0.25}}, {}};
+  scenario.length = std::monostate();
+  const auto has_both_ends = [](const Scenario& each) {
+    const auto* const trace = std::get_if<RecordedSteps>(&each.clock.base);
+    return trace && trace->dt_s.size() > 1 && trace->dt_s.front() == 0.5 && trace->dt_s.back() == 0.25;
+  };
+  EXPECT_EQ(left(has_both_ends).steps, 2);
 }
 
 TEST(Shrink, IsDeterministicAndOfRandomRunsAsWell) {
