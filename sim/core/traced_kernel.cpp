@@ -72,7 +72,7 @@ void TracedKernel::apply(const Action& action, Keyframe& now) const {
   for (TracedBody& traced : bodies) {
     Body moved{traced, now.window, now.sprite, now.is_held};
     hyrax::apply(action, moved);
-    traced = moved;
+    traced = static_cast<const TracedBody&>(moved);
   }
   now.core_object = std::move(body.object);
   KernelOver::apply(action, now);

@@ -35,6 +35,7 @@ class CheckScript(ProgramTest):
         for part in ("scenarios", "golden"):
             os.renames(self.folder / part, self.folder / "elsewhere" / part)
         shutil.copy(self.folder / "elsewhere" / self.scenario, self.folder / "blessed.json")
+        (self.folder / "scenarios").mkdir()
         with open(log, "wb") as stream:
             process = Process("tools/check", "--watch", "elsewhere/scenarios", cwd=self.folder, stdout=stream, stderr=stream,
                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
@@ -45,9 +46,11 @@ class CheckScript(ProgramTest):
             self.assertEqual(log.read_text().count("build hyrax-sim"), 1, "up to date: nothing is built")
             self.write("sim/source.txt", "other")
             self.wait_for(log, "exit code 0; waiting", times=4)
+            self.write("scenarios/new.json", "")
+            self.wait_for(log, "exit code 0; waiting", times=5)
             os.killpg(process.id, signal.SIGINT)
             self.assertEqual(process.wait().exit_code, 0)
-        for part, times in (("build hyrax-sim", 2), ("1 agreed", 4), ("0 agreed, 1 disagreed", 1)):
+        for part, times in (("build hyrax-sim", 2), ("1 agreed", 5), ("0 agreed, 1 disagreed", 1)):
             self.assertEqual(log.read_text().count(part), times, part)
 
     def wait_for(self, log, text, times=1):

@@ -156,7 +156,7 @@ TEST_F(Refusal, OfADamagedGoldenFileIsThatApproved) {
   target.commit();
   whole_ = bytes_of(path_);
   constexpr hsize_t kChecks = (kSteps + 1) * sizeof(RowCheck);
-  for (const hsize_t blocks : {0, 4}) {
+  for (const hsize_t blocks : {hsize_t{0}, hsize_t{4}}) {
     add_golden(replace("/blocks/count", H5T_STD_I64LE, {blocks}));
     add_golden(replace("/blocks/time_base", H5T_IEEE_F64LE, {blocks}));
     add_golden(replace("/blocks/is_held", H5T_IEEE_F64LE, {blocks}));
