@@ -154,7 +154,7 @@ std::vector<Figure> ensemble_figures() {
     add_sweep_figures(
         figures, fmt::format("sweep of {} s at 60 Hz, times faster than naive", steps / 60),
         throws(steps, kLeast), throws(steps, kUsual),
-        [steps](const auto& starts) { step_all_naively(starts, steps); }, goal);
+        [steps = steps](const auto& starts) { step_all_naively(starts, steps); }, goal);
   add_sweep_figures(figures, "sweep of jitter seeds, times faster than naive with mt19937_64",
                     jittered_throws(kSteps, kLeast), jittered_throws(kSteps, kUsual),
                     step_naively_with_jitter, 10.0);

@@ -47,7 +47,7 @@ bool claims(Claim claim, double beyond_bound_px) {
 void fly(AlteredBody& body, double dt) {
   const AlteredStep& step = altered_step();
   auto& [x, y, vx, vy] = body;
-  const auto lose = [&](double factor) { vx *= factor, vy *= factor; };
+  const auto lose = [&body](double factor) { body.vx *= factor, body.vy *= factor; };
   for (const char operation : step.fly) {
     if (operation == 'g') vy += step.gravity * dt;
     if (operation == 'G') vx += step.gravity * dt;
