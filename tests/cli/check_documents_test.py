@@ -74,6 +74,8 @@ class Suggested(CheckTest):
         self.assert_mended(GOLDEN_MISSING, "check", "--golden=golden", "./-x.json")
         self.assert_mended(GOLDEN_MISSING, "check", "scenarios/third.json", "--golden=-else where")
         self.write("scenarios/third.json", fling(steps=200))
+        self.assertIn("hyrax-sim check --verbose scenarios/third.json --golden './-else where'\n",
+                      self.expect(DISAGREED, "check", "scenarios/third.json", "--golden=-else where").out)
         self.assert_mended(DISAGREED, "check", "scenarios/third.json", "--golden=-else where")
 
     def test_outside_of_scenarios(self):
