@@ -126,7 +126,8 @@ class Unreferenced(CheckTest):
     def test_in_the_folder_of_golden(self):
         (self.folder / "golden").rename(self.folder / "elsewhere")
         (self.folder / "scenarios/third.json").unlink()
-        self.assertEqual(self.unreferenced(DISAGREED, "scenarios", "--golden", "elsewhere"), ["elsewhere/third"])
+        self.assertEqual(self.unreferenced(DISAGREED, "scenarios", "--golden", "elsewhere", "--summary", "a.md"), ["elsewhere/third"])
+        self.assertIn("check: not agreed\n", (self.folder / "a.md").read_text())
         (self.folder / "scenarios/a").rename(self.folder / "outside")
         self.assertEqual(self.unreferenced(GOLDEN_MISSING, "outside", "--golden", "elsewhere"), [])
 
