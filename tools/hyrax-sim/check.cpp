@@ -105,16 +105,15 @@ struct Selection {
 
 void narrow(const CheckRequest& request, const LastFailed& last_failed, Selection& selection) {
   const auto has_failed = [&](const std::string& path) { return last_failed.contains(path); };
-  const bool takes_failed = selection.has_failed_only =
-      request.takes_last_failed &&
-      (std::ranges::any_of(selection.paths, has_failed) ||
-       std::ranges::any_of(selection.unreferenced, has_failed, &CheckVerdict::path));
-  if (request.takes_last_failed && !takes_failed)
+  selection.has_failed_only = request.takes_last_failed &&
+                              (std::ranges::any_of(selection.paths, has_failed) ||
+                               std::ranges::any_of(selection.unreferenced, has_failed, &CheckVerdict::path));
+  if (request.takes_last_failed && !selection.has_failed_only)
     print_error(
         "hyrax-sim check: --last-failed: no scenario failed when this folder was last checked; all are "
         "checked");
   const auto is_left_out = [&](const std::string& path) {
-    return path.find(request.filter) == std::string::npos || (takes_failed && !has_failed(path));
+    return path.find(request.filter) == std::string::npos || (selection.has_failed_only && !has_failed(path));
   };
   std::erase_if(selection.paths, is_left_out);
   std::erase_if(selection.unreferenced, [&](const CheckVerdict& verdict) {

@@ -159,6 +159,7 @@ class FrameMethod final : public MotionMethod {
  public:
   using MotionMethod::MotionMethod;
   void start(const State& motion, const Bounds& bounds, bool goes_on) override {
+    // No input has thrown it since: its vertical speed is 0, or as the last stage left it.
     lies_ = goes_on && lies_ && motion.y_px == bounds.bottom_px &&
             (motion.vy_px_per_s == 0.0 || motion.vy_px_per_s == at.vy_px_per_s);
     MotionMethod::start(motion, bounds, goes_on);
