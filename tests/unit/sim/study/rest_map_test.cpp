@@ -13,6 +13,8 @@
 namespace hyrax {
 namespace {
 
+constexpr double kBottom_px = 952.0;
+
 // By the listing's laws at 60 Hz.
 TEST(FinalState, IsToldByTwoRowsInARow) {
   const Constants core = *shipped_core().constants;

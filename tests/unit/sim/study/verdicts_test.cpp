@@ -60,7 +60,5 @@ TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
   }
 }
 
-constexpr double kBottom_px = 952.0;
-
 }  // namespace
 }  // namespace hyrax
