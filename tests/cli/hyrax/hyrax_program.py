@@ -81,7 +81,7 @@ class HyraxTest(ProgramTest):
 
     def hand(self, *actions):
         """Performs actions of the hand, which flinger.cpp lists."""
-        done = self.wine.run(FLINGER, "find", 30, *actions, timeout=TIMEOUT_S)
+        done = self.wine.run(FLINGER, "find", 120, *actions, timeout=TIMEOUT_S)
         self.assertEqual(done.exit_code, 0, done.err)
         return done.out
 
