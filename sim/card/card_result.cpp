@@ -228,31 +228,38 @@ void add_rest(const RestLine& line, Lines& lines) {
 }
 
 void add_energy(const Card& card, Lines& lines) {
-  const EnergyLine& line = card.energy;
-  Table energy = one("energy");
-  const auto add = [&](const char* name, const char* text, const char* key, const auto& pair,
-                       const std::string& size) {
-    lines.add(name, text + text_of(pair, "px", kHeight_px2_per_s2) + size);
-    energy.columns.push_back(member(key, "px2/s2", pair));
+  struct Cause {
+    const char* name;
+    const char* text;
+    const char* key;
   };
-  add("energy", "as height, in flight: ", "drift", line.drift_px2_per_s2,
-      size_text(line.drift_px2_per_s2.after, card.flings));
-  add("", "at walls, by lift: ", "lift", line.lift_px2_per_s2, "");
-  add("", "by bounces: ", "bounce", line.bounce_px2_per_s2, "");
-  add("", "by friction: ", "friction", line.friction_px2_per_s2, "");
+  constexpr std::array<Cause, kEnergyCauseCount> kCauses = {{{"energy", "as height, in flight", "drift"},
+                                                             {"", "at walls, by lift", "lift"},
+                                                             {"", "by bounces", "bounce"},
+                                                             {"", "by friction", "friction"}}};
+  Table energy = one("energy");
+  for (std::size_t cause = 0; cause < kEnergyCauseCount; ++cause) {
+    const Bands& bands = card.energy_px2_per_s2[cause];
+    lines.add(kCauses[cause].name,
+              fmt::format("{}: {}{}", kCauses[cause].text, text_of(bands, "px", kHeight_px2_per_s2),
+                          cause == 0 ? size_text(bands.after, card.flings) : ""));
+    energy.columns.push_back(member(kCauses[cause].key, "px2/s2", bands));
+  }
   lines.json.push_back(std::move(energy));
 }
 
 void add_exact(const Card& card, Lines& lines) {
-  for (const ExactLine& exact : card.exact)
-    lines.add(&exact == &card.exact.front() ? "exact motion" : "",
-              fmt::format("after {:.0f} s at 60 Hz: {}{}", exact.t_s, text_of(exact.distance_px, "px"),
-                          size_text(exact.distance_px.after, card.flings)));
+  std::vector<std::int64_t> seconds;
+  for (const Bands& bands : card.exact_px) {
+    seconds.push_back(std::ssize(seconds) + 1);
+    lines.add(seconds.size() == 1 ? "exact motion" : "",
+              fmt::format("after {} s at 60 Hz: {}{}", seconds.back(), text_of(bands, "px"),
+                          size_text(bands.after, card.flings)));
+  }
   lines.json.push_back({.name = "exact",
-                        .columns = {column_of("t", "s", "", card.exact, &ExactLine::t_s),
-                                    column_of("distance", "px", "", card.exact, [](const ExactLine& exact) {
-                                      return table_of(exact.distance_px);
-                                    })}});
+                        .columns = {{.name = "t", .unit = "s", .values = std::move(seconds)},
+                                    column_of("distance", "px", "", card.exact_px,
+                                              [](const Bands& bands) { return table_of(bands); })}});
 }
 
 void add_speed(const CostLine& line, Lines& lines) {
@@ -357,11 +364,12 @@ void add_claims(const Card& card, Lines& lines) {
                                       column_of_one("other_numbers", "1", line.other_numbers)}));
 }
 
-Table recording_table(const std::vector<MovedRecording>& moved) {
+Table recording_table(const std::vector<ScenarioChange>& moved) {
   Table table{"recordings",
               "recordings that end elsewhere",
-              {column_of("recording", "", "its file", moved, &MovedRecording::path),
-               column_of("shift", "px", "distance of the last rows", moved, &MovedRecording::px)}};
+              {column_of("recording", "", "its file", moved, &ScenarioChange::path),
+               column_of("shift", "px", "distance of the last rows", moved,
+                         [](const ScenarioChange& each) { return each.change.end_shift_px; })}};
   table.columns.front().key = "scenario";
   table.columns.back().key = "px";
   return table;
@@ -373,25 +381,26 @@ std::string stem(const std::string& path) {
   return path.substr(begin, path.rfind('.') - begin);
 }
 
-void add_recordings(const std::optional<RecordingLine>& line, Lines& lines) {
-  if (!line) {
+void add_recordings(const Card& card, Lines& lines) {
+  if (card.recordings == 0) {
     lines.json.push_back(one("recordings"));
     return lines.add("recordings", "not measured: no scenarios in a folder named recorded");
   }
-  std::vector<std::string> moved;
-  for (const MovedRecording& recording : line->moved)
-    moved.push_back(fmt::format("{} {} px", stem(recording.path), rounded(recording.px, 3)));
-  lines.add("recordings", fmt::format("{} of {} end elsewhere", moved.size(), line->recordings));
-  if (!moved.empty()) lines.add("", list_text(moved, 2));
-  lines.json.push_back(one("recordings", {column_of_one("recordings", "1", line->recordings),
-                                          column_of_one("moved", "", recording_table(line->moved))}));
+  const std::vector<ScenarioChange> moved = card.moved_recordings();
+  std::vector<std::string> names;
+  for (const ScenarioChange& recording : moved)
+    names.push_back(fmt::format("{} {} px", stem(recording.path), rounded(recording.change.end_shift_px, 3)));
+  lines.add("recordings", fmt::format("{} of {} end elsewhere", moved.size(), card.recordings));
+  if (!moved.empty()) lines.add("", list_text(names, 2));
+  lines.json.push_back(one("recordings", {column_of_one("recordings", "1", card.recordings),
+                                          column_of_one("moved", "", recording_table(moved))}));
 }
 
 // What differs, one by one. Tables without rows are left out.
 std::vector<Table> tables_of(const Card& card) {
   std::vector<Table> tables = {changes_table(card.step.changes), scenario_table(card.library.changed),
                                invariant_table(card.hard_cases), claim_table(card.claims.changed),
-                               recording_table(card.recordings.value_or(RecordingLine{}).moved)};
+                               recording_table(card.moved_recordings())};
   std::erase_if(tables, [](const Table& table) { return row_count(table) == 0; });
   return tables;
 }
@@ -412,7 +421,7 @@ Result card_result(const Card& card) {
   add_speed(card.cost, lines);
   add_hard_cases(card, lines);
   add_claims(card, lines);
-  add_recordings(card.recordings, lines);
+  add_recordings(card, lines);
   const std::string consequence = consequence_of(card);
   lines.json.push_back(
       {.columns = {column_of_one("consequence", "", consequence)}, .shape = JsonShape::members});
