@@ -184,17 +184,6 @@ StepLine step_line(const CardRequest& request, bool has_other_bits) {
 
 }  // namespace
 
-void ClassCounts::add(const RunChange& change) {
-  if (change.difference)
-    ++of_class[static_cast<std::size_t>(*change.difference)];
-  else
-    ++same_bits;
-}
-
-std::int64_t ClassCounts::total() const {
-  return std::accumulate(of_class.begin(), of_class.end(), same_bits);
-}
-
 std::vector<ScenarioChange> Card::moved_recordings() const {
   std::vector<ScenarioChange> moved;
   for (const ScenarioChange& changed : library.changed)

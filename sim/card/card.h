@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,11 +65,15 @@ struct ClassCounts {
   std::int64_t same_bits = 0;
   std::array<std::int64_t, kDifferenceClasses.size()> of_class{};  ///< In the order of kDifferenceClasses.
 
-  void add(const RunChange& change);
+  void add(const RunChange& change) {
+    ++(change.difference ? of_class[static_cast<std::size_t>(*change.difference)] : same_bits);
+  }
   [[nodiscard]] std::int64_t of(DifferenceClass difference) const {
     return of_class[static_cast<std::size_t>(difference)];
   }
-  [[nodiscard]] std::int64_t total() const;
+  [[nodiscard]] std::int64_t total() const {
+    return std::accumulate(of_class.begin(), of_class.end(), same_bits);
+  }
 };
 
 /// A scenario of the library that differs.
@@ -102,7 +107,7 @@ struct FlingLine {
   std::optional<Band> shift_px;       ///< Of x, signed: candidate minus base, where both settle.
   std::optional<Band> distance_px;    ///< Distance of the two places.
   double distance_max_px = 0.0;
-  std::vector<double> distances_px;  ///< All of them, in ascending order.
+  std::vector<double> distances_px;  ///< All of them.
   std::optional<Figure> farthest;    ///< Both paths of the fling of distance_max_px, if that is not 0.
 };
 
@@ -111,7 +116,7 @@ struct DisplayLine {
   std::int64_t flings = 0;
   double distance_max_px = 0.0;  ///< Between the places of both cores on the same display.
   Bands spread_px = {};          ///< Of the flings that settle on all with both cores.
-  BeforeAfter<std::vector<double>> spreads_px = {};  ///< All of them, in ascending order.
+  BeforeAfter<std::vector<double>> spreads_px = {};  ///< All of them.
 };
 
 /// How far a sprite still moves up and down in the 20th second after it was dropped from 100 px, on each of

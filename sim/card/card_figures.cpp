@@ -1,5 +1,6 @@
 #include "sim/card/card.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -25,13 +26,12 @@ std::vector<LegendEntry> both_cores(Form form) {
   return legend;
 }
 
-// The share of a sample up to each of its values. REQUIRES: ascending order.
+// The share of a sample up to each of its values.
 Series shares_up_to(const std::string& name, const std::vector<double>& values, Tone tone) {
-  Series series{.name = name, .look = {.tone = tone}};
-  for (std::size_t index = 0; index < values.size(); ++index) {
-    series.x.push_back(values[index]);
-    series.y.push_back(100.0 * static_cast<double>(index + 1) / static_cast<double>(values.size()));
-  }
+  Series series{.name = name, .look = {.tone = tone}, .x = values};
+  std::ranges::sort(series.x);
+  for (std::size_t count = 1; count <= values.size(); ++count)
+    series.y.push_back(100.0 * static_cast<double>(count) / static_cast<double>(values.size()));
   return series;
 }
 

@@ -106,16 +106,6 @@ struct FlingSamples {
   }
 };
 
-std::vector<double> sorted(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values;
-}
-
-bool is_same_run(const CoreRun& a, const CoreRun& b) {
-  return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
-                    [](const Row& x, const Row& y) { return same_bits(state_of(x), state_of(y)); });
-}
-
 // Its four numbers are draws 4 number .. 4 number + 3 of the seed.
 State random_fling(std::uint64_t seed, std::int64_t number) {
   const auto draw = [&](std::uint64_t which, double low, double high) {
@@ -138,7 +128,7 @@ void measure_flings(const ComparedCores& cores, Card& card) {
     const std::string place = place_of(card.seed, number);
     const auto played = [&](const ComparedCore& core) { return play_by(core.at(place), scenario); };
     auto [from, to] = of_both(cores, played);
-    if (!is_same_run(to, played(cores.after)))
+    if (played(cores.after).hash != to.hash)
       throw CoreRefused(cores.after.number, "does not repeat: " + place + " played twice differs");
     const RunChange change = compare_runs(scenario, from, to);
     line.classes.add(change);
@@ -158,7 +148,7 @@ void measure_flings(const ComparedCores& cores, Card& card) {
   }
   line.shift_px = band_of(shift_px);
   line.distance_px = band_of(distances_px);
-  line.distances_px = sorted(std::move(distances_px));
+  line.distances_px = std::move(distances_px);
   for (std::size_t cause = 0; cause < kEnergyCauseCount; ++cause)
     card.energy_px2_per_s2[cause] = {band_of(before.energy_px2_per_s2[cause]),
                                      band_of(after.energy_px2_per_s2[cause])};
@@ -212,7 +202,6 @@ DisplayLine measure_displays(const ComparedCores& cores, std::uint64_t seed, std
     line.spreads_px.before.push_back(*before_px);
     line.spreads_px.after.push_back(*after_px);
   }
-  line.spreads_px = {sorted(std::move(line.spreads_px.before)), sorted(std::move(line.spreads_px.after))};
   line.spread_px = {band_of(line.spreads_px.before), band_of(line.spreads_px.after)};
   return line;
 }

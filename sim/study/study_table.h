@@ -36,6 +36,12 @@ class StudyTable {
         .add(name + "_high", unit, what + ", 90 %", part(&Band::high));
   }
 
+  /// Column::key of the last column.
+  StudyTable& key(const std::string& key) {
+    table_.columns.back().key = key;
+    return *this;
+  }
+
   operator Table() const { return table_; }  // NOLINT(google-explicit-constructor): a table is what it is.
 
  private:

@@ -32,7 +32,7 @@ StudyTable<std::vector<Record>> table_by_method(const std::string& name, const s
 Table landing_table(const std::vector<Landing>& landings) {
   return table_by_method("landings", "where and when flings settle, and after which distance", landings)
       .add("fling", "1", "number of the fling; 0 is the one that is drawn", &Landing::fling)
-      .add("x", "px", "where it settles", &Landing::x_px)
+      .add("x", "px", "where it settles", [](const Landing& landing) { return landing.end.x_px; })
       .add("time", "s", "since when it has been within half a pixel of that place", &Landing::time_s)
       .add("off", "px", "distance from where the exact fling settles", &Landing::off_px)
       .add("path", "px", "length of the path, of the drawn fling and near 60 Hz by the paper's step",
@@ -129,7 +129,8 @@ Verdict verdict_of(const FrameRateStudy& study) {
   for (const auto& [method, name] : {std::pair(std::size_t{0}, std::string("paper")), {1, "by_time"}}) {
     const std::vector<Landing> drawn = drawn_landings(study, method, DisplayClock::steady);
     if (method == 0) landings.columns = {column_of("rate", "Hz", "display rate", drawn, &Landing::rate_hz)};
-    landings.columns.push_back(column_of(name + "_settles_at", "px", "", drawn, &Landing::x_px, 5));
+    landings.columns.push_back(column_of(
+        name + "_settles_at", "px", "", drawn, [](const Landing& l) { return l.end.x_px; }, 5));
     landings.columns.push_back(column_of(name + "_after", "s", "", drawn, &Landing::time_s, 3));
     landings.columns.push_back(column_of(name + "_path", "px", "", drawn, &Landing::path_px));
   }

@@ -220,16 +220,6 @@ void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, c
       length_text(needs.without_all_unneeded.path_px), within_px, cheapest_text(needs, within_px)));
 }
 
-std::vector<ScenarioNeeds> study_all(const StudyRequest& request, const NeedsOptions& options) {
-  std::vector<ScenarioNeeds> scenarios;
-  for (const NamedScenario& named : request.scenarios) {
-    if (request.report_progress)
-      request.report_progress("scenarios", std::ssize(scenarios), std::ssize(request.scenarios));
-    scenarios.push_back(study_needs(request.core, named.scenario, options, request.now_ns));
-  }
-  return scenarios;
-}
-
 Result run_needs(const StudyRequest& request) {
   if (request.scenarios.empty())
     throw RequestRefused(
@@ -243,7 +233,12 @@ Result run_needs(const StudyRequest& request) {
     options.rates_hz =
         request.is_quick ? std::vector{15.0, 60.0, 240.0}
                          : std::vector{15.0, 30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0};
-  const std::vector<ScenarioNeeds> scenarios = study_all(request, options);
+  std::vector<ScenarioNeeds> scenarios;
+  for (const NamedScenario& named : request.scenarios) {
+    if (request.report_progress)
+      request.report_progress("scenarios", std::ssize(scenarios), std::ssize(request.scenarios));
+    scenarios.push_back(study_needs(request.core, named.scenario, options, request.now_ns));
+  }
   const double within_px = options.within_px;
   Result result{.tables = {part_table(scenarios), coverage_table(scenarios),
                            control_table(scenarios, within_px), cheapest_table(scenarios)},
