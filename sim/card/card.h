@@ -125,13 +125,16 @@ struct RestLine {
   BeforeAfter<std::vector<double>> moved_px = {};
 };
 
-/// What changes the energy of a fling. In flight (drift): the run minus the exact flight of the paper's laws
-/// from the same start, summed over its flight arcs (sim/reference, ArcErrors::energy_drift_end_px2_per_s2).
-/// At walls, until it settles: over each step that touched one, the row minus the exact flight of the paper's
-/// laws from the row before, in height, back to the wall (lift), and in speed across the walls that were
-/// touched (bounce) and along them (friction). These follow from rows alone, whatever the core does inside
-/// its step.
-enum class EnergyCause : std::uint8_t { drift, lift, bounce, friction };
+/// What changes the energy of a fling. In flight: the run minus the exact flight of the paper's laws from the
+/// same start, summed over its flight arcs (sim/reference, ArcErrors::energy_drift_end_px2_per_s2). At walls,
+/// until it settles: over each step that touched one, the row minus the exact flight of the paper's laws from
+/// the row before, which follows from rows alone, whatever the core does inside its step.
+enum class EnergyCause : std::uint8_t {
+  drift,    ///< In flight.
+  lift,     ///< Height: back to the wall.
+  bounce,   ///< Speed across the walls that were touched.
+  friction  ///< Speed along them.
+};
 inline constexpr std::size_t kEnergyCauseCount = 4;
 
 /// Cost of a step in pairs of samples, base and candidate one after the other in changing order.
