@@ -16,28 +16,21 @@ namespace {
 
 constexpr std::uint64_t kRandomRuns = 500;
 
-std::string place_of(const NamedScenario& named) { return "scenario " + named.path; }
+bool is_recording(const std::string& path) { return path.starts_with("recorded/"); }
 
-}  // namespace
-
-std::string rows_hash(const ComparedCore& core, const CardRequest& request) {
-  StateHash hash;
-  for (const NamedScenario& named : request.library)
-    hash.add(play_by(core.at(place_of(named)), named.scenario).hash);
-  return hex(hash.value());
+CoreRun run_of(const NamedScenario& named, const ComparedCore& core) {
+  return play_by(core.at("scenario " + named.path), named.scenario);
 }
 
-namespace {
-
-void measure_library(const ComparedCore& base, const ComparedCore& candidate, const CardRequest& request,
-                     Card& card) {
+void measure_library(const ComparedCores& cores, const CardRequest& request, Card& card) {
   for (const NamedScenario& named : request.library) {
-    const std::string place = place_of(named);
-    CoreRun from = play_by(base.at(place), named.scenario);
-    CoreRun to = play_by(candidate.at(place), named.scenario);
+    if (is_recording(named.path)) ++card.recordings;
+    auto [from, to] = of_both(cores, [&](const ComparedCore& core) { return run_of(named, core); });
     RunChange change = compare_runs(named.scenario, from, to);
-    change.no_longer_settles =
-        !settles(candidate.at(place), named.scenario, to) && settles(base.at(place), named.scenario, from);
+    const auto settles_by = [&named](const ComparedCore& core, const CoreRun& run) {
+      return settles(core.at("scenario " + named.path), named.scenario, run);
+    };
+    change.no_longer_settles = !settles_by(cores.after, to) && settles_by(cores.before, from);
     card.library.classes.add(change);
     if (change.is_cut) ++card.library.cut;
     card.contacts.contacts.before += change.contacts_before;
@@ -50,15 +43,6 @@ void measure_library(const ComparedCore& base, const ComparedCore& candidate, co
   }
 }
 
-RecordingLine recordings_of(const CardRequest& request, const LibraryLine& library) {
-  RecordingLine line{.recordings = std::ssize(request.recordings), .moved = {}};
-  for (const NamedScenario& recording : request.recordings)
-    for (const ScenarioChange& changed : library.changed)
-      if (changed.path == recording.path && changed.change.end_shift_px > RestAnchor::kStill_px)
-        line.moved.push_back({changed.path, changed.change.end_shift_px});
-  return line;
-}
-
 using InvariantSet = std::bitset<kInvariantCount>;
 
 // A hard case or a random run, as one core plays it. Where a core lacks constants, nothing is judged.
@@ -68,46 +52,32 @@ struct HeldRun {
   InvariantSet held = {};     // Where they were checked.
   InvariantSet failing = {};  // Do not hold,
   InvariantSet broken = {};   // and are not expected to fail.
-
-  void add(const InvariantMeasures& measures, const auto& is_expected_to_fail) {
-    for (std::size_t index = 0; index < kInvariantCount; ++index) {
-      held[index] = measures[index].is_checked && measures[index].holds;
-      failing[index] = !measures[index].holds;
-      broken[index] = failing[index] && !is_expected_to_fail(static_cast<Invariant>(index));
-    }
-  }
 };
 
-void judge_into(const Core& core, const HardCase& hard_case, HeldRun& run) {
-  const HardCaseResult result = play_hard_case(core, hard_case);
-  run.add(result.measures, [&](Invariant invariant) {
-    return judge(hard_case, result, invariant) == CaseVerdict::expected_failure;
-  });
-}
-
-void judge_into(const Core& core, const RandomRun& random, HeldRun& run) {
-  run.add(check_run(core, random.scenario, random.stops).measures,
-          [&](Invariant invariant) { return is_broken_by_listing(invariant, random.scenario); });
-}
-
-const std::string& name_of(const HardCase& hard_case) { return hard_case.name; }
-const std::string& name_of(const RandomRun& random) { return random.scenario.name; }
-
-// @param kind of the runs, for messages.
-template <class Played>
-std::vector<HeldRun> held_runs_of(const ComparedCore& compared, const std::string& kind,
-                                  const std::vector<Played>& all, bool is_judged) {
-  std::vector<HeldRun> runs;
-  for (const Played& played : all) {
-    const Core& core = compared.at(kind + " " + name_of(played));
-    HeldRun& run =
-        runs.emplace_back(HeldRun{.name = name_of(played), .hash = play_by(core, played.scenario).hash});
-    if (is_judged) judge_into(core, played, run);
+HeldRun held_run_of(const Core& core, const HardCase& hard_case, bool is_judged) {
+  HeldRun run{.name = hard_case.name, .hash = play_by(core, hard_case.scenario).hash};
+  if (!is_judged) return run;
+  const PlayedCase played = play_hard_case(core, hard_case);
+  for (std::size_t index = 0; index < kInvariantCount; ++index) {
+    run.held[index] = played.measures[index].is_checked && played.measures[index].holds;
+    run.failing[index] = !played.measures[index].holds;
+    run.broken[index] = judge(played, static_cast<Invariant>(index)) == CaseVerdict::broken;
   }
-  return runs;
+  return run;
 }
 
 using HeldRuns = BeforeAfter<std::vector<HeldRun>>;
+
+// @param kind of the cases, for messages.
+HeldRuns held_runs_of(const ComparedCores& cores, const std::string& kind, const std::vector<HardCase>& cases,
+                      bool is_judged) {
+  return of_both(cores, [&](const ComparedCore& core) {
+    std::vector<HeldRun> runs;
+    for (const HardCase& each : cases)
+      runs.push_back(held_run_of(core.at(kind + " " + each.name), each, is_judged));
+    return runs;
+  });
+}
 
 std::int64_t other_bits(const HeldRuns& runs) {
   return std::inner_product(runs.before.begin(), runs.before.end(), runs.after.begin(), std::int64_t{0},
@@ -142,20 +112,21 @@ InvariantLine invariant_line(bool is_general, const HeldRuns& cases, const HeldR
   return line;
 }
 
-HardCaseLine measure_hard_cases(const ComparedCore& base, const ComparedCore& candidate,
-                                const CardRequest& request, bool is_judged) {
+HardCaseLine measure_hard_cases(const ComparedCores& cores, const CardRequest& request, bool is_judged) {
   // Both cores play those that are made by the constants of the base.
-  const Core& core = base.at("the hard cases");
-  std::vector<HardCase> cases;
-  for (const NamedScenario& named : request.hard)
-    for (HardCase& hard_case : hard_cases_of(core, named.scenario))
-      if (!hard_case.is_long) cases.push_back(std::move(hard_case));
-  std::vector<RandomRun> runs;
-  for (std::uint64_t run = 0; run < kRandomRuns; ++run) runs.push_back(random_run(core, request.seed, run));
-  const HeldRuns held{held_runs_of(base, "hard case", cases, is_judged),
-                      held_runs_of(candidate, "hard case", cases, is_judged)};
-  const HeldRuns random{held_runs_of(base, "random run", runs, is_judged),
-                        held_runs_of(candidate, "random run", runs, is_judged)};
+  const Core& core = cores.before.at("the hard cases");
+  std::vector<HardCase> cases, runs;
+  for (const NamedScenario& named : request.library)
+    if (named.path.starts_with("hard/"))
+      for (HardCase& hard_case : hard_cases_of(core, named.scenario))
+        if (!hard_case.is_long) cases.push_back(std::move(hard_case));
+  for (std::uint64_t number = 0; number < kRandomRuns; ++number) {
+    RandomRun run = random_run(core, request.seed, number);
+    runs.push_back(
+        {.name = run.scenario.name, .scenario = std::move(run.scenario), .stops = std::move(run.stops)});
+  }
+  const HeldRuns held = held_runs_of(cores, "hard case", cases, is_judged);
+  const HeldRuns random = held_runs_of(cores, "random run", runs, is_judged);
   return {.cases = std::ssize(cases),
           .other_cases = other_bits(held),
           .other_random_runs = {other_bits(random), std::ssize(runs)},
@@ -163,13 +134,13 @@ HardCaseLine measure_hard_cases(const ComparedCore& base, const ComparedCore& ca
           .listing = invariant_line(false, held, random)};
 }
 
-ClaimLine measure_claims(const ComparedCore& base, const ComparedCore& candidate, const CostLine& cost) {
+ClaimLine measure_claims(const ComparedCores& cores, const CostLine& cost) {
   constexpr double kNanosecond_s = 1e-9;
   const auto claims_by = [](const ComparedCore& core, const Band& step_ns) {
     return paper_claims(core.at("the paper's claims"), step_ns.median * kNanosecond_s);
   };
-  const std::vector<Claim> before = claims_by(base, cost.step_ns.before);
-  const std::vector<Claim> after = claims_by(candidate, cost.step_ns.after);
+  const std::vector<Claim> before = claims_by(cores.before, cost.step_ns.before);
+  const std::vector<Claim> after = claims_by(cores.after, cost.step_ns.after);
   assert(before.size() == after.size());
   ClaimLine line{.claims = std::ssize(before), .changed = {}, .not_measured = {}};
   for (std::size_t index = 0; index < before.size(); ++index) {
@@ -189,11 +160,11 @@ ClaimLine measure_claims(const ComparedCore& base, const ComparedCore& candidate
   return line;
 }
 
-std::string lacking_text(const ComparedCore& base, const ComparedCore& candidate) {
-  std::string text;
-  for (const auto& [core, name] : {std::pair(&base, "the base"), {&candidate, "the candidate"}})
-    if (!core->lacking.empty())
-      text += (text.empty() ? "" : "; ") + std::string(name) + " has no " + core->lacking;
+std::string lacking_text(const ComparedCores& cores) {
+  const auto [base, candidate] = of_both(cores, [](const ComparedCore& core) { return core.lacking; });
+  std::string text = base.empty() ? "" : "the base has no " + base;
+  if (!candidate.empty())
+    text += (text.empty() ? "the candidate has no " : "; the candidate has no ") + candidate;
   return text;
 }
 
@@ -213,36 +184,40 @@ StepLine step_line(const CardRequest& request, bool has_other_bits) {
 
 }  // namespace
 
-void ClassCounts::add(const RunChange& change) {
-  if (change.difference)
-    ++of_class[static_cast<std::size_t>(*change.difference)];
-  else
-    ++same_bits;
+std::vector<ScenarioChange> Card::moved_recordings() const {
+  std::vector<ScenarioChange> moved;
+  for (const ScenarioChange& changed : library.changed)
+    if (is_recording(changed.path) && changed.change.end_shift_px > RestAnchor::kStill_px)
+      moved.push_back(changed);
+  return moved;
 }
 
-std::int64_t ClassCounts::total() const {
-  return std::accumulate(of_class.begin(), of_class.end(), same_bits);
+std::string rows_hash(const ComparedCore& core, const CardRequest& request) {
+  StateHash hash;
+  for (const NamedScenario& named : request.library) hash.add(run_of(named, core).hash);
+  return hex(hash.value());
 }
 
-Card measure_card(const ComparedCore& base, const ComparedCore& candidate, const CardRequest& request) {
+Card measure_card(const ComparedCores& cores, const CardRequest& request) {
   Card card{.seed = request.seed,
             .flings = request.flings,
             .scenarios = std::ssize(request.library),
-            .lacking = lacking_text(base, candidate),
-            .cost = measure_cost(base, candidate, request.seed, request.now_ns)};
-  measure_library(base, candidate, request, card);
-  measure_flings(base, candidate, card);
-  card.displays = measure_displays(base, candidate, request.seed, request.flings);
-  card.rest = measure_rest(base, candidate);
-  card.hard_cases = measure_hard_cases(base, candidate, request, card.lacking.empty());
-  if (card.lacking.empty()) card.claims = measure_claims(base, candidate, card.cost);
+            .lacking = lacking_text(cores),
+            .cost = measure_cost(cores, request.seed, request.now_ns)};
+  measure_library(cores, request, card);
+  measure_flings(cores, card);
+  card.displays = measure_displays(cores, request.seed, request.flings);
+  card.rest = measure_rest(cores);
+  card.hard_cases = measure_hard_cases(cores, request, card.lacking.empty());
+  if (card.lacking.empty()) card.claims = measure_claims(cores, card.cost);
   card.step = step_line(request, card.has_other_bits());
-  if (!request.recordings.empty()) card.recordings = recordings_of(request, card.library);
   // Some state shows only after many calls.
-  for (const auto& [core, hash] :
-       {std::pair(&base, &request.rows_hash.before), {&candidate, &request.rows_hash.after}})
-    if (rows_hash(*core, request) != *hash)
-      throw CoreRefused(core->number, "does not repeat: scenarios played again by another process differ");
+  const auto require_same_rows = [&request](const ComparedCore& core, const std::string& hash) {
+    if (rows_hash(core, request) != hash)
+      throw CoreRefused(core.number, "does not repeat: scenarios played again by another process differ");
+  };
+  require_same_rows(cores.before, request.rows_hash.before);
+  require_same_rows(cores.after, request.rows_hash.after);
   return card;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,11 +27,19 @@ struct BeforeAfter {
   Value after{};
 };
 
+using ComparedCores = BeforeAfter<ComparedCore>;
+
+/// What is measured of both cores, of the base first.
+template <class Measure>
+[[nodiscard]] auto of_both(const ComparedCores& cores, const Measure& measure) {
+  return BeforeAfter<decltype(measure(cores.before))>{measure(cores.before), measure(cores.after)};
+}
+
 struct CardRequest {
-  std::vector<NamedScenario> library = {};     ///< All scenarios.
-  std::vector<NamedScenario> recordings = {};  ///< Those of them that were recorded by hand.
-  std::vector<NamedScenario> hard = {};        ///< Those of them that hard cases are made from.
-  std::uint64_t seed = 1;                      ///< Of the random flings and runs.
+  /// All scenarios, their paths relative to the library's folder. Those in its folder `recorded` were
+  /// recorded by hand, of those in `hard` hard cases are made.
+  std::vector<NamedScenario> library = {};
+  std::uint64_t seed = 1;  ///< Of the random flings and runs.
   std::int64_t flings = 1000;
   NanosecondClock now_ns = {};
   BeforeAfter<std::string> rows_hash = {};  ///< Of each core (hyrax::rows_hash), found by another process.
@@ -56,11 +65,15 @@ struct ClassCounts {
   std::int64_t same_bits = 0;
   std::array<std::int64_t, kDifferenceClasses.size()> of_class{};  ///< In the order of kDifferenceClasses.
 
-  void add(const RunChange& change);
+  void add(const RunChange& change) {
+    ++(change.difference ? of_class[static_cast<std::size_t>(*change.difference)] : same_bits);
+  }
   [[nodiscard]] std::int64_t of(DifferenceClass difference) const {
     return of_class[static_cast<std::size_t>(difference)];
   }
-  [[nodiscard]] std::int64_t total() const;
+  [[nodiscard]] std::int64_t total() const {
+    return std::accumulate(of_class.begin(), of_class.end(), same_bits);
+  }
 };
 
 /// A scenario of the library that differs.
@@ -83,6 +96,8 @@ struct ContactLine {
   BeforeAfter<std::int64_t> contacts = {};  ///< In the whole library.
 };
 
+using Bands = BeforeAfter<std::optional<Band>>;
+
 /// Random flings at 60 Hz: x, y anywhere in the window, vx -2000 .. 2000, vy -2000 .. 500 px/s, 20 s.
 struct FlingLine {
   ClassCounts classes = {};
@@ -92,16 +107,16 @@ struct FlingLine {
   std::optional<Band> shift_px;       ///< Of x, signed: candidate minus base, where both settle.
   std::optional<Band> distance_px;    ///< Distance of the two places.
   double distance_max_px = 0.0;
-  std::vector<double> distances_px;  ///< All of them, in ascending order.
+  std::vector<double> distances_px;  ///< All of them.
   std::optional<Figure> farthest;    ///< Both paths of the fling of distance_max_px, if that is not 0.
 };
 
 /// Where the first kDisplayFlings of the flings land on displays of 24 to 1000 Hz: largest minus smallest x.
 struct DisplayLine {
   std::int64_t flings = 0;
-  double distance_max_px = 0.0;                     ///< Between the places of both cores on the same display.
-  BeforeAfter<std::optional<Band>> spread_px = {};  ///< Of the flings that settle on all with both cores.
-  BeforeAfter<std::vector<double>> spreads_px = {};  ///< All of them, in ascending order.
+  double distance_max_px = 0.0;  ///< Between the places of both cores on the same display.
+  Bands spread_px = {};          ///< Of the flings that settle on all with both cores.
+  BeforeAfter<std::vector<double>> spreads_px = {};  ///< All of them.
 };
 
 /// How far a sprite still moves up and down in the 20th second after it was dropped from 100 px, on each of
@@ -110,31 +125,17 @@ struct RestLine {
   BeforeAfter<std::vector<double>> moved_px = {};
 };
 
-/// What the walls did to the energy of a fling until it settled: over each step that touched one, the row
-/// minus the exact flight of the paper's laws from the row before, px^2/s^2. It follows from rows alone,
-/// whatever the core does inside its step.
-struct WallEnergy {
-  double lift = 0.0;      ///< Height: back to the wall.
-  double bounce = 0.0;    ///< Speed across the walls that were touched.
-  double friction = 0.0;  ///< Speed along them.
+/// What changes the energy of a fling. In flight: the run minus the exact flight of the paper's laws from the
+/// same start, summed over its flight arcs (sim/reference, ArcErrors::energy_drift_end_px2_per_s2). At walls,
+/// until it settles: over each step that touched one, the row minus the exact flight of the paper's laws from
+/// the row before, which follows from rows alone, whatever the core does inside its step.
+enum class EnergyCause : std::uint8_t {
+  drift,    ///< In flight.
+  lift,     ///< Height: back to the wall.
+  bounce,   ///< Speed across the walls that were touched.
+  friction  ///< Speed along them.
 };
-
-/// Energy of a fling by cause, px^2/s^2, of the flings that stay finite with both cores. In flight: the run
-/// minus the exact flight of the paper's laws from the same start, summed over its flight arcs
-/// (sim/reference, ArcErrors::energy_drift_end_px2_per_s2).
-struct EnergyLine {
-  BeforeAfter<std::optional<Band>> drift_px2_per_s2 = {};
-  BeforeAfter<std::optional<Band>> lift_px2_per_s2 = {};
-  BeforeAfter<std::optional<Band>> bounce_px2_per_s2 = {};
-  BeforeAfter<std::optional<Band>> friction_px2_per_s2 = {};
-};
-
-/// Distance from the exact motion of the paper's laws, frames left out, after whole seconds; of the same
-/// flings as EnergyLine.
-struct ExactLine {
-  double t_s = 0.0;
-  BeforeAfter<std::optional<Band>> distance_px = {};
-};
+inline constexpr std::size_t kEnergyCauseCount = 4;
 
 /// Cost of a step in pairs of samples, base and candidate one after the other in changing order.
 struct CostLine {
@@ -173,17 +174,6 @@ struct ClaimLine {
   std::int64_t other_numbers = 0;         ///< Same verdict, other measured value; timings left out.
 };
 
-/// A recording that ends elsewhere: more than half a pixel away.
-struct MovedRecording {
-  std::string path;
-  double px = 0.0;
-};
-
-struct RecordingLine {
-  std::int64_t recordings = 0;
-  std::vector<MovedRecording> moved;
-};
-
 struct Card {
   std::uint64_t seed = 1;
   std::int64_t flings = 0;
@@ -196,13 +186,17 @@ struct Card {
   FlingLine random = {};
   DisplayLine displays = {};
   RestLine rest = {};
-  EnergyLine energy = {};
-  std::vector<ExactLine> exact = {};
+  /// By EnergyCause, px^2/s^2; of the flings that stay finite with both cores.
+  std::array<Bands, kEnergyCauseCount> energy_px2_per_s2 = {};
+  /// Distance from the exact motion of the paper's laws, frames left out, after 1, 2, ... s; of these flings.
+  std::vector<Bands> exact_px = {};
   CostLine cost = {};
   HardCaseLine hard_cases = {};
   ClaimLine claims = {};
-  std::optional<RecordingLine> recordings = {};  ///< None without recordings.
+  std::int64_t recordings = 0;  ///< Of the scenarios.
 
+  /// Recordings that end elsewhere: more than half a pixel away.
+  [[nodiscard]] std::vector<ScenarioChange> moved_recordings() const;
   /// Whether any row of a scenario, fling, hard case or random run differs.
   [[nodiscard]] bool has_other_bits() const {
     return !library.changed.empty() || random.classes.same_bits < flings || hard_cases.other_cases > 0 ||
@@ -212,14 +206,14 @@ struct Card {
 
 /// Sets the card's lines of random flings, of their energy and of exact motion.
 /// ERRORS: CoreRefused where the candidate plays the flings differently a second time.
-void measure_flings(const ComparedCore& base, const ComparedCore& candidate, Card& card);
+void measure_flings(const ComparedCores& cores, Card& card);
 
 inline constexpr std::int64_t kDisplayFlings = 200;
-[[nodiscard]] DisplayLine measure_displays(const ComparedCore& base, const ComparedCore& candidate,
-                                           std::uint64_t seed, std::int64_t flings);
-[[nodiscard]] RestLine measure_rest(const ComparedCore& base, const ComparedCore& candidate);
-[[nodiscard]] CostLine measure_cost(const ComparedCore& base, const ComparedCore& candidate,
-                                    std::uint64_t seed, const NanosecondClock& now_ns);
+[[nodiscard]] DisplayLine measure_displays(const ComparedCores& cores, std::uint64_t seed,
+                                           std::int64_t flings);
+[[nodiscard]] RestLine measure_rest(const ComparedCores& cores);
+[[nodiscard]] CostLine measure_cost(const ComparedCores& cores, std::uint64_t seed,
+                                    const NanosecondClock& now_ns);
 
 /// Of all rows of the library. ERRORS: CoreRefused.
 [[nodiscard]] std::string rows_hash(const ComparedCore& core, const CardRequest& request);
@@ -227,8 +221,7 @@ inline constexpr std::int64_t kDisplayFlings = 200;
 /// Measures both cores. Everything but the cost is the same on every machine.
 /// REQUIRES: cores without LibraryCore::defect.
 /// ERRORS: CoreRefused.
-[[nodiscard]] Card measure_card(const ComparedCore& base, const ComparedCore& candidate,
-                                const CardRequest& request);
+[[nodiscard]] Card measure_card(const ComparedCores& cores, const CardRequest& request);
 
 /// The largest consequence for a user, one sentence.
 [[nodiscard]] std::string consequence_of(const Card& card);

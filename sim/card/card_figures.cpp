@@ -1,5 +1,6 @@
 #include "sim/card/card.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -14,11 +15,10 @@ constexpr Tone kAfter = Tone::vermilion;
 // How each core is drawn, and its part of a line.
 struct DrawnCore {
   const char* name;
-  std::optional<Band> BeforeAfter<std::optional<Band>>::*band;
+  std::optional<Band> Bands::*band;
   Tone tone;
 };
-constexpr DrawnCore kCores[] = {{"base", &BeforeAfter<std::optional<Band>>::before, kBefore},
-                                {"candidate", &BeforeAfter<std::optional<Band>>::after, kAfter}};
+constexpr DrawnCore kCores[] = {{"base", &Bands::before, kBefore}, {"candidate", &Bands::after, kAfter}};
 
 std::vector<LegendEntry> both_cores(Form form) {
   std::vector<LegendEntry> legend;
@@ -26,13 +26,12 @@ std::vector<LegendEntry> both_cores(Form form) {
   return legend;
 }
 
-// The share of a sample up to each of its values. REQUIRES: ascending order.
+// The share of a sample up to each of its values.
 Series shares_up_to(const std::string& name, const std::vector<double>& values, Tone tone) {
-  Series series{.name = name, .look = {.tone = tone}};
-  for (std::size_t index = 0; index < values.size(); ++index) {
-    series.x.push_back(values[index]);
-    series.y.push_back(100.0 * static_cast<double>(index + 1) / static_cast<double>(values.size()));
-  }
+  Series series{.name = name, .look = {.tone = tone}, .x = values};
+  std::ranges::sort(series.x);
+  for (std::size_t count = 1; count <= values.size(); ++count)
+    series.y.push_back(100.0 * static_cast<double>(count) / static_cast<double>(values.size()));
   return series;
 }
 
@@ -61,7 +60,7 @@ Figure display_figure(const DisplayLine& line) {
           .legend = both_cores(Form::line)};
 }
 
-Figure exact_figure(const std::vector<ExactLine>& lines) {
+Figure exact_figure(const std::vector<Bands>& distances_px) {
   Plot plot{.x = {.label = "time since the throw, s"},
             .y = {.label = "distance from the exact motion, px", .low = 0.0}};
   for (const DrawnCore& core : kCores) {
@@ -70,10 +69,11 @@ Figure exact_figure(const std::vector<ExactLine>& lines) {
     Series high{.name = std::string(core.name) + ", one of ten flings is farther", .look = outline};
     Series median{.name = std::string(core.name) + ", median",
                   .look = {.form = Form::line_and_points, .tone = core.tone}};
-    for (const ExactLine& line : lines) {
-      const std::optional<Band>& band = line.distance_px.*core.band;
+    for (std::size_t second = 0; second < distances_px.size(); ++second) {
+      const std::optional<Band>& band = distances_px[second].*core.band;
       if (!band) continue;
-      for (Series* const series : {&low, &high, &median}) series->x.push_back(line.t_s);
+      for (Series* const series : {&low, &high, &median})
+        series->x.push_back(static_cast<double>(second + 1));
       low.y.push_back(band->low);
       high.y.push_back(band->high);
       median.y.push_back(band->median);
@@ -87,16 +87,14 @@ Figure exact_figure(const std::vector<ExactLine>& lines) {
           .legend = both_cores(Form::line_and_points)};
 }
 
-Figure energy_figure(const EnergyLine& energy) {
+Figure energy_figure(const std::array<Bands, kEnergyCauseCount>& energy_px2_per_s2) {
   Plot plot{.x = {.label = "candidate minus base, energy as px of height"},
             .y = {.categories = {"in flight, against the exact flight", "at walls, by lift", "by bounces",
                                  "by friction"}},
             .marks = {{.at = 0.0, .tone = Tone::hairline}}};
-  const std::array causes = {&energy.drift_px2_per_s2, &energy.lift_px2_per_s2, &energy.bounce_px2_per_s2,
-                             &energy.friction_px2_per_s2};
   Series series{.name = "change", .look = {.form = Form::points, .tone = kAfter, .marker_size = 0.9}};
-  for (std::size_t cause = 0; cause < causes.size(); ++cause) {
-    const auto& [before, after] = *causes[cause];
+  for (std::size_t cause = 0; cause < kEnergyCauseCount; ++cause) {
+    const auto& [before, after] = energy_px2_per_s2[cause];
     if (!before || !after) continue;
     series.x.push_back((after->median - before->median) / kHeight_px2_per_s2);
     series.y.push_back(static_cast<double>(cause));
@@ -112,7 +110,7 @@ Figure energy_figure(const EnergyLine& energy) {
 
 std::vector<Figure> card_figures(const Card& card) {
   std::vector<Figure> figures = {landing_figure(card), display_figure(card.displays),
-                                 exact_figure(card.exact), energy_figure(card.energy)};
+                                 exact_figure(card.exact_px), energy_figure(card.energy_px2_per_s2)};
   if (card.random.farthest) figures.insert(figures.begin(), *card.random.farthest);
   return figures;
 }

@@ -6,6 +6,7 @@
 #include "sim/card/card.h"
 #include "sim/result/number_text.h"
 #include "sim/study/display_rates.h"
+#include "sim/study/study_table.h"
 
 namespace hyrax {
 namespace {
@@ -123,39 +124,35 @@ void add_step(const Card& card, Lines& lines) {
   if (line.changes.empty() && line.status == StepStatus::changed)
     lines.add("", "the header did not change: an included header or a compiler option did");
   lines.add_first(6, line.changes, change_text);
-  lines.json.push_back(one(
-      "step", {column_of_one("status", "", kStepStatusNames[static_cast<std::size_t>(line.status)]),
-               text_or_null("why", line.why), column_of_one("changes", "", changes_table(line.changes))}));
+  lines.json.push_back(
+      one("step", {member("status", "", kStepStatusNames[static_cast<std::size_t>(line.status)]),
+                   text_or_null("why", line.why), member("changes", "", changes_table(line.changes))}));
   lines.json.push_back({.columns = {text_or_null("lacking", card.lacking)}, .shape = JsonShape::members});
 }
 
 Table scenario_table(const std::vector<ScenarioChange>& changed) {
-  const auto of = [&changed](const char* name, const char* unit, const char* long_name, const auto& get,
-                             const char* key = "") {
-    Column column = column_of(name, unit, long_name, changed,
-                              [&get](const ScenarioChange& each) { return std::invoke(get, each.change); });
-    column.key = key;
-    return column;
+  const auto of = [](const auto& get) {
+    return [get](const ScenarioChange& each) { return std::invoke(get, each.change); };
   };
-  return {"scenarios",
-          "scenarios that differ",
-          {column_of("scenario", "", "its file", changed, &ScenarioChange::path),
-           of("class", "", "class of difference",
-              [](const RunChange& change) { return name_of(*change.difference); }),
-           of(
-               "largest", "px", "largest distance of two rows of the same step",
-               [](const RunChange& change) { return change.largest ? change.largest->px : 0.0; }, "max_px"),
-           of("end", "px", "distance of the last rows", &RunChange::end_shift_px, "end_shift_px"),
-           of("contacts_before", "1", "contacts of the base", &RunChange::contacts_before),
-           of("contacts_after", "1", "contacts of the candidate", &RunChange::contacts_after),
-           of("moved", "1", "contacts of both at another step",
-              [](const RunChange& change) { return std::ssize(change.contacts.moved); }),
-           of("only_before", "1", "contacts of the base alone",
-              [](const RunChange& change) { return std::ssize(change.contacts.only_a); }),
-           of("only_after", "1", "contacts of the candidate alone",
-              [](const RunChange& change) { return std::ssize(change.contacts.only_b); }),
-           of("became_non_finite", "", "with the candidate alone", &RunChange::became_non_finite),
-           of("no_longer_settles", "", "it settles with the base alone", &RunChange::no_longer_settles)}};
+  using C = const RunChange&;
+  return StudyTable("scenarios", "scenarios that differ", changed)
+      .add("scenario", "", "its file", &ScenarioChange::path)
+      .add("class", "", "class of difference", of([](C change) { return name_of(*change.difference); }))
+      .add("largest", "px", "largest distance of two rows of the same step",
+           of([](C change) { return change.largest ? change.largest->px : 0.0; }))
+      .key("max_px")
+      .add("end", "px", "distance of the last rows", of(&RunChange::end_shift_px))
+      .key("end_shift_px")
+      .add("contacts_before", "1", "contacts of the base", of(&RunChange::contacts_before))
+      .add("contacts_after", "1", "contacts of the candidate", of(&RunChange::contacts_after))
+      .add("moved", "1", "contacts of both at another step",
+           of([](C change) { return std::ssize(change.contacts.moved); }))
+      .add("only_before", "1", "contacts of the base alone",
+           of([](C change) { return std::ssize(change.contacts.only_a); }))
+      .add("only_after", "1", "contacts of the candidate alone",
+           of([](C change) { return std::ssize(change.contacts.only_b); }))
+      .add("became_non_finite", "", "with the candidate alone", of(&RunChange::became_non_finite))
+      .add("no_longer_settles", "", "it settles with the base alone", of(&RunChange::no_longer_settles));
 }
 
 void add_bits(const Card& card, Lines& lines) {
@@ -170,8 +167,8 @@ void add_bits(const Card& card, Lines& lines) {
     lines.add("", fmt::format("compared in their first {} rows only: {}", kCoreRunRowsMax, card.library.cut));
   Table scenarios = table_of(card.library.classes);
   scenarios.name = "scenarios";
-  scenarios.columns.push_back(column_of_one("cut", "1", card.library.cut));
-  scenarios.columns.push_back(column_of_one("changed", "", scenario_table(card.library.changed)));
+  scenarios.columns.push_back(member("cut", "1", card.library.cut));
+  scenarios.columns.push_back(member("changed", "", scenario_table(card.library.changed)));
   lines.json.push_back(std::move(scenarios));
 }
 
@@ -183,10 +180,9 @@ void add_contacts(const Card& card, Lines& lines) {
                         line.contacts.before, line.contacts.after));
   lines.add("", "changed in random flings: " + text_of(card.random.changed_contacts));
   lines.json.push_back(
-      one("contacts",
-          {column_of_one("scenarios", "1", line.scenarios), column_of_one("moved", "1", line.moved),
-           column_of_one("only_before", "1", line.only_before),
-           column_of_one("only_after", "1", line.only_after), member("contacts", "1", line.contacts)}));
+      one("contacts", {member("scenarios", "1", line.scenarios), member("moved", "1", line.moved),
+                       member("only_before", "1", line.only_before),
+                       member("only_after", "1", line.only_after), member("contacts", "1", line.contacts)}));
 }
 
 void add_landing(const Card& card, Lines& lines) {
@@ -198,11 +194,10 @@ void add_landing(const Card& card, Lines& lines) {
   lines.add("", fmt::format("of {} random flings at 60 Hz settle: {} -> {}", card.flings, line.settled.before,
                             line.settled.after));
   lines.json.push_back(one(
-      "flings",
-      {member("classes", "1", line.classes), member("contacts_changed", "1", line.changed_contacts),
-       member("settled", "1", line.settled), column_of_one("no_longer_settle", "1", line.no_longer_settle),
-       member("shift", "px", line.shift_px), member("distance", "px", line.distance_px),
-       column_of_one("distance_max", "px", line.distance_max_px)}));
+      "flings", {member("classes", "1", line.classes), member("contacts_changed", "1", line.changed_contacts),
+                 member("settled", "1", line.settled), member("no_longer_settle", "1", line.no_longer_settle),
+                 member("shift", "px", line.shift_px), member("distance", "px", line.distance_px),
+                 member("distance_max", "px", line.distance_max_px)}));
 }
 
 void add_displays(const DisplayLine& line, Lines& lines) {
@@ -210,7 +205,7 @@ void add_displays(const DisplayLine& line, Lines& lines) {
             fmt::format("a fling's spread over 24 .. 1000 Hz: {}, {} of {} flings",
                         text_of(line.spread_px, "px"), line.spreads_px.before.size(), line.flings));
   lines.json.push_back(
-      one("displays", {column_of_one("flings", "1", line.flings), member("spread", "px", line.spread_px)}));
+      one("displays", {member("flings", "1", line.flings), member("spread", "px", line.spread_px)}));
 }
 
 void add_rest(const RestLine& line, Lines& lines) {
@@ -228,31 +223,38 @@ void add_rest(const RestLine& line, Lines& lines) {
 }
 
 void add_energy(const Card& card, Lines& lines) {
-  const EnergyLine& line = card.energy;
-  Table energy = one("energy");
-  const auto add = [&](const char* name, const char* text, const char* key, const auto& pair,
-                       const std::string& size) {
-    lines.add(name, text + text_of(pair, "px", kHeight_px2_per_s2) + size);
-    energy.columns.push_back(member(key, "px2/s2", pair));
+  struct Cause {
+    const char* name;
+    const char* text;
+    const char* key;
   };
-  add("energy", "as height, in flight: ", "drift", line.drift_px2_per_s2,
-      size_text(line.drift_px2_per_s2.after, card.flings));
-  add("", "at walls, by lift: ", "lift", line.lift_px2_per_s2, "");
-  add("", "by bounces: ", "bounce", line.bounce_px2_per_s2, "");
-  add("", "by friction: ", "friction", line.friction_px2_per_s2, "");
+  constexpr std::array<Cause, kEnergyCauseCount> kCauses = {{{"energy", "as height, in flight", "drift"},
+                                                             {"", "at walls, by lift", "lift"},
+                                                             {"", "by bounces", "bounce"},
+                                                             {"", "by friction", "friction"}}};
+  Table energy = one("energy");
+  for (std::size_t cause = 0; cause < kEnergyCauseCount; ++cause) {
+    const Bands& bands = card.energy_px2_per_s2[cause];
+    lines.add(kCauses[cause].name,
+              fmt::format("{}: {}{}", kCauses[cause].text, text_of(bands, "px", kHeight_px2_per_s2),
+                          cause == 0 ? size_text(bands.after, card.flings) : ""));
+    energy.columns.push_back(member(kCauses[cause].key, "px2/s2", bands));
+  }
   lines.json.push_back(std::move(energy));
 }
 
 void add_exact(const Card& card, Lines& lines) {
-  for (const ExactLine& exact : card.exact)
-    lines.add(&exact == &card.exact.front() ? "exact motion" : "",
-              fmt::format("after {:.0f} s at 60 Hz: {}{}", exact.t_s, text_of(exact.distance_px, "px"),
-                          size_text(exact.distance_px.after, card.flings)));
+  std::vector<std::int64_t> seconds;
+  for (const Bands& bands : card.exact_px) {
+    seconds.push_back(std::ssize(seconds) + 1);
+    lines.add(seconds.size() == 1 ? "exact motion" : "",
+              fmt::format("after {} s at 60 Hz: {}{}", seconds.back(), text_of(bands, "px"),
+                          size_text(bands.after, card.flings)));
+  }
   lines.json.push_back({.name = "exact",
-                        .columns = {column_of("t", "s", "", card.exact, &ExactLine::t_s),
-                                    column_of("distance", "px", "", card.exact, [](const ExactLine& exact) {
-                                      return table_of(exact.distance_px);
-                                    })}});
+                        .columns = {{.name = "t", .unit = "s", .values = std::move(seconds)},
+                                    column_of("distance", "px", "", card.exact_px,
+                                              [](const Bands& bands) { return table_of(bands); })}});
 }
 
 void add_speed(const CostLine& line, Lines& lines) {
@@ -274,18 +276,18 @@ std::string invariants_text(const std::vector<std::string>& broken) {
 
 void add_hard_cases(const Card& card, Lines& lines) {
   const HardCaseLine& hard = card.hard_cases;
-  Table json = one("hard_cases", {column_of_one("cases", "1", hard.cases),
-                                  column_of_one("cases_changed", "1", hard.other_cases),
-                                  member("random_runs_changed", "1", hard.other_random_runs)});
+  Table json =
+      one("hard_cases", {member("cases", "1", hard.cases), member("cases_changed", "1", hard.other_cases),
+                         member("random_runs_changed", "1", hard.other_random_runs)});
   const auto add = [&](const char* name, const char* kind, const char* key, const InvariantLine& line) {
-    if (!card.lacking.empty()) return json.columns.push_back(column_of_one(key, "", one()));
+    if (!card.lacking.empty()) return json.columns.push_back(member(key, "", one()));
     const auto& [before, after] = line.random_runs;
     lines.add(name,
               fmt::format("{}: broken in hard cases {} -> {} of {}, in random runs {} -> {}", kind,
                           line.cases.before, line.cases.after, hard.cases, before.count, text_of(after)));
     if (!line.newly_broken.empty()) lines.add("", "newly broken: " + invariants_text(line.newly_broken));
     if (!line.mended.empty()) lines.add("", "no longer broken: " + invariants_text(line.mended));
-    json.columns.push_back(column_of_one(
+    json.columns.push_back(member(
         key, "",
         one("", {member("cases_broken", "1", line.cases), member("random_runs_broken", "1", line.random_runs),
                  member("newly_broken", "", line.newly_broken), member("mended", "", line.mended)})));
@@ -309,32 +311,25 @@ Table invariant_table(const HardCaseLine& hard) {
     for (const std::string& name : line->newly_broken) changes.push_back({name, kind, "newly broken"});
     for (const std::string& name : line->mended) changes.push_back({name, kind, "no longer broken"});
   }
-  return {"invariants",
-          "invariants of hard cases and random runs that differ",
-          {column_of("invariant", "", "case and invariant", changes, &Change::name),
-           column_of("kind", "", "general, or the listing's own", changes, &Change::kind),
-           column_of("change", "", "what changed", changes, &Change::change)}};
+  return StudyTable("invariants", "invariants of hard cases and random runs that differ", changes)
+      .add("invariant", "", "case and invariant", &Change::name)
+      .add("kind", "", "general, or the listing's own", &Change::kind)
+      .add("change", "", "what changed", &Change::change);
 }
 
 Table claim_table(const std::vector<ChangedClaim>& claims) {
-  const auto of = [&claims](const char* name, const char* key, const char* long_name, auto pair, auto side) {
-    Column column =
-        column_of(name, "", long_name, claims, [=](const ChangedClaim& claim) { return claim.*pair.*side; });
-    column.key = key;
-    return column;
-  };
-  using Texts = BeforeAfter<std::string>;
-  using Numbers = BeforeAfter<double>;
-  return {"claims",
-          "claims of the paper with another verdict",
-          {column_of("claim", "", "section and name", claims, &ChangedClaim::id),
-           of("before", "verdict/before", "verdict on the base", &ChangedClaim::verdict, &Texts::before),
-           of("after", "verdict/after", "verdict on the candidate", &ChangedClaim::verdict, &Texts::after),
-           of("measured_before", "number/before", "measured on the base", &ChangedClaim::number,
-              &Numbers::before),
-           of("measured_after", "number/after", "measured on the candidate", &ChangedClaim::number,
-              &Numbers::after),
-           column_of("unit", "", "of what is measured", claims, &ChangedClaim::unit)}};
+  using C = const ChangedClaim&;
+  return StudyTable("claims", "claims of the paper with another verdict", claims)
+      .add("claim", "", "section and name", &ChangedClaim::id)
+      .add("before", "", "verdict on the base", [](C claim) { return claim.verdict.before; })
+      .key("verdict/before")
+      .add("after", "", "verdict on the candidate", [](C claim) { return claim.verdict.after; })
+      .key("verdict/after")
+      .add("measured_before", "", "measured on the base", [](C claim) { return claim.number.before; })
+      .key("number/before")
+      .add("measured_after", "", "measured on the candidate", [](C claim) { return claim.number.after; })
+      .key("number/after")
+      .add("unit", "", "of what is measured", &ChangedClaim::unit);
 }
 
 void add_claims(const Card& card, Lines& lines) {
@@ -351,20 +346,19 @@ void add_claims(const Card& card, Lines& lines) {
   lines.add_first(4, line.changed, [](const ChangedClaim& claim) {
     return fmt::format("{} {} -> {}", claim.id, claim.verdict.before, claim.verdict.after);
   });
-  lines.json.push_back(one("claims", {column_of_one("claims", "1", line.claims),
-                                      column_of_one("changed", "", claim_table(line.changed)),
-                                      member("not_measured", "", line.not_measured),
-                                      column_of_one("other_numbers", "1", line.other_numbers)}));
+  lines.json.push_back(
+      one("claims",
+          {member("claims", "1", line.claims), member("changed", "", claim_table(line.changed)),
+           member("not_measured", "", line.not_measured), member("other_numbers", "1", line.other_numbers)}));
 }
 
-Table recording_table(const std::vector<MovedRecording>& moved) {
-  Table table{"recordings",
-              "recordings that end elsewhere",
-              {column_of("recording", "", "its file", moved, &MovedRecording::path),
-               column_of("shift", "px", "distance of the last rows", moved, &MovedRecording::px)}};
-  table.columns.front().key = "scenario";
-  table.columns.back().key = "px";
-  return table;
+Table recording_table(const std::vector<ScenarioChange>& moved) {
+  return StudyTable("recordings", "recordings that end elsewhere", moved)
+      .add("recording", "", "its file", &ScenarioChange::path)
+      .key("scenario")
+      .add("shift", "px", "distance of the last rows",
+           [](const ScenarioChange& each) { return each.change.end_shift_px; })
+      .key("px");
 }
 
 // "fling" of "folder/fling.json".
@@ -373,25 +367,26 @@ std::string stem(const std::string& path) {
   return path.substr(begin, path.rfind('.') - begin);
 }
 
-void add_recordings(const std::optional<RecordingLine>& line, Lines& lines) {
-  if (!line) {
+void add_recordings(const Card& card, Lines& lines) {
+  if (card.recordings == 0) {
     lines.json.push_back(one("recordings"));
     return lines.add("recordings", "not measured: no scenarios in a folder named recorded");
   }
-  std::vector<std::string> moved;
-  for (const MovedRecording& recording : line->moved)
-    moved.push_back(fmt::format("{} {} px", stem(recording.path), rounded(recording.px, 3)));
-  lines.add("recordings", fmt::format("{} of {} end elsewhere", moved.size(), line->recordings));
-  if (!moved.empty()) lines.add("", list_text(moved, 2));
-  lines.json.push_back(one("recordings", {column_of_one("recordings", "1", line->recordings),
-                                          column_of_one("moved", "", recording_table(line->moved))}));
+  const std::vector<ScenarioChange> moved = card.moved_recordings();
+  std::vector<std::string> names;
+  for (const ScenarioChange& recording : moved)
+    names.push_back(fmt::format("{} {} px", stem(recording.path), rounded(recording.change.end_shift_px, 3)));
+  lines.add("recordings", fmt::format("{} of {} end elsewhere", moved.size(), card.recordings));
+  if (!moved.empty()) lines.add("", list_text(names, 2));
+  lines.json.push_back(one("recordings", {member("recordings", "1", card.recordings),
+                                          member("moved", "", recording_table(moved))}));
 }
 
 // What differs, one by one. Tables without rows are left out.
 std::vector<Table> tables_of(const Card& card) {
   std::vector<Table> tables = {changes_table(card.step.changes), scenario_table(card.library.changed),
                                invariant_table(card.hard_cases), claim_table(card.claims.changed),
-                               recording_table(card.recordings.value_or(RecordingLine{}).moved)};
+                               recording_table(card.moved_recordings())};
   std::erase_if(tables, [](const Table& table) { return row_count(table) == 0; });
   return tables;
 }
@@ -400,7 +395,7 @@ std::vector<Table> tables_of(const Card& card) {
 
 Result card_result(const Card& card) {
   Lines lines;
-  lines.json.push_back({.columns = {column_of_one("seed", "1", card.seed)}, .shape = JsonShape::members});
+  lines.json.push_back({.columns = {member("seed", "1", card.seed)}, .shape = JsonShape::members});
   add_step(card, lines);
   add_bits(card, lines);
   add_contacts(card, lines);
@@ -412,10 +407,9 @@ Result card_result(const Card& card) {
   add_speed(card.cost, lines);
   add_hard_cases(card, lines);
   add_claims(card, lines);
-  add_recordings(card.recordings, lines);
+  add_recordings(card, lines);
   const std::string consequence = consequence_of(card);
-  lines.json.push_back(
-      {.columns = {column_of_one("consequence", "", consequence)}, .shape = JsonShape::members});
+  lines.json.push_back({.columns = {member("consequence", "", consequence)}, .shape = JsonShape::members});
   return {.tables = tables_of(card),
           .figures = card_figures(card),
           .verdict = {.text = {Table{"card",

@@ -28,17 +28,14 @@ const unsigned kUsualMode = arithmetic_mode();  // Before any core is loaded.
 
 class GuardedKernel final : public KernelOver {
   template <class Call>
-  auto guarded(std::int64_t from_step, std::int64_t steps, const Call& call) const {
+  void guarded(std::int64_t from_step, std::int64_t steps, const Call& call) const {
     watch_.begin_call(from_step, steps);
-    auto result = [&] {
-      try {
-        return call();
-      } catch (...) {
-        throw CoreRefused(number_, "throws an exception in " + watch_.where());
-      }
-    }();
+    try {
+      call();
+    } catch (...) {
+      throw CoreRefused(number_, "throws an exception in " + watch_.where());
+    }
     if (arithmetic_mode() != kUsualMode) require_usual_arithmetic(number_, watch_.where());
-    return result;
   }
 
  public:
@@ -47,25 +44,23 @@ class GuardedKernel final : public KernelOver {
 
   void play(const Stretch& stretch, CoreBody& body, RestAnchor& rest, RowBlock& rows,
             StretchLog& log) const override {
-    guarded(stretch.from_step, stretch.frames, [&] {
-      KernelOver::play(stretch, body, rest, rows, log);
-      return 0;
-    });
+    guarded(stretch.from_step, stretch.frames, [&] { KernelOver::play(stretch, body, rest, rows, log); });
   }
   void apply(const Action& action, Keyframe& now) const override {
-    guarded(now.row.step, 0, [&] {
-      KernelOver::apply(action, now);
-      return 0;
-    });
+    guarded(now.row.step, 0, [&] { KernelOver::apply(action, now); });
   }
   [[nodiscard]] State steps(const State& body, double dt_s, const Bounds& bounds,
                             std::int64_t steps) const override {
-    return guarded(0, steps, [&] { return KernelOver::steps(body, dt_s, bounds, steps); });
+    State end;
+    guarded(0, steps, [&] { end = KernelOver::steps(body, dt_s, bounds, steps); });
+    return end;
   }
   [[nodiscard]] State played(const State& body, std::span<const double> frames_s, const Bounds& bounds,
                              int parts) const override {
-    return guarded(0, std::ssize(frames_s) * parts,
-                   [&] { return KernelOver::played(body, frames_s, bounds, parts); });
+    State end;
+    guarded(0, std::ssize(frames_s) * parts,
+            [&] { end = KernelOver::played(body, frames_s, bounds, parts); });
+    return end;
   }
 
  private:

@@ -9,19 +9,6 @@
 namespace hyrax {
 namespace {
 
-std::string landing_sentence(const FlingLine& line) {
-  return fmt::format("A fling lands {} px from where it did (median; one in ten {} px or more).",
-                     rounded(line.distance_px->median, 3), rounded(line.distance_px->high, 3));
-}
-
-std::string display_sentence(const DisplayLine& line) {
-  const Band& before = *line.spread_px.before;
-  const Band& after = *line.spread_px.after;
-  return fmt::format(
-      "The same fling on displays of 24 to 1000 Hz lands {} px apart instead of {} px (median of {}).",
-      rounded(after.median, 3), rounded(before.median, 3), after.samples);
-}
-
 // What does not end well at all comes first.
 std::string breakdown(const Card& card) {
   std::int64_t non_finite = 0, restless = 0;
@@ -39,31 +26,37 @@ std::string breakdown(const Card& card) {
   return "";
 }
 
-// Where most flings show nothing: what is farthest from where it was. Empty: nothing that can be seen.
-std::string farthest(const Card& card, double& far_px) {
-  const ScenarioChange* largest = nullptr;
+// The scenario that is farthest from where it was; null: no position differs.
+const ScenarioChange* farthest_scenario(const Card& card) {
+  const ScenarioChange* farthest = nullptr;
   for (const ScenarioChange& changed : card.library.changed)
-    if (changed.change.largest && changed.change.largest->px > far_px) {
-      largest = &changed;
-      far_px = changed.change.largest->px;
-    }
-  if (far_px > RestAnchor::kStill_px)
-    return fmt::format("Most flings look the same; in {} the sprite is up to {} px from where it was.",
-                       largest->path, rounded(far_px, 3));
-  far_px = std::max({far_px, card.random.distance_max_px, card.displays.distance_max_px});
-  if (far_px > RestAnchor::kStill_px)
-    return fmt::format("Most flings look the same; the farthest of {} lands {} px from where it did.",
-                       card.flings, rounded(far_px, 3));
-  return "";
+    if (changed.change.largest && (!farthest || changed.change.largest->px > farthest->change.largest->px))
+      farthest = &changed;
+  return farthest;
 }
 
-std::string visible_sentence(const Card& card, double& far_px) {
+// Where most flings show nothing, what is farthest from where it was. Empty: nothing that can be seen.
+std::string visible_sentence(const Card& card) {
   const auto& [before, after] = card.displays.spread_px;
-  const double landing_px = card.random.distance_px ? card.random.distance_px->median : 0.0;
+  const std::optional<Band>& landing = card.random.distance_px;
+  const double landing_px = landing ? landing->median : 0.0;
   const double display_px = before && after ? std::fabs(after->median - before->median) : 0.0;
-  if (std::max(landing_px, display_px) > RestAnchor::kStill_px)
-    return landing_px >= display_px ? landing_sentence(card.random) : display_sentence(card.displays);
-  return farthest(card, far_px);
+  if (landing_px >= display_px && landing_px > RestAnchor::kStill_px)
+    return fmt::format("A fling lands {} px from where it did (median; one in ten {} px or more).",
+                       rounded(landing_px, 3), rounded(landing->high, 3));
+  if (display_px > RestAnchor::kStill_px)
+    return fmt::format(
+        "The same fling on displays of 24 to 1000 Hz lands {} px apart instead of {} px (median of {}).",
+        rounded(after->median, 3), rounded(before->median, 3), after->samples);
+  const ScenarioChange* const scenario = farthest_scenario(card);
+  if (scenario != nullptr && scenario->change.largest->px > RestAnchor::kStill_px)
+    return fmt::format("Most flings look the same; in {} the sprite is up to {} px from where it was.",
+                       scenario->path, rounded(scenario->change.largest->px, 3));
+  const double fling_px = std::max(card.random.distance_max_px, card.displays.distance_max_px);
+  if (fling_px > RestAnchor::kStill_px)
+    return fmt::format("Most flings look the same; the farthest of {} lands {} px from where it did.",
+                       card.flings, rounded(fling_px, 3));
+  return "";
 }
 
 // Empty where nothing is newly broken that holds for any core.
@@ -76,8 +69,11 @@ std::string broken_sentence(const HardCaseLine& hard) {
 }
 
 // What is left to say where no sprite of a scenario or fling is seen elsewhere.
-std::string unseen_sentence(const Card& card, double far_px) {
+std::string unseen_sentence(const Card& card) {
   const HardCaseLine& hard = card.hard_cases;
+  const ScenarioChange* const scenario = farthest_scenario(card);
+  const double far_px = std::max({scenario != nullptr ? scenario->change.largest->px : 0.0,
+                                  card.random.distance_max_px, card.displays.distance_max_px});
   if (far_px > 0.0)
     return fmt::format("None that can be seen: no sprite is more than {} px from where it was.",
                        rounded(far_px, 2));
@@ -95,11 +91,10 @@ std::string unseen_sentence(const Card& card, double far_px) {
 }  // namespace
 
 std::string consequence_of(const Card& card) {
-  double far_px = 0.0;
   std::string sentence = breakdown(card);
-  if (sentence.empty()) sentence = visible_sentence(card, far_px);
+  if (sentence.empty()) sentence = visible_sentence(card);
   const std::string broken = broken_sentence(card.hard_cases);
-  if (sentence.empty()) return broken.empty() ? unseen_sentence(card, far_px) : broken;
+  if (sentence.empty()) return broken.empty() ? unseen_sentence(card) : broken;
   return broken.empty() ? sentence : sentence + " " + broken;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/motion/state.h"
@@ -111,20 +112,18 @@ class DefectSearch {
 /// LibraryCore::lacking.
 template <class Class>
 std::string lacking_constants() {
+  constexpr bool has_gravity = requires { Class::GRAVITY + 0.0; };
+  constexpr bool has_restitution = requires { Class::RESTITUTION + 0.0; };
+  constexpr bool has_drag = requires { Class::AIR_DRAG + 0.0; };
+  constexpr bool has_friction = requires { Class::GROUND_FRICTION + 0.0; };
+  constexpr bool has_threshold = requires { Class::REST_THRESHOLD + 0.0; };
   std::string names;
-  const auto add = [&names](bool has, const char* name) {
+  for (const auto& [has, name] : {std::pair(has_gravity, "GRAVITY"),
+                                  {has_restitution, "RESTITUTION"},
+                                  {has_drag, "AIR_DRAG"},
+                                  {has_friction, "GROUND_FRICTION"},
+                                  {has_threshold, "REST_THRESHOLD"}})
     if (!has) names += (names.empty() ? "" : ", ") + std::string(name);
-  };
-  add(
-      requires { Class::GRAVITY + 0.0; }, "GRAVITY");
-  add(
-      requires { Class::RESTITUTION + 0.0; }, "RESTITUTION");
-  add(
-      requires { Class::AIR_DRAG + 0.0; }, "AIR_DRAG");
-  add(
-      requires { Class::GROUND_FRICTION + 0.0; }, "GROUND_FRICTION");
-  add(
-      requires { Class::REST_THRESHOLD + 0.0; }, "REST_THRESHOLD");
   return names;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "sim/compare/overlay.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/reference/exact_fling.h"
@@ -19,9 +21,9 @@ namespace {
 // Those of kDesktop.
 constexpr Size kWindow{1920, 1080};
 constexpr Size kSprite{128, 128};
-constexpr std::int64_t kRate_hz = 60;
+constexpr int kRate_hz = 60;
 constexpr std::int64_t kDuration_s = 20;  // Longer than any fling of the shipped core takes to settle.
-constexpr std::int64_t kExactSeconds = 5;
+constexpr int kExactSeconds = 5;
 
 std::string place_of(std::uint64_t seed, std::int64_t number) {
   return "random fling " + std::to_string(number) + " of seed " + std::to_string(seed);
@@ -60,60 +62,49 @@ Figure both_paths(const std::string& place, const CoreRun& base, const CoreRun& 
 
 double half_square_difference(double a, double b) { return 0.5 * (a - b) * (a + b); }
 
+using EnergyByCause = std::array<double, kEnergyCauseCount>;
+
 // REQUIRES: the rows have their contacts; no inputs.
-WallEnergy wall_energy(const CoreRun& run) {
+EnergyByCause energy_by_cause(const Scenario& scenario, const CoreRun& run) {
   const Model model;
   const double rate_per_s = -std::log(model.air_drag) * model.model_rate_hz;
-  WallEnergy sum;
+  double lift = 0.0, bounce = 0.0, friction = 0.0;
   for (std::size_t index = 1; index < run.rows.size(); ++index) {
     const Row& row = run.rows[index];
     if (run.at_rest_since_s && row.t_s > *run.at_rest_since_s) break;
     if (row.contact == 0) continue;
+    const auto touches_either = [&row](Wall a, Wall b) {
+      return touches(row.contact, a) || touches(row.contact, b);
+    };
     const Row& from = run.rows[index - 1];
     const AxisMotion x = fly(from.vx_px_per_s, 0.0, rate_per_s, row.dt_s);
     const AxisMotion y = fly(from.vy_px_per_s, model.gravity_px_per_s2, rate_per_s, row.dt_s);
-    const double gain_x = half_square_difference(row.vx_px_per_s, x.speed_px_per_s);
-    const double gain_y = half_square_difference(row.vy_px_per_s, y.speed_px_per_s);
-    (touches(row.contact, Wall::left) || touches(row.contact, Wall::right) ? sum.bounce : sum.friction) +=
-        gain_x;
-    (touches(row.contact, Wall::top) || touches(row.contact, Wall::ground) ? sum.bounce : sum.friction) +=
-        gain_y;
-    sum.lift += model.gravity_px_per_s2 * (y.displacement_px - (row.y_px - from.y_px));
+    (touches_either(Wall::left, Wall::right) ? bounce : friction) +=
+        half_square_difference(row.vx_px_per_s, x.speed_px_per_s);
+    (touches_either(Wall::top, Wall::ground) ? bounce : friction) +=
+        half_square_difference(row.vy_px_per_s, y.speed_px_per_s);
+    lift += model.gravity_px_per_s2 * (y.displacement_px - (row.y_px - from.y_px));
   }
-  return sum;
+  return {energy_drift_px2_per_s2(scenario, run), lift, bounce, friction};
 }
 
 // Samples of one core, gathered fling by fling.
 struct FlingSamples {
-  std::vector<double> drift_px2_per_s2, lift_px2_per_s2, bounce_px2_per_s2, friction_px2_per_s2;
-  std::array<std::vector<double>, kExactSeconds> distance_px;
+  std::array<std::vector<double>, kEnergyCauseCount> energy_px2_per_s2;
+  std::array<std::vector<double>, kExactSeconds> exact_px;  // Distance after 1, 2, ... s.
 
   void add(const Scenario& scenario, CoreRun& run) {
-    drift_px2_per_s2.push_back(energy_drift_px2_per_s2(scenario, run));
-    const WallEnergy walls = wall_energy(run);
-    lift_px2_per_s2.push_back(walls.lift);
-    bounce_px2_per_s2.push_back(walls.bounce);
-    friction_px2_per_s2.push_back(walls.friction);
+    const EnergyByCause energy = energy_by_cause(scenario, run);
+    for (std::size_t cause = 0; cause < energy.size(); ++cause)
+      energy_px2_per_s2[cause].push_back(energy[cause]);
     run.extend(std::max<std::size_t>(run.rows.size(), kExactSeconds * kRate_hz + 1));
     ExactFling exact;
     exact.start(start_state(scenario), bounds_of(scenario.window, scenario.sprite));
-    for (std::int64_t second = 1; second <= kExactSeconds; ++second) {
-      const Row& row = run.rows[static_cast<std::size_t>(second * kRate_hz)];
-      distance_px[static_cast<std::size_t>(second - 1)].push_back(
-          hyrax::distance_px(exact.at(static_cast<double>(second)), state_of(row)));
-    }
+    for (std::size_t second = 1; second <= exact_px.size(); ++second)
+      exact_px[second - 1].push_back(
+          distance_px(exact.at(static_cast<double>(second)), state_of(run.rows[second * kRate_hz])));
   }
 };
-
-std::vector<double> sorted(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values;
-}
-
-bool is_same_run(const CoreRun& a, const CoreRun& b) {
-  return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
-                    [](const Row& x, const Row& y) { return same_bits(state_of(x), state_of(y)); });
-}
 
 // Its four numbers are draws 4 number .. 4 number + 3 of the seed.
 State random_fling(std::uint64_t seed, std::int64_t number) {
@@ -126,7 +117,7 @@ State random_fling(std::uint64_t seed, std::int64_t number) {
 
 }  // namespace
 
-void measure_flings(const ComparedCore& base, const ComparedCore& candidate, Card& card) {
+void measure_flings(const ComparedCores& cores, Card& card) {
   FlingLine& line = card.random;
   line.changed_contacts.of = card.flings;
   std::vector<double> shift_px, distances_px;
@@ -135,10 +126,10 @@ void measure_flings(const ComparedCore& base, const ComparedCore& candidate, Car
     const Scenario scenario =
         scenario_from(random_fling(card.seed, number), kWindow, kSprite, kRate_hz, kRate_hz * kDuration_s);
     const std::string place = place_of(card.seed, number);
-    CoreRun from = play_by(base.at(place), scenario);
-    CoreRun to = play_by(candidate.at(place), scenario);
-    if (!is_same_run(to, play_by(candidate.at(place), scenario)))
-      throw CoreRefused(candidate.number, "does not repeat: " + place + " played twice differs");
+    const auto played = [&](const ComparedCore& core) { return play_by(core.at(place), scenario); };
+    auto [from, to] = of_both(cores, played);
+    if (played(cores.after).hash != to.hash)
+      throw CoreRefused(cores.after.number, "does not repeat: " + place + " played twice differs");
     const RunChange change = compare_runs(scenario, from, to);
     line.classes.add(change);
     if (!change.contacts.is_none()) ++line.changed_contacts.count;
@@ -157,15 +148,12 @@ void measure_flings(const ComparedCore& base, const ComparedCore& candidate, Car
   }
   line.shift_px = band_of(shift_px);
   line.distance_px = band_of(distances_px);
-  line.distances_px = sorted(std::move(distances_px));
-  const auto bands = [&](const auto samples) {
-    return BeforeAfter<std::optional<Band>>{band_of(before.*samples), band_of(after.*samples)};
-  };
-  card.energy = {bands(&FlingSamples::drift_px2_per_s2), bands(&FlingSamples::lift_px2_per_s2),
-                 bands(&FlingSamples::bounce_px2_per_s2), bands(&FlingSamples::friction_px2_per_s2)};
-  for (std::size_t second = 0; second < static_cast<std::size_t>(kExactSeconds); ++second)
-    card.exact.push_back({static_cast<double>(second + 1),
-                          {band_of(before.distance_px[second]), band_of(after.distance_px[second])}});
+  line.distances_px = std::move(distances_px);
+  for (std::size_t cause = 0; cause < kEnergyCauseCount; ++cause)
+    card.energy_px2_per_s2[cause] = {band_of(before.energy_px2_per_s2[cause]),
+                                     band_of(after.energy_px2_per_s2[cause])};
+  for (std::size_t second = 0; second < before.exact_px.size(); ++second)
+    card.exact_px.push_back({band_of(before.exact_px[second]), band_of(after.exact_px[second])});
 }
 
 namespace {
@@ -183,8 +171,7 @@ std::optional<double> landing_x_px(const Core& core, const State& start, double 
 
 // On each display.
 using Landings = std::array<std::optional<double>, kLandingRates_hz.size()>;
-Landings landings_of(const ComparedCore& compared, const State& start, const std::string& place) {
-  const Core& core = compared.at(place + " on displays of 24 to 1000 Hz");
+Landings landings_of(const Core& core, const State& start) {
   Landings landings_px;
   std::transform(kLandingRates_hz.begin(), kLandingRates_hz.end(), landings_px.begin(),
                  [&](double rate_hz) { return landing_x_px(core, start, rate_hz); });
@@ -199,13 +186,13 @@ std::optional<double> spread_of(const Landings& landings_px) {
 
 }  // namespace
 
-DisplayLine measure_displays(const ComparedCore& base, const ComparedCore& candidate, std::uint64_t seed,
-                             std::int64_t flings) {
+DisplayLine measure_displays(const ComparedCores& cores, std::uint64_t seed, std::int64_t flings) {
   DisplayLine line{.flings = std::min(flings, kDisplayFlings)};
   for (std::int64_t number = 0; number < line.flings; ++number) {
-    const State start = random_fling(seed, number);
-    const Landings from = landings_of(base, start, place_of(seed, number));
-    const Landings to = landings_of(candidate, start, place_of(seed, number));
+    const auto [from, to] = of_both(cores, [&](const ComparedCore& core) {
+      return landings_of(core.at(place_of(seed, number) + " on displays of 24 to 1000 Hz"),
+                         random_fling(seed, number));
+    });
     for (std::size_t display = 0; display < from.size(); ++display)
       if (from[display] && to[display])
         line.distance_max_px = std::max(line.distance_max_px, std::fabs(*to[display] - *from[display]));
@@ -215,15 +202,13 @@ DisplayLine measure_displays(const ComparedCore& base, const ComparedCore& candi
     line.spreads_px.before.push_back(*before_px);
     line.spreads_px.after.push_back(*after_px);
   }
-  line.spreads_px = {sorted(std::move(line.spreads_px.before)), sorted(std::move(line.spreads_px.after))};
   line.spread_px = {band_of(line.spreads_px.before), band_of(line.spreads_px.after)};
   return line;
 }
 
-RestLine measure_rest(const ComparedCore& base, const ComparedCore& candidate) {
+RestLine measure_rest(const ComparedCores& cores) {
   constexpr double kHeight_px = 100.0;
-  const auto moved_px = [&](const ComparedCore& compared, double rate_hz) {
-    const Core& core = compared.at("a drop at " + std::to_string(static_cast<int>(rate_hz)) + " Hz");
+  const auto moved_px = [](const Core& core, double rate_hz) {
     const auto second = static_cast<std::int64_t>(rate_hz);
     State body{0.5 * kDesktop.right_px, kDesktop.bottom_px - kHeight_px, 0.0, 0.0};
     body = core.steps(body, 1.0 / rate_hz, kDesktop, (kDuration_s - 1) * second);
@@ -235,16 +220,15 @@ RestLine measure_rest(const ComparedCore& base, const ComparedCore& candidate) {
     }
     return high_px - low_px;
   };
-  RestLine line;
-  for (const double rate_hz : kLandingRates_hz) {
-    line.moved_px.before.push_back(moved_px(base, rate_hz));
-    line.moved_px.after.push_back(moved_px(candidate, rate_hz));
-  }
-  return line;
+  return {of_both(cores, [&](const ComparedCore& core) {
+    std::vector<double> all_px;
+    for (const double rate_hz : kLandingRates_hz)
+      all_px.push_back(moved_px(core.at(fmt::format("a drop at {:.0f} Hz", rate_hz)), rate_hz));
+    return all_px;
+  })};
 }
 
-CostLine measure_cost(const ComparedCore& base, const ComparedCore& candidate, std::uint64_t seed,
-                      const NanosecondClock& now_ns) {
+CostLine measure_cost(const ComparedCores& cores, std::uint64_t seed, const NanosecondClock& now_ns) {
   constexpr int kPairs = 40;
   constexpr int kFlings = 50;
   constexpr std::int64_t kSteps = 600;  // 10 s: flight, bounces and rest.
@@ -256,18 +240,17 @@ CostLine measure_cost(const ComparedCore& base, const ComparedCore& candidate, s
     return static_cast<double>(now_ns() - from_ns) / static_cast<double>(kFlings * kSteps);
   };
   std::vector<double> before_ns, after_ns, ratios;
-  for (const ComparedCore* const core : {&base, &candidate}) {
-    for (int number = 0; number < kFlings; ++number) {  // Counted: the fling is named if the core ends.
+  for (const ComparedCore* const core : {&cores.before, &cores.after}) {
+    for (int number = 0; number < kFlings; ++number)  // Counted: the fling is named if the core ends.
       used = core->at(place_of(seed, number))
                  .steps(random_fling(seed, number), 1.0 / kRate_hz, kDesktop, kSteps)
                  .x_px;
-    }
     sample_ns(*core);
   }
   for (int pair = 0; pair < kPairs; ++pair) {
     const bool is_base_first = pair % 2 == 0;
-    const double first_ns = sample_ns(is_base_first ? base : candidate);
-    const double second_ns = sample_ns(is_base_first ? candidate : base);
+    const double first_ns = sample_ns(is_base_first ? cores.before : cores.after);
+    const double second_ns = sample_ns(is_base_first ? cores.after : cores.before);
     before_ns.push_back(is_base_first ? first_ns : second_ns);
     after_ns.push_back(is_base_first ? second_ns : first_ns);
     ratios.push_back(after_ns.back() / before_ns.back());

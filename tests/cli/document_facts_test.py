@@ -254,7 +254,7 @@ def computed():
     unsteady, *parts = decided("sim/study/methods/cost.h", "kDriftMax_rel") + [
         float(each) for each in re.findall(r"quantile\(probes_ns, (0\.\d5)\)", text_of("sim/study/methods/cost.cpp"))]
     displays_hz = [float(each) for each in re.search(r"kLandingRates_hz = \{([\d., \n]*)\}", text_of("sim/study/display_rates.h"))[1].split(",")]
-    rates_hz = re.search(r"\{(20\.0, 24\.0, 25\.0[^}]*)\}", text_of("sim/study/hard_cases/hard_families_in_time.cpp"))[1].split(",")
+    rates_hz = re.search(r"\{(20\.0, 24\.0, 25\.0[^}]*)\}", text_of("sim/study/hard_cases/hard_families.cpp"))[1].split(",")
     return (
         (STUDIES, "It is {} px off after one second at {} Hz, and {} px at {} Hz", [round(ends_px[0], 2), 60, round(ends_px[1]), 7680]),
         (STUDIES, "so that after some {}\nsteps it is below {} px/s", [round(normal, -2), float(f"{sys.float_info.min:.1e}")]),

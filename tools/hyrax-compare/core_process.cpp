@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <memory>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -23,22 +24,13 @@ Failure cannot_start() {
           std::string("a process for cores cannot be started: ") + std::strerror(errno)};
 }
 
-// Memory that both processes have.
-class SharedWatch {
- public:
-  SharedWatch()
-      : memory_(mmap(nullptr, sizeof(PlayWatch), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
-    if (memory_ == MAP_FAILED) throw cannot_start();
-  }
-  SharedWatch(const SharedWatch&) = delete;
-  SharedWatch& operator=(const SharedWatch&) = delete;
-  ~SharedWatch() { munmap(memory_, sizeof(PlayWatch)); }
-
-  [[nodiscard]] PlayWatch& watch() const { return *static_cast<PlayWatch*>(memory_); }
-
- private:
-  void* memory_;
-};
+// In memory that both processes have.
+std::shared_ptr<PlayWatch> shared_watch() {
+  void* const memory =
+      mmap(nullptr, sizeof(PlayWatch), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw cannot_start();
+  return {static_cast<PlayWatch*>(memory), [](PlayWatch* watch) { munmap(watch, sizeof(PlayWatch)); }};
+}
 
 std::string refused_text(const BeforeAfter<std::string>& headers, int core, const std::string& reason) {
   return (core == 0 ? headers.before : headers.after) + ": refused: " + reason;
@@ -75,8 +67,8 @@ std::string end_text(int status, unsigned limit_s, const std::string& where) {
 std::string in_core_process(const BeforeAfter<std::string>& headers, unsigned limit_s,
                             const TemporaryFolder& folder,
                             const std::function<std::string(PlayWatch&)>& work) {
-  const SharedWatch shared;
-  PlayWatch& watch = shared.watch();
+  const std::shared_ptr<PlayWatch> shared = shared_watch();
+  PlayWatch& watch = *shared;
   const std::string name = "outcome";
   const pid_t child = fork_until_end();
   if (child < 0) throw cannot_start();

@@ -75,25 +75,8 @@ std::vector<NamedScenario> read_scenarios(const std::string& folder) {
   return scenarios;
 }
 
-std::vector<NamedScenario> in_folder(const std::vector<NamedScenario>& scenarios, const std::string& folder) {
-  std::vector<NamedScenario> found;
-  for (const NamedScenario& named : scenarios)
-    if (named.path.starts_with(folder + "/")) found.push_back(named);
-  return found;
-}
-
 std::int64_t steady_now_ns() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-CardRequest request_of(const Arguments& arguments) {
-  CardRequest request{.library = read_scenarios(arguments.scenarios),
-                      .seed = static_cast<std::uint64_t>(arguments.seed.value_or(1)),
-                      .flings = arguments.flings.value_or(1000),
-                      .now_ns = steady_now_ns};
-  request.recordings = in_folder(request.library, "recorded");
-  request.hard = in_folder(request.library, "hard");
-  return request;
 }
 
 // The hash of the library's rows by a core without a defect. ERRORS: CoreRefused.
@@ -118,7 +101,10 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
         .admit_file("hyrax-compare: --report", arguments.report, {".html"});
     require_page();
   }
-  CardRequest request = request_of(arguments);
+  CardRequest request{.library = read_scenarios(arguments.scenarios),
+                      .seed = static_cast<std::uint64_t>(arguments.seed.value_or(1)),
+                      .flings = arguments.flings.value_or(1000),
+                      .now_ns = steady_now_ns};
   const TemporaryFolder folder;
   auto base_made = std::async(std::launch::async, [&] {
     return has_base ? make_core(headers.before, folder, "base")
@@ -143,8 +129,8 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
   request.rows_hash.after =
       in_process([&](PlayWatch& watch) { return probed(candidate, 1, request, watch); });
   print_text(in_process([&](PlayWatch& watch) {
-    const ComparedCore from = load_core(base, 0, watch);
-    const Result card = card_result(measure_card(from, load_core(candidate, 1, watch), request));
+    const ComparedCores cores{load_core(base, 0, watch), load_core(candidate, 1, watch)};
+    const Result card = card_result(measure_card(cores, request));
     if (!arguments.report.empty())
       write_result_page(arguments.report, command, {result_json(shown_card(card, headers))});
     return (arguments.is_json ? card_json : card_text)(card, headers);

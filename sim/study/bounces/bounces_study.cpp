@@ -10,6 +10,7 @@
 #include "sim/result/estimate.h"
 #include "sim/study/bounces/bounces.h"
 #include "sim/study/methods/many_flings.h"
+#include "sim/study/study_table.h"
 
 namespace hyrax {
 namespace {
@@ -48,65 +49,43 @@ std::vector<KeptAtRate> by_rate(const std::vector<KeptEnergy>& kept) {
 }
 
 template <class Record>
-Column bounce_method_column(const std::vector<Record>& records) {
-  return column_of("method", "", "method", records,
-                   [](const Record& each) { return kBounceMethods[index_of(each.method)]; });
-}
-template <class Record>
-Column bounce_rate_column(const std::vector<Record>& records) {
-  return column_of("rate", "Hz", "display rate; 0: without frames", records, &Record::rate_hz);
+StudyTable<std::vector<Record>> energy_table(const std::string& name, const std::string& long_name,
+                                             const std::vector<Record>& records) {
+  StudyTable<std::vector<Record>> table(name, long_name, records);
+  return table
+      .add("method", "", "method", [](const Record& each) { return kBounceMethods[index_of(each.method)]; })
+      .add("rate", "Hz", "display rate; 0: without frames", &Record::rate_hz);
 }
 
 Table throw_table(const std::vector<KeptEnergy>& kept) {
-  return {"throws",
-          "energy of bounces without loss, in parts of that at the start",
-          {bounce_method_column(kept), bounce_rate_column(kept),
-           column_of("throw", "1", "number of the throw", kept, &KeptEnergy::number),
-           column_of("speed", "px/s", "speed at the start", kept, &KeptEnergy::speed_px_per_s),
-           column_of("minute", "1", "after a minute", kept, &KeptEnergy::minute),
-           column_of("ten_minutes", "1", "after ten minutes", kept, &KeptEnergy::ten_minutes)}};
+  return energy_table("throws", "energy of bounces without loss, in parts of that at the start", kept)
+      .add("throw", "1", "number of the throw", &KeptEnergy::number)
+      .add("speed", "px/s", "speed at the start", &KeptEnergy::speed_px_per_s)
+      .add("minute", "1", "after a minute", &KeptEnergy::minute)
+      .add("ten_minutes", "1", "after ten minutes", &KeptEnergy::ten_minutes);
 }
 
+using OneRate = const KeptAtRate&;
+
 Table rate_table(const std::vector<KeptAtRate>& rates) {
-  const auto part = [&](const std::string& name, const std::string& what, Band KeptAtRate::*band,
-                        double Band::*value) {
-    return column_of(name, "1", what, rates, [=](const KeptAtRate& each) { return each.*band.*value; });
-  };
-  return {
-      "rates",
-      "the same over all throws",
-      {bounce_method_column(rates), bounce_rate_column(rates),
-       part("minute", "after a minute, median", &KeptAtRate::minute, &Band::median),
-       part("minute_low", "after a minute, 10 %", &KeptAtRate::minute, &Band::low),
-       part("minute_high", "after a minute, 90 %", &KeptAtRate::minute, &Band::high),
-       part("ten_minutes", "after ten minutes, median", &KeptAtRate::ten_minutes, &Band::median),
-       part("ten_minutes_low", "after ten minutes, 10 %", &KeptAtRate::ten_minutes, &Band::low),
-       part("ten_minutes_high", "after ten minutes, 90 %", &KeptAtRate::ten_minutes, &Band::high),
-       column_of("about_kept", "1", "throws with half to twice their energy after ten minutes", rates,
-                 [](const KeptAtRate& each) { return each.about_kept.count; }),
-       column_of("throws", "1", "played", rates, [](const KeptAtRate& each) { return each.about_kept.of; }),
-       column_of("seed", "1", "of the throws", rates, [](const KeptAtRate&) { return kFlingSeed; })}};
+  return energy_table("rates", "the same over all throws", rates)
+      .add_band("minute", "1", "after a minute", &KeptAtRate::minute, "minute")
+      .add_band("ten_minutes", "1", "after ten minutes", &KeptAtRate::ten_minutes, "ten_minutes")
+      .add("about_kept", "1", "throws with half to twice their energy after ten minutes",
+           [](OneRate each) { return each.about_kept.count; })
+      .add("throws", "1", "played", [](OneRate each) { return each.about_kept.of; })
+      .add("seed", "1", "of the throws", [](OneRate) { return kFlingSeed; });
 }
 
 Table shown_rates(const std::vector<KeptAtRate>& rates) {
-  const auto band = [&](const std::string& name, Band KeptAtRate::*of) {
-    return column_of(name, "", "", rates, [of](const KeptAtRate& each) {
-      const Band& shown = each.*of;
-      return fmt::format("{:.3f} ({:.3f} .. {:.3f})", shown.median, shown.low, shown.high);
-    });
-  };
-  return {"rates",
-          "",
-          {column_of("method", "", "", rates,
-                     [](const KeptAtRate& each) { return kBounceMethodTexts[index_of(each.method)]; }),
-           column_of("rate,_Hz", "", "", rates,
-                     [](const KeptAtRate& each) {
-                       return each.rate_hz == 0.0 ? "-" : fmt::format("{:g}", each.rate_hz);
-                     }),
-           band("after_a_minute", &KeptAtRate::minute), band("after_ten_minutes", &KeptAtRate::ten_minutes),
-           column_of("half_to_twice", "", "", rates, [](const KeptAtRate& each) {
-             return fmt::format("{} of {}", each.about_kept.count, each.about_kept.of);
-           })}};
+  return StudyTable("rates", "", rates)
+      .add("method", "", "", [](OneRate each) { return kBounceMethodTexts[index_of(each.method)]; })
+      .add("rate,_Hz", "", "",
+           [](OneRate each) { return each.rate_hz == 0.0 ? "-" : fmt::format("{:g}", each.rate_hz); })
+      .add("after_a_minute", "", "", [](OneRate each) { return interval_text(each.minute, 3); })
+      .add("after_ten_minutes", "", "", [](OneRate each) { return interval_text(each.ten_minutes, 3); })
+      .add("half_to_twice", "", "",
+           [](OneRate each) { return fmt::format("{} of {}", each.about_kept.count, each.about_kept.of); });
 }
 
 // Nothing where a method did not play at 60 Hz.
@@ -123,10 +102,8 @@ std::string nearer_text(const std::vector<KeptEnergy>& kept) {
   Share nearer;
   for (std::size_t number = 0; number < paper.size(); ++number)
     nearer.add(std::fabs(paper[number].ten_minutes - 1.0) < std::fabs(euler[number].ten_minutes - 1.0));
-  return fmt::format(
-      "At 60 Hz the paper's step ends nearer to the energy at the start than explicit Euler in {} of {} "
-      "throws ({:.0f} .. {:.0f} %).",
-      nearer.count, nearer.of, 100.0 * nearer.low(), 100.0 * nearer.high());
+  return "At 60 Hz the paper's step ends nearer to the energy at the start than explicit Euler in " +
+         share_text(nearer, "throws") + ".";
 }
 
 Figure kept_figure(const std::vector<KeptEnergy>& kept) {

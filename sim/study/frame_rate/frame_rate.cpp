@@ -24,14 +24,9 @@ Clock clock_of(DisplayClock kind, double rate_hz) {
   return clock;
 }
 
-struct PlayedFling {
-  Landing landing;
-  State end;
-};
-
 // Plays one fling to its end, frame by frame. Points of the path go into `path`, unless it is null.
-PlayedFling play_fling(const Core& core, const MethodKind& kind, Landing landing, const State& start,
-                       const Clock& clock, std::int64_t frame_count, std::vector<FanPoint>* path = nullptr) {
+Landing play_fling(const Core& core, const MethodKind& kind, Landing landing, const State& start,
+                   const Clock& clock, std::int64_t frame_count, std::vector<FanPoint>* path = nullptr) {
   const std::unique_ptr<Method> method = kind.make();
   method->start(start, kDesktop, false);
   const FrameClock frames(clock);
@@ -60,10 +55,10 @@ PlayedFling play_fling(const Core& core, const MethodKind& kind, Landing landing
       next_point_s = time.time_s() + 1.0 / 61.0;
     }
   }
-  landing.x_px = now.x_px;
+  landing.end = now;
   landing.time_s = rest.t_s;
   landing.is_core = landing.method != 0 || same_bits(now, by_core);
-  return {landing, now};
+  return landing;
 }
 
 // Flings of one method under one clock, on every display.
@@ -81,43 +76,19 @@ class DisplayFlings {
       exact_px_.push_back(exact_place_px(random.start(number)));
   }
 
-  void play(const MethodKind& kind, std::size_t method, DisplayClock clock) {
+  /// Returns, by fling, the spread of the places where it settles over all rates.
+  std::vector<double> play(const MethodKind& kind, std::size_t method, DisplayClock clock) {
     landings_.clear();
-    for (const double rate_hz : rates_hz_) {
-      Landing landing{.method = method, .clock = clock, .rate_hz = rate_hz};
-      const ManyFlings flings(clock_of(clock, rate_hz), kUntil_s, flings_);
-      play_drawn(kind, landing, flings);
-      const std::vector<MemberResult> by_core =
-          method == 0 ? flings.play(core_) : std::vector<MemberResult>();
-      for (std::int64_t number = 0; number < flings_; ++number) {
-        landing.fling = number + 1;
-        landings_.push_back(by_core.empty() ? play_fling(core_, kind, landing, flings.start(number),
-                                                         flings.clock(number), flings.frames())
-                                                  .landing
-                                            : core_landing(kind, landing, flings, number,
-                                                           by_core[static_cast<std::size_t>(number)]));
-      }
-    }
+    for (const double rate_hz : rates_hz_)
+      play_display(kind, {.method = method, .clock = clock, .rate_hz = rate_hz});
     for (Landing& landing : landings_)
-      landing.off_px = std::fabs(landing.x_px - exact_px_[static_cast<std::size_t>(landing.fling)]);
+      landing.off_px = std::fabs(landing.end.x_px - exact_px_[static_cast<std::size_t>(landing.fling)]);
     study_.landings.insert(study_.landings.end(), landings_.begin(), landings_.end());
-    study_.scores.push_back(independence(method, clock));
     for (std::size_t rate = 0; rate < rates_hz_.size(); ++rate)
       study_.shifts.push_back(shift(method, clock, rate));
-  }
-
-  /// By fling: the spread of the places where it settles over all rates.
-  [[nodiscard]] std::vector<double> spreads_px() const {
-    std::vector<double> spreads_px;
-    for (std::int64_t fling = 0; fling <= flings_; ++fling) {
-      double least_px = HUGE_VAL, most_px = -HUGE_VAL;
-      for (std::size_t rate = 0; rate < rates_hz_.size(); ++rate) {
-        least_px = std::min(least_px, at(rate, fling).x_px);
-        most_px = std::max(most_px, at(rate, fling).x_px);
-      }
-      spreads_px.push_back(most_px - least_px);
-    }
-    return spreads_px;
+    std::vector<double> spreads = spreads_px();
+    study_.scores.push_back(independence(method, clock, spreads));
+    return spreads;
   }
 
  private:
@@ -127,27 +98,43 @@ class DisplayFlings {
     return exact.at(kUntil_s).x_px;
   }
 
-  void play_drawn(const MethodKind& kind, const Landing& landing, const ManyFlings& flings) {
+  // The drawn fling, then the random ones.
+  void play_display(const MethodKind& kind, Landing landing) {
+    const ManyFlings flings(clock_of(landing.clock, landing.rate_hz), kUntil_s, flings_);
     const bool has_path = landing.clock == DisplayClock::steady &&
                           std::ranges::find(kPathRates_hz, landing.rate_hz) != kPathRates_hz.end();
     landings_.push_back(play_fling(core_, kind, landing, kDrawnFling, flings.clock(0), flings.frames(),
-                                   has_path ? &study_.paths : nullptr)
-                            .landing);
+                                   has_path ? &study_.paths : nullptr));
+    const bool is_paper = landing.method == 0;
+    const std::vector<MemberResult> by_core = is_paper ? flings.play(core_) : std::vector<MemberResult>();
+    for (std::int64_t number = 0; number < flings_; ++number) {
+      landing.fling = number + 1;
+      Landing& played = landings_.emplace_back(landing);
+      // The core's at the rate nearest to 60 Hz, too: for its path, and to see that both agree.
+      const bool is_stepped = !is_paper || landing.rate_hz == rates_hz_[near_60_];
+      if (is_stepped)
+        played =
+            play_fling(core_, kind, landing, flings.start(number), flings.clock(number), flings.frames());
+      if (!is_paper) continue;
+      const MemberResult& member = by_core[static_cast<std::size_t>(number)];
+      if (is_stepped) played.is_core &= same_bits(played.end, member.final);
+      played.end = member.final;
+      played.time_s = std::isnan(member.at_rest_since_s) ? kUntil_s : member.at_rest_since_s;
+      played.contacts = member.contacts;
+    }
   }
 
-  // At the rate nearest to 60 Hz it is played step by step, too: for its path, and to see that both agree.
-  [[nodiscard]] Landing core_landing(const MethodKind& kind, Landing landing, const ManyFlings& flings,
-                                     std::int64_t number, const MemberResult& by_core) const {
-    if (landing.rate_hz == rates_hz_[near_60_]) {
-      const PlayedFling played =
-          play_fling(core_, kind, landing, flings.start(number), flings.clock(number), flings.frames());
-      landing = played.landing;
-      landing.is_core &= same_bits(played.end, by_core.final);
+  [[nodiscard]] std::vector<double> spreads_px() const {
+    std::vector<double> spreads_px;
+    for (std::int64_t fling = 0; fling <= flings_; ++fling) {
+      double least_px = HUGE_VAL, most_px = -HUGE_VAL;
+      for (std::size_t rate = 0; rate < rates_hz_.size(); ++rate) {
+        least_px = std::min(least_px, at(rate, fling).end.x_px);
+        most_px = std::max(most_px, at(rate, fling).end.x_px);
+      }
+      spreads_px.push_back(most_px - least_px);
     }
-    landing.x_px = by_core.final.x_px;
-    landing.time_s = std::isnan(by_core.at_rest_since_s) ? kUntil_s : by_core.at_rest_since_s;
-    landing.contacts = by_core.contacts;
-    return landing;
+    return spreads_px;
   }
 
   [[nodiscard]] const Landing& at(std::size_t rate, std::int64_t fling) const {
@@ -161,9 +148,9 @@ class DisplayFlings {
     return here != there;
   }
 
-  [[nodiscard]] Independence independence(std::size_t method, DisplayClock clock) const {
+  [[nodiscard]] Independence independence(std::size_t method, DisplayClock clock,
+                                          const std::vector<double>& spreads) const {
     Independence result{.method = method, .clock = clock};
-    const std::vector<double> spreads = spreads_px();
     const auto count = static_cast<double>(spreads.size());
     for (std::int64_t fling = 0; fling <= flings_; ++fling) {
       result.spread_px += spreads[static_cast<std::size_t>(fling)] / count;
@@ -181,7 +168,7 @@ class DisplayFlings {
     DisplayShift result{.method = method, .clock = clock, .rate_hz = rates_hz_[rate]};
     std::vector<double> shifts_px, offs_px;
     for (std::int64_t fling = 0; fling <= flings_; ++fling) {
-      shifts_px.push_back(std::fabs(at(rate, fling).x_px - near_60(fling).x_px));
+      shifts_px.push_back(std::fabs(at(rate, fling).end.x_px - near_60(fling).end.x_px));
       offs_px.push_back(at(rate, fling).off_px);
       result.other_contacts.add(has_other_contacts(rate, fling));
     }
@@ -208,9 +195,8 @@ FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rat
   std::array<std::vector<double>, kDisplayClockNames.size()> spreads_by_paper_px;
   for (std::size_t method = 0; method < kFrameRateMethods.size(); ++method)
     for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock) {
-      displays.play(*std::ranges::find(kinds, kFrameRateMethods[method], &MethodKind::name), method,
-                    static_cast<DisplayClock>(clock));
-      const std::vector<double> spreads_px = displays.spreads_px();
+      const MethodKind& kind = *std::ranges::find(kinds, kFrameRateMethods[method], &MethodKind::name);
+      const std::vector<double> spreads_px = displays.play(kind, method, static_cast<DisplayClock>(clock));
       if (method == 0)
         spreads_by_paper_px[clock] = spreads_px;
       else

@@ -33,7 +33,7 @@ struct Landing {
   DisplayClock clock = DisplayClock::steady;
   double rate_hz = 0.0;
   std::int64_t fling = 0;  ///< 0 is the one that is drawn; the others are random (ManyFlings).
-  double x_px = 0.0;       ///< Where it settles.
+  State end = {};          ///< Where it settles.
   double off_px = 0.0;     ///< Distance of that place from the one where the exact fling settles.
   double time_s = 0.0;     ///< Since when it has stayed there within half a pixel.
   /// Length of its path; NaN where the fling is played by sim/ensemble, which keeps no path: a random one by

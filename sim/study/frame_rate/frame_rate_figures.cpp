@@ -38,7 +38,7 @@ Figure landing_figure(const FrameRateStudy& study) {
       series.look.tone = kMethodTones[method];
       for (const Landing& landing : drawn_landings(study, method, static_cast<DisplayClock>(clock))) {
         series.x.push_back(landing.rate_hz);
-        series.y.push_back(landing.x_px);
+        series.y.push_back(landing.end.x_px);
       }
       plot.series.push_back(std::move(series));
     }

@@ -7,6 +7,7 @@
 #include "sim/study/display_rates.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/study.h"
+#include "sim/study/study_table.h"
 
 namespace hyrax {
 namespace {
@@ -15,129 +16,101 @@ std::string_view clock_name(DisplayClock clock) {
   return kDisplayClockNames[static_cast<std::size_t>(clock)];
 }
 
+// With columns of what each record is about: its method and, if it has them, clock and display rate.
 template <class Record>
-Column method_column(const std::vector<Record>& records) {
-  return column_of("method", "", "method", records,
-                   [](const Record& record) { return kFrameRateMethods[record.method]; });
+StudyTable<std::vector<Record>> table_by_method(const std::string& name, const std::string& long_name,
+                                                const std::vector<Record>& records) {
+  StudyTable<std::vector<Record>> table(name, long_name, records);
+  table.add("method", "", "method", [](const Record& record) { return kFrameRateMethods[record.method]; });
+  if constexpr (requires { &Record::clock; })
+    table.add("clock", "", "the display's clock",
+              [](const Record& record) { return clock_name(record.clock); });
+  if constexpr (requires { &Record::rate_hz; }) table.add("rate", "Hz", "display rate", &Record::rate_hz);
+  return table;
 }
-template <class Record>
-Column clock_column(const std::vector<Record>& records) {
-  return column_of("clock", "", "the display's clock", records,
-                   [](const Record& record) { return clock_name(record.clock); });
-}
-template <class Record>
-Column rate_column(const std::vector<Record>& records) {
-  return column_of("rate", "Hz", "display rate", records, &Record::rate_hz);
-}
+
 Table landing_table(const std::vector<Landing>& landings) {
-  return {
-      "landings",
-      "where and when flings settle, and after which distance",
-      {method_column(landings), clock_column(landings), rate_column(landings),
-       column_of("fling", "1", "number of the fling; 0 is the one that is drawn", landings, &Landing::fling),
-       column_of("x", "px", "where it settles", landings, &Landing::x_px),
-       column_of("time", "s", "since when it has been within half a pixel of that place", landings,
-                 &Landing::time_s),
-       column_of("off", "px", "distance from where the exact fling settles", landings, &Landing::off_px),
-       column_of("path", "px", "length of the path, of the drawn fling and near 60 Hz by the paper's step",
-                 landings, &Landing::path_px),
-       column_of("across", "px", "horizontal part of the path", landings, &Landing::across_px)}};
+  return table_by_method("landings", "where and when flings settle, and after which distance", landings)
+      .add("fling", "1", "number of the fling; 0 is the one that is drawn", &Landing::fling)
+      .add("x", "px", "where it settles", [](const Landing& landing) { return landing.end.x_px; })
+      .add("time", "s", "since when it has been within half a pixel of that place", &Landing::time_s)
+      .add("off", "px", "distance from where the exact fling settles", &Landing::off_px)
+      .add("path", "px", "length of the path, of the drawn fling and near 60 Hz by the paper's step",
+           &Landing::path_px)
+      .add("across", "px", "horizontal part of the path", &Landing::across_px);
 }
 
 Table path_table(const std::vector<FanPoint>& paths) {
-  return {"paths",
-          "the drawn fling at some rates",
-          {method_column(paths), rate_column(paths), column_of("t", "s", "time", paths, &FanPoint::t_s),
-           column_of("x", "px", "position", paths, &FanPoint::x_px),
-           column_of("y", "px", "position", paths, &FanPoint::y_px)}};
+  return table_by_method("paths", "the drawn fling at some rates", paths)
+      .add("t", "s", "time", &FanPoint::t_s)
+      .add("x", "px", "position", &FanPoint::x_px)
+      .add("y", "px", "position", &FanPoint::y_px);
 }
 
 Table score_table(const std::string& name, const std::vector<Independence>& scores) {
-  return {name,
-          "frame-rate independence",
-          {method_column(scores), clock_column(scores),
-           column_of("spread", "px", "spread of the places where a fling settles over all rates, mean",
-                     scores, &Independence::spread_px),
-           column_of("way", "px", "horizontal path of a fling at 60 Hz, mean", scores, &Independence::way_px),
-           column_of("score", "1", "100 (1 - spread / way), at least 0", scores, &Independence::score),
-           column_of("spread_median", "px", "spread of a fling, median", scores,
-                     [](const Independence& score) { return score.spreads_px.median; }),
-           column_of("spread_low", "px", "spread of a fling, 10 %", scores,
-                     [](const Independence& score) { return score.spreads_px.low; }),
-           column_of("spread_high", "px", "spread of a fling, 90 %", scores,
-                     [](const Independence& score) { return score.spreads_px.high; }),
-           column_of("flings", "1", "played", scores,
-                     [](const Independence& score) { return score.spreads_px.samples; }),
-           column_of("seed", "1", "of the flings", scores, [](const Independence&) { return kFlingSeed; }),
-           column_of("other_contacts", "1",
-                     "flings that meet a side wall or the top another number of times at some rate", scores,
-                     [](const Independence& score) { return score.other_contacts.count; })}};
+  using S = const Independence&;
+  return table_by_method(name, "frame-rate independence", scores)
+      .add("spread", "px", "spread of the places where a fling settles over all rates, mean",
+           &Independence::spread_px)
+      .add("way", "px", "horizontal path of a fling at 60 Hz, mean", &Independence::way_px)
+      .add("score", "1", "100 (1 - spread / way), at least 0", &Independence::score)
+      .add_band("spread", "px", "spread of a fling", &Independence::spreads_px, "spread_median")
+      .add("flings", "1", "played", [](S score) { return score.spreads_px.samples; })
+      .add("seed", "1", "of the flings", [](S) { return kFlingSeed; })
+      .add("other_contacts", "1",
+           "flings that meet a side wall or the top another number of times at some rate",
+           [](S score) { return score.other_contacts.count; });
 }
 
 Table shift_table(const std::vector<DisplayShift>& shifts) {
   using S = const DisplayShift&;
-  const auto part_of = [&](Band DisplayShift::*band, const std::string& name, const std::string& what,
-                           double Band::*part) {
-    return column_of(name, "px", what, shifts, [band, part](S s) { return s.*band.*part; });
-  };
-  constexpr auto kShift = &DisplayShift::shift_px, kOff = &DisplayShift::off_px;
-  return {"shifts",
-          "distance from where the same fling settles at 60 Hz, and from where the exact fling does",
-          {method_column(shifts), clock_column(shifts), rate_column(shifts),
-           part_of(kShift, "shift_median", "from 60 Hz, median", &Band::median),
-           part_of(kShift, "shift_low", "from 60 Hz, 10 %", &Band::low),
-           part_of(kShift, "shift_high", "from 60 Hz, 90 %", &Band::high),
-           part_of(kOff, "off_median", "from the exact fling, median", &Band::median),
-           part_of(kOff, "off_low", "from the exact fling, 10 %", &Band::low),
-           part_of(kOff, "off_high", "from the exact fling, 90 %", &Band::high),
-           column_of("flings", "1", "played", shifts, [](S s) { return s.other_contacts.of; }),
-           column_of("other_contacts", "1", "flings that meet a side wall or the top another number of times",
-                     shifts, [](S s) { return s.other_contacts.count; }),
-           column_of("other_contacts_share_low", "1", "95 % interval of their share", shifts,
-                     [](S s) { return s.other_contacts.low(); }),
-           column_of("other_contacts_share_high", "1", "95 % interval of their share", shifts,
-                     [](S s) { return s.other_contacts.high(); })}};
+  return table_by_method(
+             "shifts",
+             "distance from where the same fling settles at 60 Hz, and from where the exact fling does",
+             shifts)
+      .add_band("shift", "px", "from 60 Hz", &DisplayShift::shift_px, "shift_median")
+      .add_band("off", "px", "from the exact fling", &DisplayShift::off_px, "off_median")
+      .add("flings", "1", "played", [](S s) { return s.other_contacts.of; })
+      .add("other_contacts", "1", "flings that meet a side wall or the top another number of times",
+           [](S s) { return s.other_contacts.count; })
+      .add("other_contacts_share_low", "1", "95 % interval of their share",
+           [](S s) { return s.other_contacts.low(); })
+      .add("other_contacts_share_high", "1", "95 % interval of their share",
+           [](S s) { return s.other_contacts.high(); });
 }
 
 // As printed: by the paper's step and by time, every frame the same.
 Table shown_shifts(const FrameRateStudy& study) {
-  std::array<std::vector<DisplayShift>, kFrameRateMethods.size()> steady;
-  for (const DisplayShift& shift : study.shifts)
-    if (shift.clock == DisplayClock::steady) steady[shift.method].push_back(shift);
-  Table table{"shifts", "", {rate_column(steady[0])}};
   using S = const DisplayShift&;
-  for (std::size_t method = 0; method < steady.size(); ++method) {
-    const std::string name = method == 0 ? "paper" : "by_time";
-    for (const auto& [what, band] : {std::pair("_off_60_Hz,_px", &DisplayShift::shift_px),
-                                     std::pair("_off_exact,_px", &DisplayShift::off_px)})
-      table.columns.push_back(column_of(name + what, "", "", steady[method], [band = band](S s) {
-        return fmt::format("{:.0f} ({:.0f} .. {:.0f})", (s.*band).median, (s.*band).low, (s.*band).high);
-      }));
-    table.columns.push_back(column_of(name + "_other_contacts_in", "", "", steady[method], [](S s) {
-      return fmt::format("{} of {}", s.other_contacts.count, s.other_contacts.of);
-    }));
+  Table table{"shifts", "", {}};
+  for (const auto& [method, name] : {std::pair(std::size_t{0}, std::string("paper")), {1, "by_time"}}) {
+    std::vector<DisplayShift> steady;
+    for (const DisplayShift& shift : study.shifts)
+      if (shift.clock == DisplayClock::steady && shift.method == method) steady.push_back(shift);
+    if (method == 0)
+      table.columns = {column_of("rate", "Hz", "display rate", steady, &DisplayShift::rate_hz)};
+    const auto add = [&, name = name](const std::string& what, const auto& text) {
+      table.columns.push_back(column_of(name + what, "", "", steady, text));
+    };
+    add("_off_60_Hz,_px", [](S s) { return interval_text(s.shift_px); });
+    add("_off_exact,_px", [](S s) { return interval_text(s.off_px); });
+    add("_other_contacts_in",
+        [](S s) { return fmt::format("{} of {}", s.other_contacts.count, s.other_contacts.of); });
   }
   return table;
 }
 
 Table shown_scores(const std::vector<Independence>& scores) {
-  return {"scores",
-          "",
-          {method_column(scores), clock_column(scores),
-           column_of("spread,_px", "", "", scores,
-                     [](const Independence& score) {
-                       return fmt::format("{:.0f} ({:.0f} .. {:.0f})", score.spreads_px.median,
-                                          score.spreads_px.low, score.spreads_px.high);
-                     }),
-           column_of("path", "px", "", scores, &Independence::way_px),
-           column_of("score", "1", "", scores, &Independence::score)}};
+  return table_by_method("scores", "", scores)
+      .add("spread,_px", "", "", [](const Independence& score) { return interval_text(score.spreads_px); })
+      .add("path", "px", "", &Independence::way_px)
+      .add("score", "1", "", &Independence::score);
 }
 
 // "every frame the same: drag and friction by time spread less in 118 of 121 flings (93 .. 99 %)".
 std::string steadier_text(std::size_t clock, const Share& steadier) {
-  return fmt::format("{}: drag and friction by time spread less in {} of {} flings ({:.0f} .. {:.0f} %)",
-                     kClockTexts[clock], steadier.count, steadier.of, 100.0 * steadier.low(),
-                     100.0 * steadier.high());
+  return fmt::format("{}: drag and friction by time spread less in {}", kClockTexts[clock],
+                     share_text(steadier, "flings"));
 }
 
 // The members of the JSON document: of the landings, those of the drawn fling.
@@ -152,14 +125,14 @@ std::vector<Table> summary_of(const FrameRateStudy& study) {
 }
 
 Verdict verdict_of(const FrameRateStudy& study) {
-  const std::vector<Landing> paper = drawn_landings(study, 0, DisplayClock::steady);
-  const std::vector<Landing> by_time = drawn_landings(study, 1, DisplayClock::steady);
-  Table landings{"displays", "", {rate_column(paper)}};
-  for (const auto& [name, records] : {std::pair{"paper", &paper}, std::pair{"by_time", &by_time}}) {
-    const std::string prefix = std::string(name) + "_";
-    landings.columns.push_back(column_of(prefix + "settles_at", "px", "", *records, &Landing::x_px, 5));
-    landings.columns.push_back(column_of(prefix + "after", "s", "", *records, &Landing::time_s, 3));
-    landings.columns.push_back(column_of(prefix + "path", "px", "", *records, &Landing::path_px));
+  Table landings{"displays", "", {}};
+  for (const auto& [method, name] : {std::pair(std::size_t{0}, std::string("paper")), {1, "by_time"}}) {
+    const std::vector<Landing> drawn = drawn_landings(study, method, DisplayClock::steady);
+    if (method == 0) landings.columns = {column_of("rate", "Hz", "display rate", drawn, &Landing::rate_hz)};
+    landings.columns.push_back(column_of(
+        name + "_settles_at", "px", "", drawn, [](const Landing& l) { return l.end.x_px; }, 5));
+    landings.columns.push_back(column_of(name + "_after", "s", "", drawn, &Landing::time_s, 3));
+    landings.columns.push_back(column_of(name + "_path", "px", "", drawn, &Landing::path_px));
   }
   Verdict verdict{
       {"frame-rate: one fling on every display, by the paper's step and with drag and friction by time",

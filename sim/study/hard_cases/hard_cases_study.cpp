@@ -1,6 +1,7 @@
 // `hyrax-sim study hard-cases`: its tables, figure and verdict.
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -8,16 +9,62 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_case.h"
 #include "sim/study/study.h"
+#include "sim/study/study_table.h"
 
 namespace hyrax {
 namespace {
 
-// As files and JSON have it.
-std::string_view name_of(CaseVerdict verdict) {
-  constexpr std::array<std::string_view, 4> kNames = {"held", "finding", "broken", "finding gone"};
-  return kNames[static_cast<std::size_t>(verdict)];
+// As files and JSON have them.
+constexpr std::array<std::string_view, 4> kVerdictNames = {"held", "finding", "broken", "finding gone"};
+
+// One invariant that was checked in one case. Refers to the case.
+struct Judgement {
+  Judgement(const PlayedCase& in_case, Invariant judged)
+      : played(&in_case), invariant(judged), verdict(judge(in_case, judged)) {}
+
+  const PlayedCase* played;
+  Invariant invariant;
+  CaseVerdict verdict;
+
+  [[nodiscard]] const InvariantText& text() const {
+    return kInvariantTexts[static_cast<std::size_t>(invariant)];
+  }
+  [[nodiscard]] const InvariantMeasure& measure() const {
+    return played->measures[static_cast<std::size_t>(invariant)];
+  }
+};
+
+// Every invariant that was checked, case by case.
+std::vector<Judgement> judgements_of(std::span<const PlayedCase> cases) {
+  std::vector<Judgement> judgements;
+  for (const PlayedCase& played : cases)
+    for (std::size_t index = 0; index < kInvariantCount; ++index)
+      if (played.measures[index].is_checked) judgements.emplace_back(played, static_cast<Invariant>(index));
+  return judgements;
 }
 
+// One invariant over many cases.
+struct InvariantCount {
+  std::int64_t cases = 0;
+  std::int64_t held = 0;
+  std::int64_t expected_failures = 0;
+  std::int64_t broken = 0;       // With the expected failures that did not occur.
+  double slack = kNotGiven;      // The smallest of the cases in which it held.
+  std::string least_slack_case;  // The first one with that slack.
+
+  void add(const Judgement& judgement) {
+    ++cases;
+    const double slack_here = judgement.measure().slack;
+    if (judgement.verdict == CaseVerdict::expected_failure)
+      ++expected_failures;
+    else if (judgement.verdict != CaseVerdict::held)
+      ++broken;
+    else if (++held == 1 || slack_here < slack) {
+      slack = slack_here;
+      least_slack_case = judgement.played->hard_case.name;
+    }
+  }
+};
 std::vector<HardCase> cases_of(const StudyRequest& request) {
   std::vector<HardCase> cases;
   for (const NamedScenario& named : request.scenarios)
@@ -33,51 +80,45 @@ std::vector<PlayedCase> play(std::vector<HardCase> cases, const StudyRequest& re
   for (const HardCase& hard_case : cases) steps += step_count(hard_case.scenario);
   std::vector<PlayedCase> played;
   for (HardCase& hard_case : cases) {
-    const HardCaseResult result = play_hard_case(request.core, hard_case, [&](std::int64_t checked) {
+    const std::int64_t more = step_count(hard_case.scenario);
+    played.push_back(play_hard_case(request.core, std::move(hard_case), [&](std::int64_t checked) {
       if (request.report_progress) request.report_progress("steps", done + checked, steps);
-    });
-    done += step_count(hard_case.scenario);
-    played.push_back({std::move(hard_case), result});
+    }));
+    done += more;
   }
   return played;
 }
 
 Table verdict_table(const std::vector<Judgement>& judgements) {
   using J = const Judgement&;
-  return {"verdicts",
-          "every case against every invariant that was checked in it",
-          {column_of("case", "", "case", judgements, [](J j) { return j.played->hard_case.name; }),
-           column_of("invariant", "", "what must hold", judgements, [](J j) { return j.text().name; }),
-           column_of("verdict", "", "held, finding (an expected failure), broken, or finding gone (it holds)",
-                     judgements, [](J j) { return name_of(j.verdict); }),
-           column_of("margin", "", "smallest margin to the bound, below 0 if broken", judgements,
-                     [](J j) { return j.measure().slack; }),
-           column_of("margin_unit", "", "unit of the margin", judgements, [](J j) { return j.text().unit; }),
-           column_of("worst_step", "1", "row number of the smallest margin", judgements,
-                     [](J j) { return j.measure().worst_step; })}};
+  return StudyTable("verdicts", "every case against every invariant that was checked in it", judgements)
+      .add("case", "", "case", [](J j) { return j.played->hard_case.name; })
+      .add("invariant", "", "what must hold", [](J j) { return j.text().name; })
+      .add("verdict", "", "held, finding (an expected failure), broken, or finding gone (it holds)",
+           [](J j) { return kVerdictNames[static_cast<std::size_t>(j.verdict)]; })
+      .add("margin", "", "smallest margin to the bound, below 0 if broken",
+           [](J j) { return j.measure().slack; })
+      .add("margin_unit", "", "unit of the margin", [](J j) { return j.text().unit; })
+      .add("worst_step", "1", "row number of the smallest margin",
+           [](J j) { return j.measure().worst_step; });
 }
 
-using PlayedRef = const PlayedCase&;
-
 Table case_table(const std::vector<PlayedCase>& cases) {
-  return {
-      "cases",
-      "the cases",
-      {column_of("case", "", "case", cases, [](PlayedRef played) { return played.hard_case.name; }),
-       column_of("made_from", "", "scenario it is, or was made from", cases,
-                 [](PlayedRef played) { return played.hard_case.made_from; }),
-       column_of("why", "", "why it is hard", cases, [](PlayedRef played) { return played.hard_case.why; }),
-       column_of("steps", "1", "steps played and checked", cases,
-                 [](PlayedRef played) { return played.result.summary.steps; }),
-       column_of("knife_edges", "1", "decisions about a wall within rounding", cases,
-                 [](PlayedRef played) { return played.result.knife_edges; })}};
+  using P = const PlayedCase&;
+  return StudyTable("cases", "the cases", cases)
+      .add("case", "", "case", [](P played) { return played.hard_case.name; })
+      .add("made_from", "", "scenario it is, or was made from",
+           [](P played) { return played.hard_case.made_from; })
+      .add("why", "", "why it is hard", [](P played) { return played.hard_case.why; })
+      .add("steps", "1", "steps played and checked", [](P played) { return played.summary.steps; })
+      .add("knife_edges", "1", "decisions about a wall within rounding", &PlayedCase::knife_edges);
 }
 
 // The members of the JSON document.
 Table summary_of(const std::vector<PlayedCase>& cases) {
   std::vector<Column> columns = case_table(cases).columns;
   std::erase_if(columns, [](const Column& column) { return column.name == "why"; });
-  columns.push_back(column_of("invariants", "", "", cases, [](PlayedRef played) {
+  columns.push_back(column_of("invariants", "", "", cases, [](const PlayedCase& played) {
     std::vector<Column> verdicts = verdict_table(judgements_of({&played, 1})).columns;
     std::erase_if(verdicts,
                   [](const Column& column) { return column.name == "case" || column.name == "margin_unit"; });
@@ -87,25 +128,24 @@ Table summary_of(const std::vector<PlayedCase>& cases) {
 }
 
 Table invariant_table(const std::vector<Judgement>& judgements) {
-  std::vector<std::pair<const InvariantText*, InvariantCount>> counts;
-  for (std::size_t index = 0; index < kInvariantCount; ++index)
-    if (InvariantCount each = count(judgements, static_cast<Invariant>(index)); each.cases > 0)
-      counts.emplace_back(&kInvariantTexts[index], std::move(each));
-  using C = const std::pair<const InvariantText*, InvariantCount>&;
-  return {
-      "invariants",
-      "",
-      {column_of("invariant", "", "", counts, [](C each) { return each.first->name; }),
-       column_of("cases", "1", "", counts, [](C each) { return each.second.cases; }),
-       column_of("held", "1", "", counts, [](C each) { return each.second.held; }),
-       column_of("expected_failures", "1", "", counts, [](C each) { return each.second.expected_failures; }),
-       column_of("broken", "1", "", counts, [](C each) { return each.second.broken; }),
-       column_of(
-           "least_slack", "1", "", counts, [](C each) { return each.second.slack; }, 3),
-       column_of(
-           "unit", "", "", counts,
-           [](C each) { return each.first->unit == "1" ? "" : unit_text(std::string(each.first->unit)); }),
-       column_of("in_case", "", "", counts, [](C each) { return each.second.least_slack_case; })}};
+  std::map<Invariant, InvariantCount> counts;
+  for (const Judgement& judgement : judgements) counts[judgement.invariant].add(judgement);
+  using C = const std::pair<const Invariant, InvariantCount>&;
+  const auto text_of = [](C each) { return kInvariantTexts[static_cast<std::size_t>(each.first)]; };
+  return StudyTable("invariants", "", counts)
+      .add("invariant", "", "", [&](C each) { return text_of(each).name; })
+      .add("cases", "1", "", [](C each) { return each.second.cases; })
+      .add("held", "1", "", [](C each) { return each.second.held; })
+      .add("expected_failures", "1", "", [](C each) { return each.second.expected_failures; })
+      .add("broken", "1", "", [](C each) { return each.second.broken; })
+      .add(
+          "least_slack", "1", "", [](C each) { return each.second.slack; }, 3)
+      .add("unit", "", "",
+           [&](C each) {
+             const std::string_view unit = text_of(each).unit;
+             return unit == "1" ? "" : unit_text(std::string(unit));
+           })
+      .add("in_case", "", "", [](C each) { return each.second.least_slack_case; });
 }
 
 // What the listing itself breaks in any scenario (is_broken_by_listing) is known without the case's saying
@@ -141,7 +181,7 @@ std::string broken_sentence(const Judgement& judgement) {
   const std::string head = fmt::format("{}: {}", judgement.played->hard_case.name, text.name);
   if (measure.holds) return head + " holds: its expected failure is out of date";
   if (judgement.invariant == Invariant::expectations)
-    return fmt::format("{}: {}", head, judgement.played->result.broken_expectation);
+    return fmt::format("{}: {}", head, judgement.played->broken_expectation);
   return fmt::format("{} is broken by {:.3g} {} in row {} ({})", head, -measure.slack,
                      unit_text(std::string(text.unit)), measure.worst_step, text.rule);
 }
@@ -149,8 +189,8 @@ std::string broken_sentence(const Judgement& judgement) {
 Verdict verdict_of(const std::vector<PlayedCase>& cases, const std::vector<Judgement>& judgements) {
   std::int64_t steps = 0, knife_edges = 0;
   for (const PlayedCase& played : cases) {
-    steps += played.result.summary.steps;
-    knife_edges += played.result.knife_edges;
+    steps += played.summary.steps;
+    knife_edges += played.knife_edges;
   }
   Verdict verdict{
       {fmt::format("hard-cases: {} cases, {}, each step checked", cases.size(), counted(steps, "step")),
@@ -168,25 +208,26 @@ Verdict verdict_of(const std::vector<PlayedCase>& cases, const std::vector<Judge
 }
 
 Figure figure_of(const std::vector<PlayedCase>& cases, const std::vector<Judgement>& judgements) {
-  std::vector<std::pair<std::string, std::int64_t>> origins;  // In the cases' order, each with how many.
+  std::vector<std::string> origins;  // In the cases' order.
+  std::map<std::string, std::int64_t> members;
   std::int64_t steps = 0;
   for (const PlayedCase& played : cases) {
-    const std::string& origin = played.hard_case.made_from;
-    const auto known = std::ranges::find(origins, origin, &std::pair<std::string, std::int64_t>::first);
-    (known == origins.end() ? origins.emplace_back(origin, 0) : *known).second += 1;
-    steps += played.result.summary.steps;
+    if (++members[played.hard_case.made_from] == 1) origins.push_back(played.hard_case.made_from);
+    steps += played.summary.steps;
+  }
+  InvariantCount all;
+  std::map<std::pair<std::string, Invariant>, InvariantCount> counts;
+  for (const Judgement& judgement : judgements) {
+    all.add(judgement);
+    counts[{judgement.played->hard_case.made_from, judgement.invariant}].add(judgement);
   }
   Grid grid;
-  InvariantCount all;
   for (const InvariantText& text : kInvariantTexts) grid.columns.emplace_back(text.name, Tone::ink);
-  for (const auto& [origin, members] : origins) {
+  for (const std::string& origin : origins) {
     const std::size_t row = grid.rows.size();
-    grid.rows.push_back(members > 1 ? fmt::format("{} ×{}", origin, members) : origin);
+    grid.rows.push_back(members[origin] > 1 ? fmt::format("{} ×{}", origin, members[origin]) : origin);
     for (std::size_t column = 0; column < kInvariantCount; ++column) {
-      const InvariantCount counted = count(judgements, static_cast<Invariant>(column), origin);
-      all.held += counted.held;
-      all.expected_failures += counted.expected_failures;
-      all.broken += counted.broken;
+      const InvariantCount& counted = counts[{origin, static_cast<Invariant>(column)}];
       std::vector<std::pair<std::int64_t, Tone>> parts = {{counted.held, Tone::good},
                                                           {counted.expected_failures, Tone::notable},
                                                           {counted.broken, Tone::bad}};

@@ -1,21 +1,367 @@
 // Which cases are made from a scenario: itself, and families by what it does, whatever its name.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "sim/core/core.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
-#include "sim/study/hard_cases/hard_family.h"
+#include "sim/study/hard_cases/hard_case.h"
 
 namespace hyrax {
 namespace {
 
-constexpr char kNeverZero[] =
-    "vx becomes subnormal and stays at 1e-323 px/s, never 0; the position stands still";
-constexpr char kNeverStill[] =
-    "the sprite is larger than the window: it jumps from wall to wall forever, without any input";
+// A scenario without its expectations, what families ask of it, and their members.
+struct FamilyBase {
+  FamilyBase(const Core& of_core, const Scenario& given)
+      : core(of_core),
+        scenario(given),
+        bounds(bounds_of(given.window, given.sprite)),
+        start(start_state(given)),
+        has_rate(std::holds_alternative<FixedRate>(given.clock.base)),
+        is_steady(!given.clock.jitter && has_rate),
+        is_left_alone(is_steady && given.events.empty()),
+        has_room(bounds.right_px >= 1.0 && bounds.bottom_px >= 1.0),
+        is_inside(has_room && start.x_px >= 0.0 && start.x_px <= bounds.right_px && start.y_px >= 0.0 &&
+                  start.y_px <= bounds.bottom_px),
+        is_still(start.vx_px_per_s == 0.0 && start.vy_px_per_s == 0.0) {
+    if (const auto* const steps = std::get_if<std::int64_t>(&given.length)) length = *steps;
+    scenario.expect.reset();
+  }
+  FamilyBase(const FamilyBase&) = delete;
+  FamilyBase& operator=(const FamilyBase&) = delete;
+
+  [[nodiscard]] bool has_jitter(Jitter::Kind kind) const {
+    return has_rate && scenario.clock.jitter && scenario.clock.jitter->kind == kind;
+  }
+  // Whether all events are of the kind, and at frames.
+  template <class Kind>
+  [[nodiscard]] bool has_only() const {
+    return std::ranges::all_of(scenario.events, [](const Event& event) {
+      return std::holds_alternative<Kind>(event.action) && std::holds_alternative<std::int64_t>(event.when);
+    });
+  }
+
+  // A member like the base, to be varied.
+  HardCase& add(const std::string& what, const std::string& why) {
+    return members.emplace_back(HardCase{
+        .name = scenario.name + "/" + what, .made_from = scenario.name, .why = why, .scenario = scenario});
+  }
+
+  const Core& core;
+  Scenario scenario;
+  Bounds bounds;
+  State start;
+  bool has_rate, is_steady, is_left_alone, has_room, is_inside, is_still;
+  std::int64_t length = 0;  // In frames; 0: given in seconds, or by the clock.
+  std::vector<HardCase> members;
+};
+
+// What is varied in the clock and length of a scenario.
+
+constexpr char kNoZeroSpeed[] =
+    "the position stands still at every rate, only vy differs: here a two-cycle or residual speed, not zero "
+    "speed";
+
+// Falling from rest takes t1 = sqrt(2 H / G); all bounces then 2 t1 b / (1 - b), with drag less. Where the
+// frames drag so often that it sinks instead of falling, H / terminal speed comes on top.
+struct DropTimes {
+  double fall_s;
+  double sink_s;
+  double bounces;  // By how much all bounces lengthen a fall, as a factor.
+};
+DropTimes drop_times(const FamilyBase& drop, double rate_hz) {
+  const Constants constants = drop.core.constants.value();
+  const double height_px = drop.bounds.bottom_px - drop.start.y_px;
+  return {
+      std::sqrt(2.0 * height_px / constants.gravity_px_per_s2),
+      height_px * (1.0 - constants.air_drag) / (constants.air_drag * constants.gravity_px_per_s2 / rate_hz),
+      1.0 + 2.0 * constants.restitution / (1.0 - constants.restitution)};
+}
+
+// On the floor each step of gravity adds a = drag * G * h to vy, and the bounce keeps restitution * a of it.
+// The rest rule sets vy to 0 in every step if that is below its threshold, which it is above this rate; at
+// other rates a two-cycle or residual speed is left. The position stands still at every rate.
+double zero_speed_hz(const Core& core) {
+  const Constants constants = core.constants.value();
+  return constants.restitution * constants.air_drag * constants.gravity_px_per_s2 /
+         constants.rest_threshold_px_per_s;
+}
+
+// Whether a sprite is dropped, ends at zero speed or does not, and has settled, and is known to have, by the
+// end of the scenario, up to that rate.
+bool is_drop(const FamilyBase& base, bool ends_at_zero_speed, double rate_max_hz) {
+  const auto* const duration_s = std::get_if<double>(&base.scenario.length);
+  if (!(base.is_left_alone && base.is_inside && base.is_still && base.start.y_px < base.bounds.bottom_px &&
+        duration_s != nullptr) ||
+      (1.0 / base_dt_s(base.scenario.clock) > zero_speed_hz(base.core)) != ends_at_zero_speed)
+    return false;
+  const DropTimes times = drop_times(base, rate_max_hz);
+  return *duration_s > times.fall_s * times.bounces + times.sink_s + 1.5;
+}
+
+void add_rests(FamilyBase& base) {
+  if (!is_drop(base, false, 1e3)) return;
+  for (const double rate_hz :
+       {20.0, 24.0, 25.0,  30.0,  48.0,  50.0,  57.5,  57.7,  60.0,  72.0,  75.0,  85.0,
+        89.9, 90.0, 100.0, 120.0, 143.8, 143.9, 144.0, 165.0, 240.0, 360.0, 500.0, 1000.0}) {
+    HardCase& member =
+        base.add(fmt::format("{:g}-hz", rate_hz), "gravity puts into each step what a bounce leaves");
+    member.scenario.clock.base = FixedRate{rate_hz};
+    member.must_come_to_rest = true;
+    if (!(rate_hz > zero_speed_hz(base.core))) member.never_at_rest = kNoZeroSpeed;
+  }
+}
+
+constexpr double kZenoFastest_hz = 1e4;
+
+void add_zenos(FamilyBase& base) {
+  if (!is_drop(base, true, kZenoFastest_hz)) return;
+  for (const double rate_hz : {1e3, 4e3, kZenoFastest_hz}) {
+    HardCase& member = base.add(fmt::format("{:g}-hz", rate_hz),
+                                "ever more bounces in ever less time must end by the sum of their series");
+    member.scenario.clock.base = FixedRate{rate_hz};
+    const DropTimes times = drop_times(base, rate_hz);
+    member.scenario.expect.emplace().at_rest_since_s =
+        Interval{0.0, (times.fall_s + times.sink_s) * times.bounces + 2.0 / rate_hz};
+    member.must_come_to_rest = true;
+  }
+}
+
+void add_frames(FamilyBase& base) {
+  const auto* const step = std::get_if<FixedStep>(&base.scenario.clock.base);
+  if (step == nullptr || !(step->dt_s >= 0.1) || base.scenario.clock.jitter || !base.scenario.events.empty())
+    return;
+  for (const double dt_s :
+       {0.0, 4.9406564584124654e-324, 1e-310, 1e-9, 1e-6, 1e-3, 0.02, 0.25, 0.5, 10.0, 1e3, 1e6, kFrameMax_s})
+    base.add(fmt::format("dt-{:g}", dt_s), "a frame far from the sixtieth of a second that it was made for")
+        .scenario.clock.base = FixedStep{dt_s};
+}
+
+// The last moment of add_hitches.
+constexpr std::int64_t kHitchAtRest = 500;
+
+// The first frame before kHitchAtRest in which the sprite lands, without its events.
+std::optional<std::int64_t> first_landing(const FamilyBase& base) {
+  State body = base.start;
+  for (std::int64_t frame = 0; frame < kHitchAtRest - 1; ++frame) {
+    body = base.core.step(body, base_dt_s(base.scenario.clock), base.bounds);
+    if (body.y_px == base.bounds.bottom_px) return frame;
+  }
+  return std::nullopt;
+}
+
+// A hitch of half a second at each kind of moment, and of the hours for which a machine is suspended.
+void add_hitches(FamilyBase& base) {
+  if (!(base.is_steady && base.length > kHitchAtRest && !base.scenario.events.empty() &&
+        base.has_only<Hitch>()))
+    return;
+  const std::optional<std::int64_t> landing = first_landing(base);
+  if (!landing) return;
+  for (const auto& [moment, frame] : {std::pair("in-flight", *landing * 2 / 5),
+                                      {"before-contact", *landing - 1},
+                                      {"at-contact", *landing},
+                                      {"after-contact", *landing + 1},
+                                      {"at-rest", kHitchAtRest}})
+    for (const double dt_s : {0.5, 3600.0, 28800.0})
+      base.add(fmt::format("{}-{:g}-s", moment, dt_s),
+               "one frame takes long: nothing may be launched or fall through")
+          .scenario.events = {{frame, Hitch{dt_s}}};
+}
+
+void add_jitters(FamilyBase& base) {
+  if (!(base.has_jitter(Jitter::Kind::uniform) && base.length > 0 && base.has_only<Fling>())) return;
+  struct Kind {
+    const char* name;
+    Jitter::Kind kind;
+    std::vector<double> amounts;
+  };
+  for (const Kind& kind : {Kind{"uniform", Jitter::Kind::uniform, {0.1, 0.5, 1.0}},
+                           Kind{"normal", Jitter::Kind::normal, {0.0005, 0.002, 0.02, 1.0, 1e9}},
+                           Kind{"missed", Jitter::Kind::missed_frames, {0.01, 0.05, 0.5, 1.0}}})
+    for (const double amount : kind.amounts)
+      base.add(fmt::format("{}-{:g}", kind.name, amount), "no two frames take the same time")
+          .scenario.clock.jitter = Jitter{kind.kind, amount, 2026};
+  const double resonant_hz = zero_speed_hz(base.core);
+  if (!(resonant_hz >= 1.0 && resonant_hz <= kZenoFastest_hz)) return;
+  for (const double fraction : {0.001, 0.1}) {
+    Scenario& scenario = base.add(fmt::format("resonant-{:g}", fraction),
+                                  "whether the floor stops the sprite changes from frame to frame")
+                             .scenario;
+    scenario.clock = {FixedRate{resonant_hz}, Jitter{Jitter::Kind::uniform, fraction, 2026}};
+    scenario.length = 5'000;
+    scenario.events.clear();
+  }
+}
+
+// The base's ten flings again and again, at its pace.
+void add_repeated_flings(FamilyBase& base) {
+  if (!(base.has_jitter(Jitter::Kind::missed_frames) && base.length >= 10'000 && base.length <= 100'000 &&
+        !base.scenario.events.empty() && base.has_only<Fling>()))
+    return;
+  for (const auto& [name, times] : {std::pair("an-hour", 6), {"a-day", 144}}) {
+    HardCase& member = base.add(name, "many flings, one after the other: nothing may add up");
+    member.is_long = times > 6;
+    member.scenario.length = times * base.length;
+    for (int time = 1; time < times; ++time)
+      for (const Event& event : base.scenario.events)
+        member.scenario.events.push_back(
+            {time * base.length + std::get<std::int64_t>(event.when), event.action});
+  }
+}
+
+// The billionths of a second as the smallest double there is.
+void add_subnormal_frames(FamilyBase& base) {
+  const auto* const given = std::get_if<RecordedSteps>(&base.scenario.clock.base);
+  if (given == nullptr || std::ranges::count(given->dt_s, 1e-9) == 0) return;
+  RecordedSteps trace = *given;
+  std::ranges::replace(trace.dt_s, 1e-9, std::numeric_limits<double>::denorm_min());
+  base.add("subnormal", "frames so short that no speed moves anything").scenario.clock.base =
+      std::move(trace);
+}
+
+// A fling every 3,000 frames: nothing repeats, and no speed has the time to become subnormal, which would
+// cost three times as long.
+void add_billion_steps(FamilyBase& base) {
+  if (!base.is_left_alone || base.length < 10'000'000) return;
+  constexpr std::int64_t kSteps = 1'000'000'000;
+  HardCase& member = base.add("1e9-steps", "193 days at 60 Hz, jittered, with a fling every 50 seconds");
+  member.is_long = true;
+  Scenario& scenario = member.scenario;
+  scenario.length = kSteps;
+  scenario.record_every = 1'000'000;
+  scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.2, 9};
+  for (std::int64_t frame = 0; frame < kSteps; frame += 3'000)
+    scenario.events.push_back(
+        {frame, Fling{{900.0 - static_cast<double>(frame % 700'000) / 400.0, -1500.0}}});
+}
+
+// What is varied in its places and speeds.
+
+// On each bound, and one double to each side of it, moving away, along and into it.
+void add_places_on_bounds(FamilyBase& base) {
+  if (!(base.is_steady && base.is_inside && base.is_still && base.length > 90 &&
+        base.start.y_px == base.bounds.bottom_px && base.has_only<Fling>()))
+    return;
+  struct Bound {
+    const char* name;
+    bool is_in_x;
+    double at_px;
+  };
+  for (const Bound bound : {Bound{"left", true, 0.0}, Bound{"right", true, base.bounds.right_px},
+                            Bound{"top", false, 0.0}, Bound{"ground", false, base.bounds.bottom_px}})
+    for (const auto& [side, towards] :
+         {std::pair("-less-an-ulp", -HUGE_VAL), {"", bound.at_px}, {"-and-an-ulp", HUGE_VAL}}) {
+      Scenario& scenario =
+          base.add(std::string(bound.name) + side,
+                   "on a bound, or next to it, still, inward and outward: one contact or none, never two")
+              .scenario;
+      (bound.is_in_x ? scenario.start.x_px : scenario.start.y_px) = std::nextafter(bound.at_px, towards);
+      scenario.events.clear();
+      for (const auto& [frame, speed_px_per_s] : {std::pair(std::int64_t{30}, 700.0), {90, -700.0}}) {
+        scenario.events.push_back({frame, Place{scenario.start}});
+        scenario.events.push_back(
+            {frame, Fling{bound.is_in_x ? Velocity{speed_px_per_s, 0.0} : Velocity{0.0, speed_px_per_s}}});
+      }
+    }
+}
+
+// The highest point of the start's flight in 600 frames, from a start at 0: at most 0.
+double apex_px(const FamilyBase& base) {
+  State body{0.0, 0.0, base.start.vx_px_per_s, base.start.vy_px_per_s};
+  double apex_px = 0.0;
+  for (int frame = 0; frame < 600; ++frame) {
+    body = base.core.flight(body, base_dt_s(base.scenario.clock));
+    apex_px = std::fmin(apex_px, body.y_px);
+  }
+  return apex_px;
+}
+
+// The apex of a throw at the ceiling: the start height at which the paper's step just reaches it, and doubles
+// around it.
+void add_grazings(FamilyBase& base) {
+  if (!(base.is_left_alone && base.is_inside && base.start.vy_px_per_s < 0.0)) return;
+  const double highest_px = apex_px(base);
+  if (!(std::fabs(base.start.y_px + highest_px) < 20.0)) return;
+  for (const double off_px : {-1e-3, -1e-9, -1e-13, 0.0, 1e-13, 1e-9, 1e-3})
+    base.add(fmt::format("off-{:g}-px", off_px),
+             "the ceiling is met with no speed left: a root of even order")
+        .scenario.start.y_px = off_px - highest_px;
+}
+
+void add_corners(FamilyBase& base) {
+  const auto near = [](double at_px, double speed_px_per_s, double far_px) {
+    return (speed_px_per_s > 0.0 ? far_px - at_px : at_px) <= 20.0;
+  };
+  const State& s = base.start;
+  const auto [right_px, bottom_px] = base.bounds;
+  if (!(base.is_left_alone && base.is_inside && !base.is_still &&
+        std::fabs(s.vx_px_per_s) == std::fabs(s.vy_px_per_s) && near(s.x_px, s.vx_px_per_s, right_px) &&
+        near(s.y_px, s.vy_px_per_s, bottom_px)))
+    return;
+  for (const bool is_right : {false, true})
+    for (const bool is_low : {false, true})
+      for (const std::string_view where : {"in-it", "an-ulp-from-it", "into-it"}) {
+        const auto inside = [where](double corner_px, double other_px) {
+          if (where == "in-it") return corner_px;
+          if (where == "into-it") return corner_px + std::copysign(10.0, other_px - corner_px);
+          return std::nextafter(corner_px, other_px);
+        };
+        Scenario& scenario =
+            base.add(fmt::format("{}-{}-{}", is_low ? "lower" : "upper", is_right ? "right" : "left", where),
+                     "both walls in one frame")
+                .scenario;
+        scenario.start = {is_right ? inside(right_px, 0.0) : inside(0.0, right_px),
+                          is_low ? inside(bottom_px, 0.0) : inside(0.0, bottom_px)};
+        scenario.start_velocity = {std::copysign(s.vx_px_per_s, is_right ? 1.0 : -1.0),
+                                   std::copysign(s.vy_px_per_s, is_low ? 1.0 : -1.0)};
+      }
+}
+
+void add_speeds(FamilyBase& base) {
+  if (!(base.is_left_alone && base.is_inside &&
+        std::max(std::fabs(base.start.vx_px_per_s), std::fabs(base.start.vy_px_per_s)) >= 1e5))
+    return;
+  for (const double speed_px_per_s :
+       {4.9406564584124654e-324, 1e-310, 1e-300, 1e-150, 1e-9, 1.0, 1e4, 1e6, 1e9, kSpeedMax_px_per_s})
+    base.add(fmt::format("v-{:g}", speed_px_per_s), "a speed far from that of any throw")
+        .scenario.start_velocity = {speed_px_per_s, -speed_px_per_s};
+  constexpr Velocity kFast{1e4, -1e4};
+  const Size sprite = base.scenario.sprite;
+  Scenario& narrow = base.add("room-of-2-px", "each frame passes the room many times").scenario;
+  narrow.window = {sprite.width_px + 2, sprite.height_px + 2};
+  narrow.start = {1.0, 1.0};
+  narrow.start_velocity = kFast;
+  Scenario& wide =
+      base.add("1e6-px-at-1-mhz", "steps so short that a place of a million px rounds what they add")
+          .scenario;
+  wide.window = {1'000'000, 1'000'000};
+  wide.start = {wide.window.width_px - sprite.width_px - 1.0, 1.0};
+  wide.start_velocity = kFast;
+  wide.clock.base = FixedRate{1e6};
+}
+
+void add_starts_outside(FamilyBase& base) {
+  if (!(base.is_left_alone && base.has_room &&
+        std::max(std::fabs(base.start.x_px), std::fabs(base.start.y_px)) >= 1e8))
+    return;
+  for (const double away_px : {1e3, 1e9, kCoordinateMax_px})
+    for (const auto& [side, axis, sign] : {std::tuple("left", &Position::x_px, -1.0),
+                                           {"right", &Position::x_px, 1.0},
+                                           {"above", &Position::y_px, -1.0},
+                                           {"below", &Position::y_px, 1.0}})
+      base.add(fmt::format("{}-{:g}-px", side, away_px), "a start far outside the window").scenario.start.*
+          axis = sign * away_px;
+}
 
 // In the order in which their cases are played.
-constexpr MakeFamily* kFamilies[] = {
-    fling_a_minute_family, any_frame_family,         any_jitter_family, any_speed_family,  corners_family,
-    far_outside_family,    grazing_family,           hitch_family,      on_a_bound_family, rest_family,
-    billion_steps_family,  trace_of_extremes_family, zeno_family};
+constexpr void (*kFamilies[])(FamilyBase&) = {
+    add_repeated_flings, add_frames,           add_jitters, add_speeds,           add_corners,
+    add_starts_outside,  add_grazings,         add_hitches, add_places_on_bounds, add_rests,
+    add_billion_steps,   add_subnormal_frames, add_zenos};
 
 // Whether the run ends with a sprite that is larger than its window and is not held.
 bool is_larger_than_window(const Scenario& scenario) {
@@ -26,30 +372,31 @@ bool is_larger_than_window(const Scenario& scenario) {
 
 // On the floor each frame leaves 0.7992 of vx (drag and friction): 1e12 px/s are subnormal after some 3,400
 // frames.
-bool slides_to_subnormal_speed(const ScenarioForm& form) {
-  return form.is_left_alone && form.has_room && form.is_inside && step_count(form.scenario) >= 3'500 &&
-         form.start.y_px == form.bounds.bottom_px && form.start.vy_px_per_s == 0.0 &&
-         form.start.vx_px_per_s != 0.0;
+bool slides_to_subnormal_speed(const FamilyBase& base) {
+  return base.is_left_alone && base.is_inside && step_count(base.scenario) >= 3'500 &&
+         base.start.y_px == base.bounds.bottom_px && base.start.vy_px_per_s == 0.0 &&
+         base.start.vx_px_per_s != 0.0;
 }
 
 }  // namespace
 
 std::vector<HardCase> hard_cases_of(const Core& core, const Scenario& scenario) {
+  FamilyBase base(core, scenario);
   HardCase itself{.name = scenario.name,
                   .made_from = scenario.name,
                   .why = scenario.description.value_or(""),
                   .scenario = scenario};
-  Family family(scenario);
-  const ScenarioForm& form = family.form();
-  itself.never_at_rest = is_larger_than_window(scenario)   ? kNeverStill
-                         : slides_to_subnormal_speed(form) ? kNeverZero
-                                                           : "";
+  if (is_larger_than_window(scenario))
+    itself.never_at_rest =
+        "the sprite is larger than the window: it jumps from wall to wall forever, without any input";
+  else if (slides_to_subnormal_speed(base))
+    itself.never_at_rest =
+        "vx becomes subnormal and stays at 1e-323 px/s, never 0; the position stands still";
   itself.must_come_to_rest = !itself.never_at_rest.empty();
-  itself.is_long = form.length > 1'000'000;
-  for (MakeFamily* const make : kFamilies) make(core, form, family);
-  std::vector<HardCase> cases = family.take();
-  cases.insert(cases.begin(), std::move(itself));
-  return cases;
+  itself.is_long = base.length > 1'000'000;
+  base.members.push_back(std::move(itself));
+  for (const auto add_members : kFamilies) add_members(base);
+  return std::move(base.members);
 }
 
 }  // namespace hyrax

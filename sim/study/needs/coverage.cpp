@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/study/study_table.h"
+
 namespace hyrax {
 
 const std::vector<std::string>& coverage_columns() {
@@ -45,18 +47,16 @@ std::set<std::int32_t> paths_taken(const std::vector<ScenarioNeeds>& scenarios) 
 }
 
 Table coverage_table(const std::vector<ScenarioNeeds>& scenarios) {
-  Table table{"coverage",
-              "which scenario exercises what: 2 needed, 1 below the tolerance, 0 not exercised",
-              {column_of("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario)}};
+  const std::string codes = "2 needed, 1 below the tolerance, 0 not exercised";
+  StudyTable table("coverage", "which scenario exercises what: " + codes, scenarios);
+  table.add("scenario", "", "what is played", &ScenarioNeeds::scenario);
   for (std::size_t index = 0; index < coverage_columns().size(); ++index) {
     std::string name = coverage_columns()[index];
-    std::replace(name.begin(), name.end(), ' ', '_');
-    table.columns.push_back(
-        column_of(name, "1", coverage_columns()[index] + ": 2 needed, 1 below the tolerance, 0 not exercised",
-                  scenarios, [index](const ScenarioNeeds& needs) {
-                    const Need need = coverage_of(needs)[index];
-                    return need == Need::not_exercised ? 0 : need == Need::below ? 1 : 2;
-                  }));
+    std::ranges::replace(name, ' ', '_');
+    table.add(name, "1", coverage_columns()[index] + ": " + codes, [index](const ScenarioNeeds& needs) {
+      const Need need = coverage_of(needs)[index];
+      return need == Need::not_exercised ? 0 : need == Need::below ? 1 : 2;
+    });
   }
   return table;
 }

@@ -22,28 +22,26 @@ struct RunRow {
 };
 
 // The rows of a run, and its contacts.
-class Rows {
- public:
-  void add(const ScriptFrame& frame) {
-    const std::uint8_t before = rows_.empty() ? std::uint8_t{0} : rows_.back().frame.contact;
-    time_.play(frame.dt_s);
-    rows_.push_back({frame, time_.time_s()});
-    const auto step = static_cast<std::int64_t>(rows_.size());
-    for (const Wall wall : kWalls) {
-      if (!touches(frame.contact, wall) || touches(before, wall)) continue;
-      contacts_.push_back({.step = step, .last_step = step, .wall = wall});
-    }
+struct Rows {
+  std::vector<RunRow> all;
+  std::vector<Contact> contacts;
+
+  // @param t_s at the frame's end.
+  void add(const ScriptFrame& frame, double t_s) {
+    const std::uint8_t before = all.empty() ? std::uint8_t{0} : all.back().frame.contact;
+    all.push_back({frame, t_s});
+    for (const Wall wall : kWalls)
+      if (touches(frame.contact, wall) && !touches(before, wall))
+        contacts.push_back({.step = std::ssize(all), .last_step = std::ssize(all), .wall = wall});
   }
-  [[nodiscard]] const std::vector<RunRow>& all() const { return rows_; }
-  [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
-  [[nodiscard]] double end_s() const { return rows_.empty() ? 0.0 : rows_.back().t_s; }
+  [[nodiscard]] double end_s() const { return all.empty() ? 0.0 : all.back().t_s; }
 
   // The row of that number if it is at that time, else the last one at it; between two rows the sprite moves
   // straight on. REQUIRES: t_s of at most end_s().
   [[nodiscard]] ScriptFrame at(double t_s, std::size_t index) const {
-    if (index < rows_.size() && rows_[index].t_s == t_s) return rows_[index].frame;
-    const auto later = std::ranges::upper_bound(rows_, t_s, {}, &RunRow::t_s);
-    if (later == rows_.end() || (later != rows_.begin() && std::prev(later)->t_s == t_s))
+    if (index < all.size() && all[index].t_s == t_s) return all[index].frame;
+    const auto later = std::ranges::upper_bound(all, t_s, {}, &RunRow::t_s);
+    if (later == all.end() || (later != all.begin() && std::prev(later)->t_s == t_s))
       return std::prev(later)->frame;
     ScriptFrame frame = later->frame;
     const double part = 1.0 - (later->t_s - t_s) / frame.dt_s;
@@ -53,33 +51,32 @@ class Rows {
   }
   // Number of the row that is nearest to a time.
   [[nodiscard]] std::int64_t step_at(double t_s) const {
-    const auto later = std::ranges::lower_bound(rows_, t_s, {}, &RunRow::t_s);
+    const auto later = std::ranges::lower_bound(all, t_s, {}, &RunRow::t_s);
     const bool is_before =
-        later == rows_.end() || (later != rows_.begin() && t_s - std::prev(later)->t_s < later->t_s - t_s);
-    return later - rows_.begin() + (is_before ? 0 : 1);
+        later == all.end() || (later != all.begin() && t_s - std::prev(later)->t_s < later->t_s - t_s);
+    return later - all.begin() + (is_before ? 0 : 1);
   }
-
- private:
-  std::vector<RunRow> rows_;
-  std::vector<Contact> contacts_;
-  Timeline time_;
 };
 
 template <class PartSet>
 Rows play_rows(const Core& core, const Script& script, const PartSet& parts) {
   Rows rows;
-  play(script, core.constants.value(), parts, [&rows](const ScriptFrame& frame) { rows.add(frame); });
+  Timeline time;
+  play(script, core.constants.value(), parts, [&](const ScriptFrame& frame) {
+    time.play(frame.dt_s);
+    rows.add(frame, time.time_s());
+  });
   return rows;
 }
 
 // Of two runs of one length in s, which may have different frames, the contacts of the second where the first
 // has rows at these times.
 std::vector<Contact> contacts_by_time(const Rows& complete, const Rows& without) {
-  std::vector<Contact> contacts = without.contacts();
+  std::vector<Contact> contacts = without.contacts;
   for (Contact& contact : contacts) {
     const auto index = static_cast<std::size_t>(contact.step - 1);
-    const double t_s = without.all()[index].t_s;
-    if (index < complete.all().size() && complete.all()[index].t_s == t_s) continue;
+    const double t_s = without.all[index].t_s;
+    if (index < complete.all.size() && complete.all[index].t_s == t_s) continue;
     contact.step = contact.last_step = complete.step_at(t_s);
   }
   return contacts;
@@ -88,8 +85,8 @@ std::vector<Contact> contacts_by_time(const Rows& complete, const Rows& without)
 // At the times of the complete run's rows.
 PathDifference difference_of(const Rows& complete, const Rows& without) {
   PathDifference difference;
-  for (std::size_t row = 0; row < complete.all().size(); ++row) {
-    const RunRow& a = complete.all()[row];
+  for (std::size_t row = 0; row < complete.all.size(); ++row) {
+    const RunRow& a = complete.all[row];
     const ScriptFrame b = without.at(std::min(a.t_s, without.end_s()), row);
     if (a.frame.contact == b.contact && same_bits(a.frame.to, b.to)) {
       difference.end_px = 0.0;
@@ -100,14 +97,13 @@ PathDifference difference_of(const Rows& complete, const Rows& without) {
     difference.end_px = distance_px(a.frame.to, b.to);
     difference.path_px = std::max(difference.path_px, difference.end_px);
   }
-  difference.contacts_moved =
-      contact_changes(complete.contacts(), contacts_by_time(complete, without)).total();
+  difference.contacts_moved = contact_changes(complete.contacts, contacts_by_time(complete, without)).total();
   return difference;
 }
 
 bool comes_to_rest(const Script& script, const Rows& rows) {
   RestAnchor anchor{script.start.state.x_px, script.start.state.y_px, 0.0};
-  for (const RunRow& row : rows.all())
+  for (const RunRow& row : rows.all)
     if (anchor.moves_to(row.frame.to.x_px, row.frame.to.y_px)) anchor.t_s = row.t_s;
   return anchor.at_rest_since_s(rows.end_s()).has_value();
 }
@@ -127,14 +123,11 @@ std::function<void()> timed(const Core& core, const Script& script, const PartSe
   };
 }
 
+// A run without each part.
 template <std::size_t... kParts>
-std::function<void()> timed_without(const Core& core, const Script& script, std::size_t part,
-                                    std::index_sequence<kParts...>) {
-  using MakeTimed = std::function<void()> (*)(const Core&, const Script&);
-  constexpr std::array<MakeTimed, kPartCount> kMakers = {[](const Core& timed_core, const Script& played) {
-    return timed(timed_core, played, AllBut<static_cast<Part>(kParts)>());
-  }...};
-  return kMakers[part](core, script);
+std::array<std::function<void()>, kPartCount> timed_without_each(const Core& core, const Script& script,
+                                                                 std::index_sequence<kParts...>) {
+  return {timed(core, script, AllBut<static_cast<Part>(kParts)>())...};
 }
 
 std::vector<PartNeed> parts_of(const Script& script) {
@@ -153,11 +146,11 @@ void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, co
                 const NanosecondClock& now_ns) {
   if (needs.steps == 0) return;
   std::vector<std::function<void()>> works{timed(core, script, AllParts())};
+  auto without_each = timed_without_each(core, script, std::make_index_sequence<kPartCount>());
   std::vector<PartNeed*> timed_parts;
   for (PartNeed& part : needs.parts) {
     if (!part.model_part || !part.difference.is_same_bits) continue;
-    works.push_back(timed_without(core, script, static_cast<std::size_t>(*part.model_part),
-                                  std::make_index_sequence<kPartCount>()));
+    works.push_back(std::move(without_each[static_cast<std::size_t>(*part.model_part)]));
     timed_parts.push_back(&part);
   }
   const Costs measured = measure_costs(works, now_ns, options);

@@ -2,6 +2,7 @@
 // that are not needed at once.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -87,6 +88,11 @@ struct NeedsOptions {
 
 [[nodiscard]] inline bool is_unneeded(Need need) {
   return need == Need::below || need == Need::not_exercised;
+}
+
+/// How many parts are not needed.
+[[nodiscard]] inline std::int64_t unneeded_count(const ScenarioNeeds& needs) {
+  return std::ranges::count_if(needs.parts, is_unneeded, &PartNeed::need);
 }
 
 /// How far the path of one scenario moves without each part: bars on a logarithmic axis, the tolerance as a

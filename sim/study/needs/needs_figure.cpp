@@ -44,29 +44,6 @@ std::string text_of(const PartNeed& part) {
   return part.need == Need::needed_jointly ? text + ", needed with others left out" : text;
 }
 
-// The axis of distances, and in `longest` the largest finite one that it has to show.
-struct DistanceAxis {
-  double low = 0.0;
-  double longest = 0.0;
-  Axis axis = {};
-
-  DistanceAxis(const ScenarioNeeds& needs, double within_px)
-      : low(within_px > 0.0 ? within_px / 10.0 : 1e-3), longest(std::max(100.0, 10.0 * within_px)) {
-    for (const PartNeed& part : needs.parts) {
-      const double path_px = part.difference.path_px;
-      if (path_px > 0.0) low = std::min(low, path_px / 2.0);
-      if (std::isfinite(path_px)) longest = std::max(longest, path_px);
-    }
-    // Distances far below the tolerance need no bars of different lengths.
-    low = within_px > 0.0 ? std::max(low, within_px * 1e-4) : std::max(low, 1e-15);
-    const double room_for_text = std::pow(longest / low, 0.4);
-    axis = {.label = "largest distance at equal times, px",
-            .is_logarithmic = true,
-            .low = low,
-            .high = longest * room_for_text};
-  }
-};
-
 }  // namespace
 
 std::string length_text(double length_px) {
@@ -76,14 +53,27 @@ std::string length_text(double length_px) {
 
 Figure needs_figure(const ScenarioNeeds& needs, double within_px) {
   const std::size_t count = std::min(needs.parts.size(), kPartsDrawnMax);
-  const DistanceAxis x(needs, within_px);
-  Plot plot{.x = x.axis};
+  // Of the bars, in px: the shortest, and the longest, which those without bound have, too.
+  double low_px = within_px > 0.0 ? within_px / 10.0 : 1e-3;
+  double longest_px = std::max(100.0, 10.0 * within_px);
+  for (const PartNeed& part : needs.parts) {
+    const double path_px = part.difference.path_px;
+    if (path_px > 0.0) low_px = std::min(low_px, path_px / 2.0);
+    if (std::isfinite(path_px)) longest_px = std::max(longest_px, path_px);
+  }
+  // Distances far below the tolerance need no bars of different lengths.
+  low_px = std::max(low_px, within_px > 0.0 ? within_px * 1e-4 : 1e-15);
+  const double room_for_text = std::pow(longest_px / low_px, 0.4);
+  Plot plot{.x = {.label = "largest distance at equal times, px",
+                  .is_logarithmic = true,
+                  .low = low_px,
+                  .high = longest_px * room_for_text}};
   for (const Group& group : kGroups)
     plot.series.push_back({.name = group.text, .look = {.form = Form::bars, .tone = group.tone}});
   for (std::size_t index = 0; index < count; ++index) {
     const PartNeed& part = needs.parts[index];
     const auto y = static_cast<double>(index);
-    const double end_px = std::clamp(part.difference.path_px, x.low, x.longest);
+    const double end_px = std::clamp(part.difference.path_px, low_px, longest_px);
     plot.y.categories.push_back(part.part);
     Series& series = plot.series[group_of(part.need)];
     series.x.push_back(end_px);
@@ -92,13 +82,11 @@ Figure needs_figure(const ScenarioNeeds& needs, double within_px) {
         {end_px, y, text_of(part), part.need == Need::not_exercised ? Tone::quiet : Tone::ink});
   }
   if (within_px > 0.0) plot.marks.push_back({.at = within_px, .text = "tolerance", .tone = Tone::vermilion});
-  const auto needed =
-      std::ranges::count_if(needs.parts, [](const PartNeed& part) { return group_of(part.need) == 0; });
   return {.suffix = "-" + needs.scenario,
           .title = "What " + needs.scenario + " needs",
           .subtitle = fmt::format(
               "How far its path moves when a part is left out: {} of {} parts are needed within {:g} px",
-              needed, needs.parts.size(), within_px),
+              std::ssize(needs.parts) - unneeded_count(needs), needs.parts.size(), within_px),
           .note = count < needs.parts.size()
                       ? fmt::format("the first {} of {} parts", count, needs.parts.size())
                       : "",

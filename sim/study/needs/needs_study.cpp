@@ -1,11 +1,13 @@
 // `hyrax-sim study needs`: its tables, figures and verdict.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "sim/study/needs/needs.h"
 #include "sim/study/study.h"
+#include "sim/study/study_table.h"
 #include "sim/trace/step_program.h"
 
 namespace hyrax {
@@ -18,8 +20,10 @@ constexpr std::size_t kPartsPrintedMax = 30;
 
 using Needs = const ScenarioNeeds&;
 
-Column scenario_column(const std::vector<ScenarioNeeds>& scenarios) {
-  return column_of("scenario", "", "what is played", scenarios, &ScenarioNeeds::scenario);
+StudyTable<std::vector<ScenarioNeeds>> scenario_table(const std::string& name, const std::string& long_name,
+                                                      const std::vector<ScenarioNeeds>& scenarios) {
+  return StudyTable(name, long_name, scenarios)
+      .add("scenario", "", "what is played", &ScenarioNeeds::scenario);
 }
 
 std::int64_t path_count_taken(Needs needs) { return std::ssize(needs.paths_taken); }
@@ -33,47 +37,36 @@ Table part_table(const std::vector<ScenarioNeeds>& scenarios) {
   for (const ScenarioNeeds& needs : scenarios)
     for (const PartNeed& part : needs.parts) rows.push_back({&needs, &part});
   using R = const PartOfScene&;
-  const auto saved_column = [&rows](const char* name, const char* what, double MedianEstimate::*end) {
-    return column_of(name, "ns", what, rows, [end](R r) { return r.part->saved_ns_per_step.*end; });
-  };
-  return {"parts",
-          "every part of model and scene left out in turn",
-          {column_of("scenario", "", "what is played", rows, [](R r) { return r.needs->scenario; }),
-           column_of("part", "", "what is left out", rows, [](R r) { return r.part->part; }),
-           column_of("verdict", "",
-                     "needed, alone or with others left out; below the tolerance; or not exercised", rows,
-                     [](R r) { return name_of(r.part->need); }),
-           column_of("path_difference", "px", "largest distance at equal times", rows,
-                     [](R r) { return r.part->difference.path_px; }),
-           column_of("first_step", "1", "first row that differs; -1: none", rows,
-                     [](R r) { return r.part->difference.first_step; }),
-           column_of("contacts_moved", "1", "contacts that moved, appeared or vanished", rows,
-                     [](R r) { return r.part->difference.contacts_moved; }),
-           column_of("end_shift", "px", "distance at the end", rows,
-                     [](R r) { return r.part->difference.end_px; }),
-           saved_column("saved", "time saved per step, median; missing where the path changes",
-                        &MedianEstimate::median),
-           saved_column("saved_low", "95 % interval of the median, low end", &MedianEstimate::low),
-           saved_column("saved_high", "95 % interval of the median, high end", &MedianEstimate::high),
-           column_of("step", "ns", "time of a step with all parts, median", rows,
-                     [](R r) { return r.needs->step_ns.median; })}};
-}
-
-std::int64_t unneeded_count(const ScenarioNeeds& needs) {
-  return std::ranges::count_if(needs.parts, is_unneeded, &PartNeed::need);
+  return StudyTable("parts", "every part of model and scene left out in turn", rows)
+      .add("scenario", "", "what is played", [](R r) { return r.needs->scenario; })
+      .add("part", "", "what is left out", [](R r) { return r.part->part; })
+      .add("verdict", "", "needed, alone or with others left out; below the tolerance; or not exercised",
+           [](R r) { return name_of(r.part->need); })
+      .add("path_difference", "px", "largest distance at equal times",
+           [](R r) { return r.part->difference.path_px; })
+      .add("first_step", "1", "first row that differs; -1: none",
+           [](R r) { return r.part->difference.first_step; })
+      .add("contacts_moved", "1", "contacts that moved, appeared or vanished",
+           [](R r) { return r.part->difference.contacts_moved; })
+      .add("end_shift", "px", "distance at the end", [](R r) { return r.part->difference.end_px; })
+      .add("saved", "ns", "time saved per step, median; missing where the path changes",
+           [](R r) { return r.part->saved_ns_per_step.median; })
+      .add("saved_low", "ns", "95 % interval of the median, low end",
+           [](R r) { return r.part->saved_ns_per_step.low; })
+      .add("saved_high", "ns", "95 % interval of the median, high end",
+           [](R r) { return r.part->saved_ns_per_step.high; })
+      .add("step", "ns", "time of a step with all parts, median",
+           [](R r) { return r.needs->step_ns.median; });
 }
 
 Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
-  return {
-      "control",
-      "everything that is not needed left out at once",
-      {scenario_column(scenarios), column_of("steps", "1", "frames played", scenarios, &ScenarioNeeds::steps),
-       column_of("left_out", "1", "parts left out", scenarios, unneeded_count),
-       column_of("path_difference", "px", "largest distance at equal times", scenarios,
-                 [](Needs needs) { return needs.without_all_unneeded.path_px; }),
-       column_of("tolerance", "px", "largest distance allowed", scenarios,
-                 [within_px](Needs) { return within_px; }),
-       column_of("paths_taken", "1", "paths of the core's step taken", scenarios, path_count_taken)}};
+  return scenario_table("control", "everything that is not needed left out at once", scenarios)
+      .add("steps", "1", "frames played", &ScenarioNeeds::steps)
+      .add("left_out", "1", "parts left out", unneeded_count)
+      .add("path_difference", "px", "largest distance at equal times",
+           [](Needs needs) { return needs.without_all_unneeded.path_px; })
+      .add("tolerance", "px", "largest distance allowed", [within_px](Needs) { return within_px; })
+      .add("paths_taken", "1", "paths of the core's step taken", path_count_taken);
 }
 
 // The cheapest point of a scenario's methods, or of the paper's step; nullptr if there is none.
@@ -88,51 +81,48 @@ Table cheapest_table(const std::vector<ScenarioNeeds>& scenarios) {
   std::vector<ScenarioNeeds> searched;
   std::copy_if(scenarios.begin(), scenarios.end(), std::back_inserter(searched),
                [](Needs needs) { return needs.methods.has_value(); });
-  const auto rate = [](const WorkPoint* point) { return point != nullptr ? point->rate_hz : kNotGiven; };
-  const auto cost = [](const WorkPoint* point) {
-    return point != nullptr ? point->cost.time_ns.median : kNotGiven;
+  // A value of the cheapest point, or of the paper's step.
+  const auto value = [](bool of_paper, const auto& get) {
+    return [=](Needs needs) {
+      const WorkPoint* const point = cheapest_of(needs, of_paper);
+      return point != nullptr ? get(*point) : kNotGiven;
+    };
   };
-  return {"cheapest",
-          "the cheapest method and rate within the tolerance of the exact motion",
-          {scenario_column(searched),
-           column_of("method", "", "the cheapest", searched,
-                     [](Needs needs) {
-                       const WorkPoint* const point = cheapest_of(needs);
-                       return point != nullptr ? needs.methods->methods[point->method].name : "none";
-                     }),
-           column_of("rate", "Hz", "its frames per second", searched,
-                     [&](Needs needs) { return rate(cheapest_of(needs)); }),
-           column_of("cost", "ns/s", "its median cost", searched,
-                     [&](Needs needs) { return cost(cheapest_of(needs)); }),
-           column_of("paper_rate", "Hz", "of the paper's step; missing: at no rate", searched,
-                     [&](Needs needs) { return rate(cheapest_of(needs, true)); }),
-           column_of("paper_cost", "ns/s", "its median cost", searched,
-                     [&](Needs needs) { return cost(cheapest_of(needs, true)); })}};
+  const auto rate = [](const WorkPoint& point) { return point.rate_hz; };
+  const auto cost = [](const WorkPoint& point) { return point.cost.time_ns.median; };
+  return scenario_table("cheapest", "the cheapest method and rate within the tolerance of the exact motion",
+                        searched)
+      .add("method", "", "the cheapest",
+           [](Needs needs) {
+             const WorkPoint* const point = cheapest_of(needs);
+             return point != nullptr ? needs.methods->methods[point->method].name : "none";
+           })
+      .add("rate", "Hz", "its frames per second", value(false, rate))
+      .add("cost", "ns/s", "its median cost", value(false, cost))
+      .add("paper_rate", "Hz", "of the paper's step; missing: at no rate", value(true, rate))
+      .add("paper_cost", "ns/s", "its median cost", value(true, cost));
 }
 
 // The JSON member `parts` of a scenario.
 Table parts_summary(const ScenarioNeeds& needs) {
   using P = const PartNeed&;
-  return {
-      "parts",
-      "",
-      {column_of("part", "", "", needs.parts, &PartNeed::part),
-       column_of("verdict", "", "", needs.parts, [](P part) { return name_of(part.need); }),
-       column_of("path", "px", "", needs.parts, [](P part) { return part.difference.path_px; }),
-       column_of("contacts_moved", "1", "", needs.parts,
-                 [](P part) { return part.difference.contacts_moved; }),
-       column_of("end", "px", "", needs.parts, [](P part) { return part.difference.end_px; }),
-       column_of("saved", "ns/step", "", needs.parts, [](P part) { return part.saved_ns_per_step.median; }),
-       column_of("saves", "", "", needs.parts, &PartNeed::saves)}};
+  return StudyTable("parts", "", needs.parts)
+      .add("part", "", "", &PartNeed::part)
+      .add("verdict", "", "", [](P part) { return name_of(part.need); })
+      .add("path", "px", "", [](P part) { return part.difference.path_px; })
+      .add("contacts_moved", "1", "", [](P part) { return part.difference.contacts_moved; })
+      .add("end", "px", "", [](P part) { return part.difference.end_px; })
+      .add("saved", "ns/step", "", [](P part) { return part.saved_ns_per_step.median; })
+      .add("saves", "", "", &PartNeed::saves);
 }
 
 // The JSON member `cheapest` of a scenario.
 Table cheapest_summary(const ScenarioNeeds& needs) {
   Table table{"cheapest", "", {}, JsonShape::one};
   if (const WorkPoint* const point = cheapest_of(needs))
-    table.columns = {{"method", "", "", std::vector{needs.methods->methods[point->method].name}},
-                     {"rate", "Hz", "", std::vector{point->rate_hz}},
-                     {"cost", "ns/s", "", std::vector{point->cost.time_ns.median}}};
+    table.columns = {column_of_one("method", "", needs.methods->methods[point->method].name),
+                     column_of_one("rate", "Hz", point->rate_hz),
+                     column_of_one("cost", "ns/s", point->cost.time_ns.median)};
   return table;
 }
 
@@ -146,52 +136,43 @@ std::string paths_text(const std::set<std::int32_t>& taken, const StepProgram& c
 
 std::vector<Table> summary_of(const std::vector<ScenarioNeeds>& scenarios, double within_px,
                               const StepProgram* core_step) {
-  return {{"",
-           "",
-           {{"within", "px", "", std::vector{within_px}},
-            {"paths", "1", "",
-             std::vector{core_step == nullptr ? kNotGiven : static_cast<double>(path_count(*core_step))}},
-            {"paths_taken", "1", "", std::vector{std::ssize(paths_taken(scenarios))}}},
-           JsonShape::members},
-          {"scenes",
-           "",
-           {scenario_column(scenarios), column_of("steps", "1", "", scenarios, &ScenarioNeeds::steps),
-            column_of("step", "ns", "", scenarios, [](Needs needs) { return needs.step_ns.median; }),
-            column_of("parts", "", "", scenarios, parts_summary),
-            column_of("paths_taken", "1", "", scenarios, path_count_taken),
-            column_of("without_all_unneeded", "px", "", scenarios,
-                      [](Needs needs) { return needs.without_all_unneeded.path_px; }),
-            column_of("cheapest", "", "", scenarios, cheapest_summary)}},
+  const auto paths = core_step == nullptr ? kNotGiven : static_cast<double>(path_count(*core_step));
+  return {{.columns = {column_of_one("within", "px", within_px), column_of_one("paths", "1", paths),
+                       column_of_one("paths_taken", "1", std::ssize(paths_taken(scenarios)))},
+           .shape = JsonShape::members},
+          scenario_table("scenes", "", scenarios)
+              .add("steps", "1", "", &ScenarioNeeds::steps)
+              .add("step", "ns", "", [](Needs needs) { return needs.step_ns.median; })
+              .add("parts", "", "", parts_summary)
+              .add("paths_taken", "1", "", path_count_taken)
+              .add("without_all_unneeded", "px", "",
+                   [](Needs needs) { return needs.without_all_unneeded.path_px; })
+              .add("cheapest", "", "", cheapest_summary),
           {"exercised_by_none", "", {{"part", "", "", never_exercised(scenarios)}}, JsonShape::values}};
 }
 
 // A scenario's parts as they are printed; what is not exercised has no difference.
 Table printed_parts(const ScenarioNeeds& needs) {
-  const std::vector<PartNeed> parts(
-      needs.parts.begin(),
-      needs.parts.begin() + std::min(std::ssize(needs.parts), std::ptrdiff_t{kPartsPrintedMax}));
-  const auto column = [&](const char* name, const char* unit, const auto& value) {
-    return column_of(
-        name, unit, "", parts,
-        [&](const PartNeed& part) {
-          return part.need == Need::not_exercised ? kNotGiven : value(part.difference);
-        },
-        3);
-  };
+  const std::span parts = std::span(needs.parts).first(std::min(needs.parts.size(), kPartsPrintedMax));
   using D = const PathDifference&;
-  return {"parts",
-          "",
-          {column_of("left_out", "", "", parts, &PartNeed::part),
-           column("path_moves", "px", [](D difference) { return difference.path_px; }),
-           column("contacts_moved", "1", [](D difference) { return double(difference.contacts_moved); }),
-           column("end_moves", "px", [](D difference) { return difference.end_px; }),
-           column_of(
-               "saves", "ns", "", parts,
-               [](const PartNeed& part) {
-                 return part.saves() ? std::round(100.0 * part.saved_ns_per_step.median) / 100.0 : kNotGiven;
-               },
-               3),
-           column_of("verdict", "", "", parts, [](const PartNeed& part) { return name_of(part.need); })}};
+  const auto moved = [](const auto& value) {
+    return [value](const PartNeed& part) {
+      return part.need == Need::not_exercised ? kNotGiven : value(part.difference);
+    };
+  };
+  return StudyTable("parts", "", parts)
+      .add("left_out", "", "", &PartNeed::part)
+      .add("path_moves", "px", "", moved([](D difference) { return difference.path_px; }), 3)
+      .add("contacts_moved", "1", "", moved([](D difference) { return double(difference.contacts_moved); }),
+           3)
+      .add("end_moves", "px", "", moved([](D difference) { return difference.end_px; }), 3)
+      .add(
+          "saves", "ns", "",
+          [](const PartNeed& part) {
+            return part.saves() ? std::round(100.0 * part.saved_ns_per_step.median) / 100.0 : kNotGiven;
+          },
+          3)
+      .add("verdict", "", "", [](const PartNeed& part) { return name_of(part.need); });
 }
 
 std::string cheapest_text(const ScenarioNeeds& needs, double within_px) {
@@ -226,7 +207,7 @@ void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, c
       fmt::format("{}What {} needs, within {:g} px, over {}{} steps ({}):", verdict.text.empty() ? "" : "\n",
                   needs.scenario, within_px, needs.is_cut ? "its first " : "", needs.steps,
                   needs.comes_to_rest ? "settles" : "does not settle"));
-  verdict.text.push_back(printed_parts(needs));
+  verdict.text.emplace_back(printed_parts(needs));
   if (needs.parts.size() > kPartsPrintedMax)
     verdict.text.push_back(fmt::format("  and {} more, in the files", needs.parts.size() - kPartsPrintedMax));
   verdict.text.push_back(fmt::format(
@@ -237,16 +218,6 @@ void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, c
           : "",
       step_text(needs, request.machine), unneeded_count(needs),
       length_text(needs.without_all_unneeded.path_px), within_px, cheapest_text(needs, within_px)));
-}
-
-std::vector<ScenarioNeeds> study_all(const StudyRequest& request, const NeedsOptions& options) {
-  std::vector<ScenarioNeeds> scenarios;
-  for (const NamedScenario& named : request.scenarios) {
-    if (request.report_progress)
-      request.report_progress("scenarios", std::ssize(scenarios), std::ssize(request.scenarios));
-    scenarios.push_back(study_needs(request.core, named.scenario, options, request.now_ns));
-  }
-  return scenarios;
 }
 
 Result run_needs(const StudyRequest& request) {
@@ -262,7 +233,12 @@ Result run_needs(const StudyRequest& request) {
     options.rates_hz =
         request.is_quick ? std::vector{15.0, 60.0, 240.0}
                          : std::vector{15.0, 30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0};
-  const std::vector<ScenarioNeeds> scenarios = study_all(request, options);
+  std::vector<ScenarioNeeds> scenarios;
+  for (const NamedScenario& named : request.scenarios) {
+    if (request.report_progress)
+      request.report_progress("scenarios", std::ssize(scenarios), std::ssize(request.scenarios));
+    scenarios.push_back(study_needs(request.core, named.scenario, options, request.now_ns));
+  }
   const double within_px = options.within_px;
   Result result{.tables = {part_table(scenarios), coverage_table(scenarios),
                            control_table(scenarios, within_px), cheapest_table(scenarios)},

@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "sim/study/methods/many_flings.h"
 #include "sim/study/rest/rest_map.h"
 #include "sim/study/study.h"
+#include "sim/study/study_table.h"
 
 namespace hyrax {
 namespace {
@@ -34,77 +37,64 @@ RestResults measure(const Core& core, bool is_quick) {
 }
 
 Table map_table(const std::vector<RateEnds>& map) {
-  const auto flings = [&](FinalState state, const std::string& what) {
-    return column_of(std::string(kFinalStateNames[static_cast<std::size_t>(state)]), "1",
-                     "flings that " + what, map, [state](const RateEnds& ends) { return ends.count(state); });
-  };
-  const auto time = [&](const std::string& name, const std::string& what, double Band::*part) {
-    return column_of(name, "s", what, map, [part](const RateEnds& ends) {
+  StudyTable table("final_states", "how random flings end, by display rate", map);
+  table.add("rate", "Hz", "display rate", &RateEnds::rate_hz)
+      .add("gain", "px/s", "speed that one step of gravity adds, after drag", &RateEnds::gain_px_per_s);
+  for (const auto& [state, what] :
+       {std::pair(FinalState::zero_speed, "flings that end at zero speed: vy exactly 0"),
+        {FinalState::two_cycle, "flings that end in the two-cycle: vy 0 in every other row"},
+        {FinalState::residual_speed, "flings that end at the residual speed: vy constant"},
+        {FinalState::moving, "flings that still move"}})
+    table.add(std::string(kFinalStateNames[static_cast<std::size_t>(state)]), "1", what,
+              [state = state](const RateEnds& ends) { return ends.count(state); });
+  table.add("unforeseen", "1", "flings in a final state that the boundaries do not allow",
+            &RateEnds::unforeseen);
+  for (const auto& [name, what, part] : {std::tuple("time_low", "time to settle, 10 %", &Band::low),
+                                         {"time_median", "time to settle, median", &Band::median},
+                                         {"time_high", "time to settle, 90 %", &Band::high}})
+    table.add(name, "s", what, [part = part](const RateEnds& ends) {
       return ends.settles_s ? *ends.settles_s.*part : kNotGiven;
     });
-  };
-  return {"final_states",
-          "how random flings end, by display rate",
-          {column_of("rate", "Hz", "display rate", map, &RateEnds::rate_hz),
-           column_of("gain", "px/s", "speed that one step of gravity adds, after drag", map,
-                     &RateEnds::gain_px_per_s),
-           flings(FinalState::zero_speed, "end at zero speed: vy exactly 0"),
-           flings(FinalState::two_cycle, "end in the two-cycle: vy 0 in every other row"),
-           flings(FinalState::residual_speed, "end at the residual speed: vy constant"),
-           flings(FinalState::moving, "still move"),
-           column_of("unforeseen", "1", "flings in a final state that the boundaries do not allow", map,
-                     &RateEnds::unforeseen),
-           time("time_low", "time to settle, 10 %", &Band::low),
-           time("time_median", "time to settle, median", &Band::median),
-           time("time_high", "time to settle, 90 %", &Band::high),
-           column_of("seed", "1", "of the flings", map, [](const RateEnds&) { return kFlingSeed; })}};
+  return table.add("seed", "1", "of the flings", [](const RateEnds&) { return kFlingSeed; });
 }
 
-Column analytic_column(const std::vector<RestBoundary>& boundaries) {
-  return column_of("analytic", "Hz", "derived from the constants", boundaries, &RestBoundary::analytic_hz, 9);
+using BoundaryTable = StudyTable<std::vector<RestBoundary>>;
+
+BoundaryTable& add_rates(BoundaryTable& table) {
+  return table.add("analytic", "Hz", "derived from the constants", &RestBoundary::analytic_hz, 9)
+      .add(
+          "measured", "Hz", "found on the core by bisection",
+          [](const RestBoundary& boundary) { return boundary.measured_hz.value_or(kNotGiven); }, 9);
 }
-Column measured_column(const std::vector<RestBoundary>& boundaries) {
-  const auto measured_hz = [](const RestBoundary& boundary) {
-    return boundary.measured_hz.value_or(kNotGiven);
-  };
-  return column_of("measured", "Hz", "found on the core by bisection", boundaries, measured_hz, 9);
-}
-Table boundary_table(const std::vector<RestBoundary>& boundaries) {
-  return {"boundaries",
-          "display rates at which the possible final states change",
-          {column_of("boundary", "", "what changes", boundaries, &RestBoundary::name),
-           analytic_column(boundaries), measured_column(boundaries)}};
+
+BoundaryTable boundary_table(const std::vector<RestBoundary>& boundaries) {
+  BoundaryTable table("boundaries", "display rates at which the possible final states change", boundaries);
+  return add_rates(table.add("boundary", "", "what changes", &RestBoundary::name));
 }
 
 Table bounce_table(const std::vector<DropBounce>& bounces) {
-  return {"bounces",
-          "effective restitution of the first bounce of a drop",
-          {column_of("rate", "Hz", "display rate", bounces, &DropBounce::rate_hz),
-           column_of("phase", "1", "part of the contact's step below the floor", bounces, &DropBounce::phase),
-           column_of("restitution", "1", "speed after the contact over the speed of the exact impact",
-                     bounces, &DropBounce::restitution)}};
+  return StudyTable("bounces", "effective restitution of the first bounce of a drop", bounces)
+      .add("rate", "Hz", "display rate", &DropBounce::rate_hz)
+      .add("phase", "1", "part of the contact's step below the floor", &DropBounce::phase)
+      .add("restitution", "1", "speed after the contact over the speed of the exact impact",
+           &DropBounce::restitution);
 }
 
 // The members of the JSON document.
 std::vector<Table> summary_of(const RestResults& results) {
-  Table boundaries = boundary_table(results.boundaries);
-  boundaries.columns.push_back(column_of("agrees", "", "", results.boundaries, &RestBoundary::agrees));
   Table rates = map_table(results.map);
   rates.name = "rates";
   std::erase_if(rates.columns, [](const Column& column) {
     return column.name == "gain" || column.name == "unforeseen" || column.name == "time_low" ||
            column.name == "time_high" || column.name == "seed";
   });
-  return {std::move(boundaries), std::move(rates)};
+  return {boundary_table(results.boundaries).add("agrees", "", "", &RestBoundary::agrees), std::move(rates)};
 }
 
 Table shown_boundaries(const std::vector<RestBoundary>& boundaries) {
-  return {"boundaries",
-          "",
-          {column_of("boundary", "", "", boundaries, &RestBoundary::text), analytic_column(boundaries),
-           measured_column(boundaries), column_of("", "", "", boundaries, [](const RestBoundary& boundary) {
-             return boundary.agrees() ? "agrees" : "differs";
-           })}};
+  BoundaryTable table("boundaries", "", boundaries);
+  return add_rates(table.add("boundary", "", "", &RestBoundary::text))
+      .add("", "", "", [](const RestBoundary& each) { return each.agrees() ? "agrees" : "differs"; });
 }
 
 Table shown_displays(const std::vector<RateEnds>& map) {
@@ -112,44 +102,38 @@ Table shown_displays(const std::vector<RateEnds>& map) {
   std::copy_if(map.begin(), map.end(), std::back_inserter(shown), [](const RateEnds& ends) {
     return std::find(kDisplays_hz.begin(), kDisplays_hz.end(), ends.rate_hz) != kDisplays_hz.end();
   });
-  Table table{"displays", "", {column_of("display", "Hz", "", shown, &RateEnds::rate_hz)}};
+  StudyTable table("displays", "", shown);
+  table.add("display", "Hz", "", &RateEnds::rate_hz);
   for (const FinalState state : {FinalState::zero_speed, FinalState::two_cycle, FinalState::residual_speed})
-    table.columns.push_back(
-        column_of(std::string(text_of(state)) + ",_%", "", "", shown, [state](const RateEnds& ends) {
-          const Share share = ends.share(state);
-          return fmt::format("{:.0f} ({:.0f} .. {:.0f})", ends.percent(state), 100.0 * share.low(),
-                             100.0 * share.high());
-        }));
-  table.columns.push_back(column_of("settles_after,_s", "", "", shown, [](const RateEnds& ends) {
-    if (!ends.settles_s) return std::string("-");
-    return fmt::format("{:.2f} ({:.2f} .. {:.2f})", ends.settles_s->median, ends.settles_s->low,
-                       ends.settles_s->high);
-  }));
-  return table;
+    table.add(std::string(text_of(state)) + ",_%", "", "", [state](const RateEnds& ends) {
+      const Share share = ends.share(state);
+      return interval_text(ends.percent(state), 100.0 * share.low(), 100.0 * share.high());
+    });
+  return table.add("settles_after,_s", "", "", [](const RateEnds& ends) {
+    return ends.settles_s ? interval_text(*ends.settles_s, 2) : "-";
+  });
 }
 
 // The effective restitution at some rates: mean and range over the phases.
 Table shown_bounces(const std::vector<DropBounce>& bounces) {
-  std::vector<double> rates_hz, means, lows, highs;
+  struct AtRate {
+    double rate_hz, mean, least, most;
+  };
+  std::vector<AtRate> rates;
   for (const double rate_hz : {30.0, 60.0, 120.0, 240.0}) {
     std::vector<double> values;
     for (const DropBounce& bounce : bounces)
       if (bounce.rate_hz == rate_hz) values.push_back(bounce.restitution);
     if (values.empty()) continue;
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    double sum = 0.0;
-    for (const double value : values) sum += value;
-    rates_hz.push_back(rate_hz);
-    means.push_back(sum / static_cast<double>(values.size()));
-    lows.push_back(*low);
-    highs.push_back(*high);
+    const auto [least, most] = std::ranges::minmax(values);
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    rates.push_back({rate_hz, sum / static_cast<double>(values.size()), least, most});
   }
-  return {"restitution",
-          "",
-          {{"display", "Hz", "", std::move(rates_hz)},
-           {"effective_restitution", "1", "", std::move(means)},
-           {"least", "1", "", std::move(lows)},
-           {"most", "1", "", std::move(highs)}}};
+  return StudyTable("restitution", "", rates)
+      .add("display", "Hz", "", &AtRate::rate_hz)
+      .add("effective_restitution", "1", "", &AtRate::mean)
+      .add("least", "1", "", &AtRate::least)
+      .add("most", "1", "", &AtRate::most);
 }
 
 std::string stillness_text(const std::vector<RateEnds>& map) {

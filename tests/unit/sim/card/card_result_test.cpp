@@ -21,13 +21,13 @@ TEST(CardResult, IsTheOneApproved) {
   Card card;
   card.rest.moved_px = {std::vector(18, 0.0), std::vector(18, 0.0)};
   card.step.status = StepStatus::proved_equal;
-  card.recordings = RecordingLine{};
-  card.exact = {{1.0, {}}};  // No fling stays finite.
+  card.recordings = 1;
+  card.exact_px = {{}};  // No fling stays finite.
   std::string text = "same bits\n" + text_of_same_bits(card);
   card.step = {.status = StepStatus::not_proved, .why = "a path is not known"};
   card.lacking = "the base has no GRAVITY";
-  card.recordings.reset();
-  card.exact.clear();
+  card.recordings = 0;
+  card.exact_px.clear();
   text += "not measured\n" + text_of_same_bits(card);
   for (const Table& table : card_result(card).summary)
     if (table.name == "hard_cases" || table.name == "claims" || table.name == "recordings")
@@ -50,15 +50,19 @@ TEST(CardResult, IsTheOneApproved) {
   card.hard_cases.listing = {.newly_broken = {"three: speed"}, .mended = {"four: clamp"}};
   for (const char* const id : {"2.1-gravity", "two", "three", "four", "five", "six"})
     card.claims.changed.push_back({id, {"holds", "does not hold"}, {1200.0, 1250.0}, "px/s2"});
-  card.recordings =
-      RecordingLine{.recordings = 4, .moved = {{"recorded/r.json", 2.0}, {"s.json", 3.0}, {"t.json", 4.0}}};
+  card.recordings = 4;
+  for (const auto& [path, px] : {std::pair("recorded/r.json", 2.0),
+                                 {"recorded/s.json", 3.0},
+                                 {"recorded/t.json", 4.0},
+                                 {"recorded/still.json", 0.5}})
+    card.library.changed.push_back({path, {.difference = DifferenceClass::values, .end_shift_px = px}});
   card.random.distances_px = {1.0, 2.0, 3.0, 4.0};
   card.displays = {.flings = 20, .spreads_px = {{5.0, 6.0}, {7.0}}};
-  card.exact = {{1.0, {Band{4, 2.0, 1.0, 3.0}, Band{4, 20.0, 10.0, 30.0}}}};
-  card.energy = {.drift_px2_per_s2 = {Band{4, 120.0, 0.0, 240.0}, Band{4, 1320.0, 0.0, 2400.0}},
-                 .lift_px2_per_s2 = {Band{4, 1200.0, 0.0, 2400.0}, Band{4, 12000.0, 0.0, 24000.0}},
-                 .bounce_px2_per_s2 = {Band{4, 12.0, 0.0, 24.0}, Band{4, -36.0, -48.0, 0.0}},
-                 .friction_px2_per_s2 = {Band{4, -2400.0, -3600.0, 0.0}, Band{4, -6000.0, -7200.0, 0.0}}};
+  card.exact_px = {{Band{4, 2.0, 1.0, 3.0}, Band{4, 20.0, 10.0, 30.0}}};
+  card.energy_px2_per_s2 = {{{Band{4, 120.0, 0.0, 240.0}, Band{4, 1320.0, 0.0, 2400.0}},
+                             {Band{4, 1200.0, 0.0, 2400.0}, Band{4, 12000.0, 0.0, 24000.0}},
+                             {Band{4, 12.0, 0.0, 24.0}, Band{4, -36.0, -48.0, 0.0}},
+                             {Band{4, -2400.0, -3600.0, 0.0}, Band{4, -6000.0, -7200.0, 0.0}}}};
   card.seed = 7;
   card.scenarios = 2;
   card.step = {.status = StepStatus::changed, .why = "a path is not known"};

@@ -27,7 +27,7 @@ Scenario named(const std::string& name) {
 HardCase case_of(const Scenario& scenario) { return hard_cases_of(shipped_core(), scenario).front(); }
 
 CaseVerdict judged(const HardCase& hard_case, Invariant invariant) {
-  return judge(hard_case, play_hard_case(shipped_core(), hard_case), invariant);
+  return judge(play_hard_case(shipped_core(), hard_case), invariant);
 }
 
 const Study& hard_cases() {
