@@ -65,6 +65,7 @@ struct InvariantCount {
     }
   }
 };
+
 std::vector<HardCase> cases_of(const StudyRequest& request) {
   std::vector<HardCase> cases;
   for (const NamedScenario& named : request.scenarios)
