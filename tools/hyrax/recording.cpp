@@ -110,17 +110,6 @@ void ScenarioSaver::work() {
   }
 }
 
-Recording::Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver)
-    : first_path_(path), path_(path), saver_(saver), all_(start), part_(start), part_paths_{path} {
-  if (is_there(path)) refuse_input(path + ": exists already; name another file, or remove it first");
-}
-
-Recording Recording::next(const Keyframe& start) const {
-  Recording next(free_path(first_path_), start, saver_);
-  next.first_path_ = first_path_;
-  return next;
-}
-
 void Recording::add_input(const Action& action) {
   all_.add_input(action);
   part_.add_input(action);

@@ -60,6 +60,9 @@ class ScenarioSaver {
   std::thread thread_;
 };
 
+/// The path if no file has it, else NAME-2.json or the next free number.
+[[nodiscard]] std::string free_path(const std::string& path);
+
 /// A recording. However the program ends, at most what came after the last `save` is lost, and each file
 /// replays as it is. After kPartFrames frames the recording continues in a new part, NAME-2.json or the next
 /// free number, so that each save is short. `finish` joins all parts into one file. Other files are neither
@@ -70,10 +73,13 @@ class Recording {
   static constexpr std::int64_t kPartFrames = 16'384;  ///< Four and a half minutes of motion at 60 Hz.
   static constexpr std::int64_t kFramesMax = std::int64_t{1} << 20;  ///< About five hours; then `next`.
 
-  /// @param path of the file, UTF-8. Refers to the saver. ERRORS: Failure(bad_input) if the file exists.
-  Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver);
+  /// @param path of the file, UTF-8. Refers to the saver.
+  Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver)
+      : Recording(path, path, start, saver) {}
   /// The recording that continues this one, in a new file beside the first.
-  [[nodiscard]] Recording next(const Keyframe& start) const;
+  [[nodiscard]] Recording next(const Keyframe& start) const {
+    return {first_path_, free_path(first_path_), start, saver_};
+  }
 
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Whether it has kFramesMax frames.
@@ -89,6 +95,10 @@ class Recording {
   void finish();
 
  private:
+  Recording(const std::string& first_path, const std::string& path, const Keyframe& start,
+            ScenarioSaver& saver)
+      : first_path_(first_path), path_(path), saver_(saver), all_(start), part_(start), part_paths_{path} {}
+
   std::string first_path_;  // Of this one and of those that continue it.
   std::string path_;
   ScenarioSaver& saver_;
@@ -98,9 +108,6 @@ class Recording {
   std::vector<std::string> part_paths_;
   bool is_saved_ = true;
 };
-
-/// The path if no file has it, else NAME-2.json or the next free number.
-[[nodiscard]] std::string free_path(const std::string& path);
 
 /// A scenario's name from a file's: its stem, with other characters than those of a name replaced by `-`.
 [[nodiscard]] std::string scenario_name_of(const std::string& path);
