@@ -22,8 +22,6 @@ class ScenarioSaver {
  public:
   /// @param text_of makes the text of a scenario; what it throws is a failure of that file only.
   explicit ScenarioSaver(std::function<std::string(const Scenario&)> text_of = scenario_file_text);
-  ScenarioSaver(const ScenarioSaver&) = delete;
-  ScenarioSaver& operator=(const ScenarioSaver&) = delete;
   /// Writes what is queued.
   ~ScenarioSaver();
 
@@ -47,17 +45,16 @@ class ScenarioSaver {
     Scenario scenario;
   };
 
-  void work();
+  void work(const std::stop_token& stop);
 
   std::function<std::string(const Scenario&)> text_of_;
   std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable_any changed_;
   std::deque<Job> jobs_;
   std::set<std::string> written_;
   bool is_busy_ = false;
-  bool is_ending_ = false;
   std::optional<std::string> failure_;
-  std::thread thread_;
+  std::jthread thread_;  // The last member: it ends before what it uses.
 };
 
 /// The path if no file has it, else NAME-2.json or the next free number.
