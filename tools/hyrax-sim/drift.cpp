@@ -83,12 +83,11 @@ void measure_one(const Core& own_core, const DriftRequest& request, const std::o
                  const DriftInput& input, Outcomes& outcomes) {
   if (input.failure) throw *input.failure;
   const Core core = input.is_file ? core_of_file(own_core, input.path, *input.head) : own_core;
-  DriftReport measured{.run = measure(core, request, input,
-                                      {.gsl = gsl,
-                                       .keeps_rows = !request.figures.empty(),
-                                       .model = reference_model(core),
-                                       .stores_rows = request.stores_rows}),
-                       .has_rows_stored = request.stores_rows};
+  DriftReport measured{
+      .run =
+          measure(core, request, input,
+                  {.gsl = gsl, .keeps_rows = !request.figures.empty(), .stores_rows = request.stores_rows}),
+      .has_rows_stored = request.stores_rows};
   const DriftRun& run = measured.run;
   measured.step_ns = step_ns(core, run.scenario);
   measured.half_dt = measure_half_dt(core, run.scenario);

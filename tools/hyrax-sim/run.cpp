@@ -102,7 +102,6 @@ std::optional<DriftOptions> stored_drift(const Core& core, const RunRequest& req
   if (request.measures_drift) require_paper_core(core, "hyrax-sim run: --drift");
   if (request.measures_drift)
     return DriftOptions{.gsl = gsl_options(request.reference, "hyrax-sim run"),
-                        .model = reference_model(core),
                         .stores_rows = request.stores_rows};
   if (request.stores_rows || request.reference.is_given())
     refuse_input("hyrax-sim run: --rows, --reference, --stepper and --tolerance need --drift");

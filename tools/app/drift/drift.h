@@ -43,7 +43,6 @@ inline constexpr std::size_t kRowsDrawnMax = 4'000;
 struct DriftOptions {
   std::optional<GslOptions> gsl;  ///< A second solution of every arc; none: the closed form alone.
   bool keeps_rows = false;        ///< For a figure.
-  Model model = {};               ///< Of the core, or of a file its constants'.
   bool stores_rows = false;       ///< In a trajectory file: the errors of every recorded row as well.
 };
 
@@ -71,9 +70,10 @@ class Thinned {
 /// Measures the whole run, its arcs, its contacts and the margin, as the run is played or read.
 class DriftRecorder final : private DriftSink {
  public:
+  /// @param model reference_model of the core, or of a file.
   /// @param row_sink gets the errors of every row as well; may be nullptr.
-  explicit DriftRecorder(const Scenario& scenario, const DriftOptions& options = {},
-                         DriftSink* row_sink = nullptr);
+  DriftRecorder(const Scenario& scenario, const Model& model, const DriftOptions& options = {},
+                DriftSink* row_sink = nullptr);
 
   /// Each of them must get the run.
   [[nodiscard]] std::vector<RowSink*> sinks() { return {&meter_, &margin_, &whole_}; }
@@ -98,7 +98,8 @@ class DriftRecorder final : private DriftSink {
 };
 
 /// Plays the scenario once. Shows progress.
-[[nodiscard]] DriftRun measure_drift(const Core& core, const Scenario& scenario, DriftOptions options = {});
+[[nodiscard]] DriftRun measure_drift(const Core& core, const Scenario& scenario,
+                                     const DriftOptions& options = {});
 /// What made a file's run: this program's core, or the paper's step with the constants in the file. Refers to
 /// `head`.
 /// ERRORS: Failure(bad_input) if another step made it, or if the reference does not allow its constants.
@@ -107,7 +108,8 @@ class DriftRecorder final : private DriftSink {
 /// Measures the rows of a trajectory file; if it does not hold every row, its scenario is played.
 /// REQUIRES: a core as core_of_file's.
 /// ERRORS: Failure(cannot_access), Failure(bad_input) as TrajectoryFile::open's.
-[[nodiscard]] DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options = {});
+[[nodiscard]] DriftRun load_drift(const Core& core, const std::string& path,
+                                  const DriftOptions& options = {});
 
 /// How a measurement ends: a fault of the reference is an internal error; a run that is not finite, or not
 /// the listing's, disagrees.

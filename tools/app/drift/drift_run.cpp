@@ -29,17 +29,18 @@ void read_into(const TrajectoryFile& file, const std::vector<RowSink*>& sinks) {
 
 }  // namespace
 
-DriftRecorder::DriftRecorder(const Scenario& scenario, const DriftOptions& options, DriftSink* row_sink)
+DriftRecorder::DriftRecorder(const Scenario& scenario, const Model& model, const DriftOptions& options,
+                             DriftSink* row_sink)
     : keeps_rows_(options.keeps_rows),
       row_sink_(row_sink),
       meter_(scenario, inputs_of(scenario, step_count(scenario)), *this,
-             options.gsl ? &solver_.emplace(*options.gsl, options.model) : nullptr, options.model),
-      margin_(scenario, inputs_of(scenario, step_count(scenario)), options.model),
-      whole_(scenario, inputs_of(scenario, step_count(scenario)), options.model,
+             options.gsl ? &solver_.emplace(*options.gsl, model) : nullptr, model),
+      margin_(scenario, inputs_of(scenario, step_count(scenario)), model),
+      whole_(scenario, inputs_of(scenario, step_count(scenario)), model,
              options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows_.add(row); })
                                 : nullptr) {
   run_.scenario = scenario;
-  run_.model = options.model;
+  run_.model = model;
   if (options.gsl)
     run_.checked_by =
         fmt::format("GSL {}, tolerance {:g}",
@@ -71,9 +72,8 @@ DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
   return std::move(run_);
 }
 
-DriftRun measure_drift(const Core& core, const Scenario& scenario, DriftOptions options) {
-  options.model = reference_model(core);
-  DriftRecorder recorder(scenario, options);
+DriftRun measure_drift(const Core& core, const Scenario& scenario, const DriftOptions& options) {
+  DriftRecorder recorder(scenario, reference_model(core), options);
   const RunSummary summary = play_with_progress(core, scenario, recorder.sinks());
   return recorder.finish(summary.steps, summary.simulated_s);
 }
@@ -91,11 +91,10 @@ Core core_of_file(const Core& core, const std::string& path, const FileHead& hea
   return other;
 }
 
-DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options) {
+DriftRun load_drift(const Core& core, const std::string& path, const DriftOptions& options) {
   const TrajectoryFile file = TrajectoryFile::open(path);
   const FileHead& head = file.head();
-  options.model = reference_model(core);
-  DriftRecorder recorder(head.scenario, options);
+  DriftRecorder recorder(head.scenario, reference_model(core), options);
   if (file.row_count() == head.steps + 1) {
     read_into(file, recorder.sinks());
     return recorder.finish(head.steps, file.rows(head.steps, 1).t_s.front());

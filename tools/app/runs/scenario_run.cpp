@@ -41,7 +41,7 @@ WrittenRun write_trajectory(const Core& core, const std::string& output, const S
     reference = h5::create_group(writer.file(), "reference");
     drift = h5::create_group(writer.file(), "drift");
     if (options.drift->stores_rows) rows.emplace(reference, drift, steps, scenario.record_every);
-    recorder.emplace(scenario, *options.drift, rows ? &*rows : nullptr);
+    recorder.emplace(scenario, reference_model(core), *options.drift, rows ? &*rows : nullptr);
   }
   WrittenRun run = play_into(writer, core, scenario, options, recorder);
   if (run.summary.steps != steps) return run;
@@ -63,7 +63,7 @@ WrittenRun write_csv(const Core& core, const std::string& output, const Scenario
                      const WriteOptions& options) {
   TrajectoryCsv csv(output, scenario, step_count(scenario));
   std::optional<DriftRecorder> drift;
-  if (options.drift) drift.emplace(scenario, *options.drift);
+  if (options.drift) drift.emplace(scenario, reference_model(core), *options.drift);
   WrittenRun run = play_into(csv, core, scenario, options, drift);
   csv.finish();
   if (drift) run.drift = drift->finish(run.summary.steps, run.summary.simulated_s);
