@@ -62,20 +62,20 @@ Position between_squares(double inner, double outer, Draws& draws) {
 
 }  // namespace
 
-ContactChance contact_chance(const Core& core, const Scenario& scenario, double margin_px, std::uint64_t seed,
-                             std::int64_t starts) {
+ContactChance contact_chance(const Core& core, const Scenario& scenario, std::optional<double> margin_px,
+                             std::uint64_t seed, std::int64_t starts) {
   constexpr std::int64_t kStepsCompared = 20'000;
   ContactChance chance;
   chance.seed = seed;
   chance.steps = std::min(step_count(scenario), kStepsCompared);
-  const double kept = std::min(1.0, margin_px / chance.within_px);
+  const double kept = std::min(1.0, margin_px.value_or(chance.within_px) / chance.within_px);
   chance.drawn_part = 1.0 - kept * kept;
   if (kept >= 1.0) return chance;
   Scenario moved = scenario;
   const std::vector<ContactSteps> contacts = contacts_of(core, moved, chance.steps);
   Draws draws(seed);
   for (std::int64_t start = 0; start < starts; ++start) {
-    const Position by = between_squares(margin_px, chance.within_px, draws);
+    const Position by = between_squares(*margin_px, chance.within_px, draws);
     moved.start = {scenario.start.x_px + by.x_px, scenario.start.y_px + by.y_px};
     chance.changed.add(contacts_of(core, moved, chance.steps) != contacts);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "sim/core/core.h"
 #include "sim/result/estimate.h"
@@ -33,8 +34,10 @@ struct ContactChance {
 
 /// Plays the scenario and `starts` others beside it, each for 20,000 steps at most: by then drag has taken
 /// all but 2e-9 of a change of the start.
-/// @param margin_px half-width of the box around the start within which no contact changes, 0 if not known.
-[[nodiscard]] ContactChance contact_chance(const Core& core, const Scenario& scenario, double margin_px,
-                                           std::uint64_t seed = 1, std::int64_t starts = 200);
+/// @param margin_px half-width of the box around the start within which no contact changes, 0 if not known;
+/// nothing: no start changes a contact.
+[[nodiscard]] ContactChance contact_chance(const Core& core, const Scenario& scenario,
+                                           std::optional<double> margin_px, std::uint64_t seed = 1,
+                                           std::int64_t starts = 200);
 
 }  // namespace hyrax

@@ -66,9 +66,7 @@ DriftRun measure(const Core& core, const DriftRequest& request, const DriftInput
     return input.is_file ? load_drift(core, input.path, options)
                          : measure_drift(core, input.head->scenario, options);
   if (input.is_file) refuse_input(input.path + ": is a trajectory; -o needs a scenario");
-  return *write_run(core, request.output, input.head->scenario,
-                    {.replay = {}, .drift = StoredDrift{options, request.stores_rows}})
-              .drift;
+  return *write_run(core, request.output, input.head->scenario, {.replay = {}, .drift = options}).drift;
 }
 
 void report(const DriftRequest& request, const std::string& path, const DriftReport& report,
@@ -86,13 +84,14 @@ void measure_one(const Core& own_core, const DriftRequest& request, const std::o
   if (input.failure) throw *input.failure;
   const Core core = input.is_file ? core_of_file(own_core, input.path, *input.head) : own_core;
   DriftReport measured{
-      .run = measure(core, request, input,
-                     {.gsl = gsl, .keeps_rows = !request.figures.empty(), .model = reference_model(core)}),
+      .run =
+          measure(core, request, input,
+                  {.gsl = gsl, .keeps_rows = !request.figures.empty(), .stores_rows = request.stores_rows}),
       .has_rows_stored = request.stores_rows};
   const DriftRun& run = measured.run;
   measured.step_ns = step_ns(core, run.scenario);
   measured.half_dt = measure_half_dt(core, run.scenario);
-  measured.contact_chance = contact_chance_of(core, run.scenario, run.margin);
+  measured.contact_chance = contact_chance(core, run.scenario, run.margin.half_width);
   outcomes.add(drift_exit_code(run.summary));
   report(request, input.path, measured, outcomes);
   if (request.figures.empty()) return;

@@ -9,6 +9,7 @@
 #include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/options.h"
+#include "tools/app/command_line/part.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/search/broken_rule.h"
 #include "tools/files/json.h"
@@ -50,12 +51,7 @@ FuzzLimits limits_of(const FuzzRequest& request) {
   limits.seed = request.seed.value_or(1);
   limits.runs = request.runs;
   if (!request.time.empty()) limits.time_s = parse_time_s(request.time);
-  if (const auto chosen = choose_part("hyrax-sim fuzz", request.part, request.parts)) {
-    limits.part = chosen->part;
-    if (!chosen->source.empty())
-      print_error(fmt::format("hyrax-sim fuzz: part {}/{}, from {}", limits.part.index, limits.part.count,
-                              chosen->source));
-  }
+  limits.part = choose_part("hyrax-sim fuzz", request.part, request.parts).value_or(WorkPart{});
   return limits;
 }
 

@@ -98,12 +98,11 @@ void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Ca
   }
 }
 
-std::optional<StoredDrift> stored_drift(const Core& core, const RunRequest& request) {
+std::optional<DriftOptions> stored_drift(const Core& core, const RunRequest& request) {
   if (request.measures_drift) require_paper_core(core, "hyrax-sim run: --drift");
   if (request.measures_drift)
-    return StoredDrift{
-        {.gsl = gsl_options(request.reference, "hyrax-sim run"), .model = reference_model(core)},
-        request.stores_rows};
+    return DriftOptions{.gsl = gsl_options(request.reference, "hyrax-sim run"),
+                        .stores_rows = request.stores_rows};
   if (request.stores_rows || request.reference.is_given())
     refuse_input("hyrax-sim run: --rows, --reference, --stepper and --tolerance need --drift");
   return std::nullopt;
@@ -113,7 +112,7 @@ void report(const Core& core, const RunRequest& request, const ScenarioRun& run,
   DriftReport drift;
   if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request.stores_rows};
   if (run.drift && request.printing.is_verbose())
-    drift.contact_chance = contact_chance_of(core, run.scenario, run.drift->margin);
+    drift.contact_chance = contact_chance(core, run.scenario, run.drift->margin.half_width);
   if (!request.printing.is_json) {
     if (run.output == kStandardOutput)
       print_error(run.scenario.name + ": " + run.status());
@@ -158,7 +157,7 @@ void write_page(const Core& core, const RunRequest& request, const ScenarioRun& 
   print_written(request, request.page);
 }
 
-void run_one(const Core& core, const RunRequest& request, const std::optional<StoredDrift>& drift,
+void run_one(const Core& core, const RunRequest& request, const std::optional<DriftOptions>& drift,
              const Candidate& candidate, Outcomes& outcomes) {
   if (candidate.failure) throw *candidate.failure;
   require_measurable(core, candidate.path, *candidate.scenario);
@@ -202,7 +201,7 @@ ExitCode run(const Core& core, RunRequest request) {
     guard.admit_file("hyrax-sim run: --report", request.page, {".html"});
     require_page();
   }
-  const std::optional<StoredDrift> drift = stored_drift(core, request);
+  const std::optional<DriftOptions> drift = stored_drift(core, request);
   const bool has_scenario =
       std::ranges::any_of(candidates, [](const Candidate& each) { return each.scenario.has_value(); });
   if (has_scenario && !request.output.empty() && writes_into_folder(request, candidates.size()))

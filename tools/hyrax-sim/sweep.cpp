@@ -87,10 +87,10 @@ ExitCode merge(const SweepRequest& request) {
   return ExitCode::agreed;
 }
 
-std::string output_of(const SweepRequest& request, const std::optional<ChosenPart>& part) {
+std::string output_of(const SweepRequest& request, const std::optional<WorkPart>& part) {
   std::string output = request.output;
   if (output.empty()) output = std::string(file_name(request.files.front()).stem) + ".h5";
-  return part ? part_path(output, part->part) : output;
+  return part ? part_path(output, *part) : output;
 }
 
 // Whether the result is there already, and complete. One of another sweep is replaced, as without --resume.
@@ -124,15 +124,12 @@ ExitCode compute(const Core& core, const SweepRequest& request) {
   const std::string& path = request.files.front();
   const auto part = choose_part(kName, request.part, request.parts);
   const SweepFile file = load_sweep(path);
-  if (part && !part->source.empty())
-    print_error(
-        fmt::format("{}: part {}/{}, from {}", kName, part->part.index, part->part.count, part->source));
   SweepJob job;
   job.head.sweep_text = file.text;
   job.head.members = file.sweep.members;
   job.head.physics = core.name;
   job.head.is_part = part.has_value();
-  if (part) job.head.part = part->part;
+  job.head.part = part.value_or(WorkPart{});
   job.output = output_of(request, part);
   job.threads = request.threads.value_or(processors());
   if (request.resumes) job.existing = Existing::resumed;
@@ -154,8 +151,8 @@ ExitCode compute(const Core& core, const SweepRequest& request) {
                         {"steps_computed", outcome.tally.computed},
                         {"output", job.output}};
   if (part) {
-    document.emplace_back("part", part->part.index);
-    document.emplace_back("parts", part->part.count);
+    document.emplace_back("part", part->index);
+    document.emplace_back("parts", part->count);
   }
   report(request,
          request.printing.is_quiet() ? "written: " + job.output

@@ -23,7 +23,7 @@ std::int64_t end_of(const PetOptions& options) {
 App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
     : monitor_(monitor_under({0, 0})),
       pet_(core, monitor_.desk, clock_ticks_per_s(), clock_ticks()),
-      recorder_(pet_, clock_ticks_per_s(),
+      recorder_(pet_, saver_, clock_ticks_per_s(),
                 {.notify = [this](const std::string& sentence) { notify(sentence); },
                  .new_path = new_recording_path}),
       scenario_(options.replay_path ? std::optional(load_scenario(*options.replay_path)) : std::nullopt),
@@ -191,7 +191,7 @@ void App::on_screen_change() {
 void App::on_power(WPARAM change) {
   if (change == PBT_APMSUSPEND) {
     is_suspended_ = true;
-    if (pet_.session().is_recording()) pet_.session().recording().save();
+    if (auto& recording = pet_.session().recording()) recording->save();
   }
   if (change != PBT_APMRESUMEAUTOMATIC) return;
   is_suspended_ = false;

@@ -59,6 +59,7 @@ class App {
   FramePacer pacer_;
   Monitor monitor_;
   Pet pet_;
+  ScenarioSaver saver_;
   Recorder recorder_;
   std::optional<FrameLog> log_;
   std::optional<Scenario> scenario_;  // The replayed one.

@@ -1,10 +1,8 @@
 #include "tools/hyrax/pet.h"
-#include "tools/files/failure.h"
 #include "tools/hyrax/resource_ids.h"
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <utility>
 
 namespace hyrax {
@@ -163,27 +161,6 @@ void Session::advance(double dt_s) {
   if (is_in_place && dt_s > 0.0 && !is_still()) ++still_frames_;
   ring_.add_frame(now());
   if (recording_) recording_->add_frame(now());
-}
-
-void Session::finish_recording() {
-  assert(is_recording());
-  Recording finished = std::move(*recording_);
-  recording_.reset();
-  finished.finish();
-}
-
-void Session::continue_recording() {
-  assert(is_recording());
-  Recording finished = std::move(*recording_);
-  recording_.reset();
-  std::exception_ptr failure;
-  try {
-    finished.finish();  // First, to free the names of its parts.
-  } catch (const Failure&) {
-    failure = std::current_exception();
-  }
-  recording_.emplace(finished.next(now()));
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace hyrax

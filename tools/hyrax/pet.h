@@ -39,22 +39,9 @@ class Session {
   /// The last minutes.
   [[nodiscard]] Tape just_happened() const { return ring_.tape(); }
 
-  /// Starts a recording. REQUIRES: !is_recording(). ERRORS: Failure(bad_input) if the file exists.
-  void start_recording(const std::string& path, ScenarioSaver& saver) {
-    assert(!is_recording());
-    recording_.emplace(path, now(), saver);
-  }
+  /// The recording that gets inputs and frames as well; nothing: none. See Recorder.
+  [[nodiscard]] std::optional<Recording>& recording() { return recording_; }
   [[nodiscard]] bool is_recording() const { return recording_.has_value(); }
-  /// REQUIRES: is_recording().
-  [[nodiscard]] Recording& recording() {
-    assert(is_recording());
-    return *recording_;
-  }
-  /// REQUIRES: is_recording(). ERRORS: Failure(cannot_access); the recording has ended nevertheless.
-  void finish_recording();
-  /// Finishes the file of a recording and continues in a new one beside it. REQUIRES: is_recording().
-  /// ERRORS: Failure(cannot_access) for the finished file; the new recording has begun nevertheless.
-  void continue_recording();
 
  private:
   FramePlayer player_;

@@ -1,27 +1,33 @@
 #include "tools/hyrax/recorder.h"
 
+#include <cassert>
+
 #include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
+#include "tools/files/path.h"
 
 namespace hyrax {
 
 void Recorder::start(const std::string& path, std::int64_t ticks) {
+  assert(!recording());
   const AtomicFile probe(path);  // Fails now if the file cannot be written.
-  pet_.session().start_recording(path, saver_);
+  if (is_there(path)) refuse_input(path + ": exists already; name another file, or remove it first");
+  recording().emplace(path, pet_.session().now(), saver_);
   saves_.done(ticks);
 }
 
 void Recorder::start_new(std::int64_t ticks) {
-  start(system_.new_path("recording"), ticks);
-  system_.notify("Recording to " + pet_.session().recording().path());
+  const std::string path = system_.new_path("recording");
+  start(path, ticks);
+  system_.notify("Recording to " + path);
 }
 
 void Recorder::finish() {
-  if (pet_.session().is_recording()) pet_.session().finish_recording();
+  if (auto finished = std::exchange(recording(), std::nullopt)) finished->finish();
 }
 
 void Recorder::save() {
-  const std::string path = pet_.session().recording().path();
+  const std::string path = recording()->path();
   finish();
   system_.notify("Saved as " + path);
 }
@@ -34,24 +40,26 @@ void Recorder::save_just_happened() {
   system_.notify("Saved as " + path);
 }
 
-void Recorder::save_if_due(std::int64_t ticks) {
-  if (!pet_.session().is_recording()) return;
-  Recording& recording = pet_.session().recording();
-  if (recording.is_full()) return continue_in_new_file();
-  if (!saves_.is_due(ticks) && !pet_.is_asleep()) return;
-  saves_.done(ticks);
-  recording.save();
-  const auto failure = saver_.take_failure();
-  if (failure && *failure != last_failure_) system_.notify(last_failure_ = *failure);
+void Recorder::continue_in_new_file() {
+  Recording finished = *std::exchange(recording(), std::nullopt);
+  std::string failure;
+  try {
+    finished.finish();  // First, to free the names of its parts.
+  } catch (const Failure& refused) {
+    failure = refused.what();
+  }
+  recording().emplace(finished.next(pet_.session().now()));
+  system_.notify(failure.empty() ? "The recording continues in " + recording()->path() : failure);
 }
 
-void Recorder::continue_in_new_file() {
-  try {
-    pet_.session().continue_recording();
-    system_.notify("The recording continues in " + pet_.session().recording().path());
-  } catch (const Failure& failure) {
-    system_.notify(failure.what());
-  }
+void Recorder::save_if_due(std::int64_t ticks) {
+  if (!recording()) return;
+  if (recording()->is_full()) return continue_in_new_file();
+  if (!saves_.is_due(ticks) && !pet_.is_asleep()) return;
+  saves_.done(ticks);
+  recording()->save();
+  const auto failure = saver_.take_failure();
+  if (failure && *failure != last_failure_) system_.notify(last_failure_ = *failure);
 }
 
 }  // namespace hyrax

@@ -30,16 +30,9 @@ std::string numbered_path(const std::string& path, std::size_t number) {
 }  // namespace
 
 ScenarioSaver::ScenarioSaver(std::function<std::string(const Scenario&)> text_of)
-    : text_of_(std::move(text_of)), thread_([this] { work(); }) {}
+    : text_of_(std::move(text_of)), thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
-ScenarioSaver::~ScenarioSaver() {
-  {
-    const std::lock_guard lock(mutex_);
-    is_ending_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+ScenarioSaver::~ScenarioSaver() = default;
 
 void ScenarioSaver::save(const std::string& path, Scenario scenario) {
   {
@@ -86,11 +79,10 @@ std::optional<std::string> ScenarioSaver::take_failure() {
   return std::exchange(failure_, std::nullopt);
 }
 
-void ScenarioSaver::work() {
+void ScenarioSaver::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return !jobs_.empty() || is_ending_; });
-    if (jobs_.empty()) return;
+    if (!changed_.wait(lock, stop, [this] { return !jobs_.empty(); })) return;
     const Job job = std::move(jobs_.front());
     jobs_.pop_front();
     is_busy_ = true;
@@ -108,17 +100,6 @@ void ScenarioSaver::work() {
     if (failure) failure_ = failure;
     changed_.notify_all();
   }
-}
-
-Recording::Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver)
-    : first_path_(path), path_(path), saver_(saver), all_(start), part_(start), part_paths_{path} {
-  if (is_there(path)) refuse_input(path + ": exists already; name another file, or remove it first");
-}
-
-Recording Recording::next(const Keyframe& start) const {
-  Recording next(free_path(first_path_), start, saver_);
-  next.first_path_ = first_path_;
-  return next;
 }
 
 void Recording::add_input(const Action& action) {

@@ -22,8 +22,6 @@ class ScenarioSaver {
  public:
   /// @param text_of makes the text of a scenario; what it throws is a failure of that file only.
   explicit ScenarioSaver(std::function<std::string(const Scenario&)> text_of = scenario_file_text);
-  ScenarioSaver(const ScenarioSaver&) = delete;
-  ScenarioSaver& operator=(const ScenarioSaver&) = delete;
   /// Writes what is queued.
   ~ScenarioSaver();
 
@@ -47,18 +45,20 @@ class ScenarioSaver {
     Scenario scenario;
   };
 
-  void work();
+  void work(const std::stop_token& stop);
 
   std::function<std::string(const Scenario&)> text_of_;
   std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable_any changed_;
   std::deque<Job> jobs_;
   std::set<std::string> written_;
   bool is_busy_ = false;
-  bool is_ending_ = false;
   std::optional<std::string> failure_;
-  std::thread thread_;
+  std::jthread thread_;  // The last member: it ends before what it uses.
 };
+
+/// The path if no file has it, else NAME-2.json or the next free number.
+[[nodiscard]] std::string free_path(const std::string& path);
 
 /// A recording. However the program ends, at most what came after the last `save` is lost, and each file
 /// replays as it is. After kPartFrames frames the recording continues in a new part, NAME-2.json or the next
@@ -70,10 +70,13 @@ class Recording {
   static constexpr std::int64_t kPartFrames = 16'384;  ///< Four and a half minutes of motion at 60 Hz.
   static constexpr std::int64_t kFramesMax = std::int64_t{1} << 20;  ///< About five hours; then `next`.
 
-  /// @param path of the file, UTF-8. Refers to the saver. ERRORS: Failure(bad_input) if the file exists.
-  Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver);
+  /// @param path of the file, UTF-8. Refers to the saver.
+  Recording(const std::string& path, const Keyframe& start, ScenarioSaver& saver)
+      : Recording(path, path, start, saver) {}
   /// The recording that continues this one, in a new file beside the first.
-  [[nodiscard]] Recording next(const Keyframe& start) const;
+  [[nodiscard]] Recording next(const Keyframe& start) const {
+    return {first_path_, free_path(first_path_), start, saver_};
+  }
 
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Whether it has kFramesMax frames.
@@ -89,6 +92,10 @@ class Recording {
   void finish();
 
  private:
+  Recording(const std::string& first_path, const std::string& path, const Keyframe& start,
+            ScenarioSaver& saver)
+      : first_path_(first_path), path_(path), saver_(saver), all_(start), part_(start), part_paths_{path} {}
+
   std::string first_path_;  // Of this one and of those that continue it.
   std::string path_;
   ScenarioSaver& saver_;
@@ -98,9 +105,6 @@ class Recording {
   std::vector<std::string> part_paths_;
   bool is_saved_ = true;
 };
-
-/// The path if no file has it, else NAME-2.json or the next free number.
-[[nodiscard]] std::string free_path(const std::string& path);
 
 /// A scenario's name from a file's: its stem, with other characters than those of a name replaced by `-`.
 [[nodiscard]] std::string scenario_name_of(const std::string& path);

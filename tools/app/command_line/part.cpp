@@ -36,13 +36,7 @@ std::optional<std::int64_t> read_variable(const std::string& command, const char
   return value;
 }
 
-ChosenPart checked(const std::string& place, std::int64_t index, std::int64_t count, std::string source) {
-  if (count < 1 || index < 0 || index >= count)
-    refuse_input(fmt::format("{}: must be part I of N with 0 <= I < N (found {}/{})", place, index, count));
-  return {{index, count}, std::move(source)};
-}
-
-ChosenPart parse_part(const std::string& command, const std::string& text) {
+WorkPart parse_part(const std::string& command, const std::string& text) {
   const std::size_t slash = text.find('/');
   const std::string_view numbers = text;
   const std::int64_t index = parse_count(numbers.substr(0, slash)).value_or(-1);
@@ -50,13 +44,13 @@ ChosenPart parse_part(const std::string& command, const std::string& text) {
       slash == std::string::npos ? 0 : parse_count(numbers.substr(slash + 1)).value_or(0);
   if (index < 0 || index >= count)
     refuse_input(fmt::format("{}: --part: must be I/N with 0 <= I < N (found {})", command, text));
-  return {{index, count}, ""};
+  return {index, count};
 }
 
 }  // namespace
 
-std::optional<ChosenPart> choose_part(const std::string& command, const std::string& part,
-                                      std::optional<std::int64_t> parts) {
+std::optional<WorkPart> choose_part(const std::string& command, const std::string& part,
+                                    std::optional<std::int64_t> parts) {
   if (!part.empty() && parts) refuse_input(command + ": --part and --parts: only one allowed");
   if (!part.empty()) return parse_part(command, part);
   const auto variable = [&](const char* name) { return read_variable(command, name); };
@@ -69,8 +63,13 @@ std::optional<ChosenPart> choose_part(const std::string& command, const std::str
     if (offset % step != 0)
       refuse_input(fmt::format("{}: {}: must be a multiple of {} after the first one (found {})", command,
                                index_name, step_name, *index));
-    return checked(command + ": " + index_name, offset / step, *count,
-                   fmt::format("{} and {}", index_name, count_name));
+    const WorkPart chosen{offset / step, *count};
+    if (chosen.count < 1 || chosen.index < 0 || chosen.index >= chosen.count)
+      refuse_input(fmt::format("{}: {}: must be part I of N with 0 <= I < N (found {}/{})", command,
+                               index_name, chosen.index, chosen.count));
+    print_error(fmt::format("{}: part {}/{}, from {} and {}", command, chosen.index, chosen.count, index_name,
+                            count_name));
+    return chosen;
   }
   if (parts) refuse_input(command + ": --parts: needs JOB_COMPLETION_INDEX; else give --part I/N");
   for (const auto& [index_name, count_name, first_name, step_name] : kPartNames)

@@ -1,10 +1,10 @@
-// A comparison as text and as JSON.
+// A comparison as text and as JSON: of two runs, or of two trajectory files.
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "sim/compare/comparison.h"
+#include "tools/app/diff/trajectory_diff.h"
 #include "tools/files/json.h"
 #include "tools/store/provenance.h"
 
@@ -20,19 +20,27 @@ namespace hyrax {
 [[nodiscard]] std::string build_text(const Provenance& a, const Provenance& b,
                                      const std::optional<DifferenceClass>& difference);
 
-/// The value of a field: the flags of "contact" by name, other values in decimal and hex float.
-[[nodiscard]] std::string field_value_text(std::string_view field, double value);
-
-/// " px" and so on; empty for a field without unit.
-[[nodiscard]] std::string unit_of(std::string_view field);
-
-/// "3 ulps"; empty without any, or beyond a million: they say how far rounding went, and nothing of more.
-[[nodiscard]] std::string ulps_text(const std::optional<std::uint64_t>& ulps);
-
 /// The largest distance of two rows in px: 0 if no position differs.
 [[nodiscard]] Json max_px_json(const Comparison& comparison);
 
 /// {"step", "field", "expected", "actual", "ulps"}, or null.
 [[nodiscard]] Json divergence_json(const std::optional<Divergence>& divergence);
+
+/// "no position differs", or "at most 3.4 px apart". One line.
+[[nodiscard]] std::string distance_sentence(const TrajectoryDiff& diff);
+
+/// "2 contacts moved, 0 vanished, 1 appeared". One line.
+[[nodiscard]] std::string contacts_sentence(const ContactChanges& contacts);
+
+/// What a user of the program would see: distance, where the sprite ends, contacts, energy. Complete lines,
+/// indented by two.
+[[nodiscard]] std::string consequence_text(const TrajectoryDiff& diff);
+
+/// The first difference, the contacts that moved, the worst value of each field. Complete lines, indented by
+/// two.
+[[nodiscard]] std::string values_text(const TrajectoryDiff& diff, bool lists_all);
+
+/// {"agree", "class", "first_divergence", "worst", "contacts"}
+[[nodiscard]] Json diff_json(const TrajectoryDiff& diff);
 
 }  // namespace hyrax

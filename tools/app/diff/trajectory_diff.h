@@ -1,14 +1,12 @@
-// Two trajectory files, compared row by row: the result, and as text and JSON.
+// Two trajectory files, compared row by row.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "sim/compare/overlay.h"
 #include "sim/compare/run_distance.h"
 #include "sim/compare/trajectory_comparer.h"
-#include "tools/files/json.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -40,22 +38,5 @@ struct TrajectoryDiff {
 /// @param overlay gets the pairs whose distance counts; may be nullptr.
 [[nodiscard]] TrajectoryDiff diff_trajectories(const TrajectoryFile& a, const TrajectoryFile& b,
                                                const Tolerance& tolerance, Overlay* overlay);
-
-/// "no position differs", or "at most 3.4 px apart". One line.
-[[nodiscard]] std::string distance_sentence(const TrajectoryDiff& diff);
-
-/// "2 contacts moved, 0 vanished, 1 appeared". One line.
-[[nodiscard]] std::string contacts_sentence(const ContactChanges& contacts);
-
-/// What a user of the program would see: distance, where the sprite ends, contacts, energy. Complete lines,
-/// indented by two.
-[[nodiscard]] std::string consequence_text(const TrajectoryDiff& diff);
-
-/// The first difference, the contacts that moved, the worst value of each field. Complete lines, indented by
-/// two.
-[[nodiscard]] std::string values_text(const TrajectoryDiff& diff, bool lists_all);
-
-/// {"agree", "class", "first_divergence", "worst", "contacts"}
-[[nodiscard]] Json diff_json(const TrajectoryDiff& diff);
 
 }  // namespace hyrax

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/core/core.h"
+#include "sim/reference/drift_meter.h"
 #include "sim/reference/drift_run.h"
 #include "sim/reference/gsl_flight.h"
 #include "sim/result/result.h"
@@ -43,27 +43,63 @@ inline constexpr std::size_t kRowsDrawnMax = 4'000;
 struct DriftOptions {
   std::optional<GslOptions> gsl;  ///< A second solution of every arc; none: the closed form alone.
   bool keeps_rows = false;        ///< For a figure.
-  Model model = {};               ///< Of the core, or of a file its constants'.
-  DriftSink* also = nullptr;      ///< Gets every measurement as well, its rows if it wants them.
+  bool stores_rows = false;       ///< In a trajectory file: the errors of every recorded row as well.
+};
+
+/// At most kRowsDrawnMax of many values: at the limit every other one is dropped, and from then on half as
+/// many are added.
+template <class Value>
+class Thinned {
+ public:
+  explicit Thinned(std::vector<Value>& values) : values_(values) {}
+  void add(const Value& value) {
+    if (seen_++ % every_ != 0) return;
+    values_.push_back(value);
+    if (values_.size() < kRowsDrawnMax) return;
+    for (std::size_t index = 0; 2 * index < values_.size(); ++index) values_[index] = values_[2 * index];
+    values_.resize((values_.size() + 1) / 2);
+    every_ *= 2;
+  }
+
+ private:
+  std::vector<Value>& values_;
+  std::int64_t seen_ = 0;
+  std::int64_t every_ = 1;
 };
 
 /// Measures the whole run, its arcs, its contacts and the margin, as the run is played or read.
-class DriftRecorder {
+class DriftRecorder final : private DriftSink {
  public:
-  explicit DriftRecorder(const Scenario& scenario, const DriftOptions& options = {});
-  ~DriftRecorder();
+  /// @param model reference_model of the core, or of a file.
+  /// @param row_sink gets the errors of every row as well; may be nullptr.
+  DriftRecorder(const Scenario& scenario, const Model& model, const DriftOptions& options = {},
+                DriftSink* row_sink = nullptr);
 
   /// Each of them must get the run.
-  [[nodiscard]] std::vector<RowSink*> sinks();
+  [[nodiscard]] std::vector<RowSink*> sinks() { return {&meter_, &margin_, &whole_}; }
   [[nodiscard]] DriftRun finish(std::int64_t steps, double simulated_s);
 
  private:
-  struct Sinks;
-  std::unique_ptr<Sinks> sinks_;
+  [[nodiscard]] bool wants_rows() const override { return keeps_rows_ || row_sink_ != nullptr; }
+  void row(const RowErrors& row) override;
+  void arc(const ArcErrors& arc) override;
+  void contact(const ImpactErrors& contact) override;
+
+  bool keeps_rows_;
+  DriftSink* row_sink_;
+  DriftRun run_;
+  std::size_t arcs_seen_ = 0;
+  Thinned<DrawnRow> rows_{run_.rows};
+  Thinned<WholeRow> whole_rows_{run_.whole_rows};
+  std::optional<GslFlight> solver_;
+  DriftMeter meter_;
+  MarginMeter margin_;
+  WholeMeter whole_;
 };
 
 /// Plays the scenario once. Shows progress.
-[[nodiscard]] DriftRun measure_drift(const Core& core, const Scenario& scenario, DriftOptions options = {});
+[[nodiscard]] DriftRun measure_drift(const Core& core, const Scenario& scenario,
+                                     const DriftOptions& options = {});
 /// What made a file's run: this program's core, or the paper's step with the constants in the file. Refers to
 /// `head`.
 /// ERRORS: Failure(bad_input) if another step made it, or if the reference does not allow its constants.
@@ -72,7 +108,8 @@ class DriftRecorder {
 /// Measures the rows of a trajectory file; if it does not hold every row, its scenario is played.
 /// REQUIRES: a core as core_of_file's.
 /// ERRORS: Failure(cannot_access), Failure(bad_input) as TrajectoryFile::open's.
-[[nodiscard]] DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options = {});
+[[nodiscard]] DriftRun load_drift(const Core& core, const std::string& path,
+                                  const DriftOptions& options = {});
 
 /// How a measurement ends: a fault of the reference is an internal error; a run that is not finite, or not
 /// the listing's, disagrees.
@@ -84,22 +121,17 @@ class DriftRecorder {
 
 /// The same scenario at half the dt: twice the frames, its events at the same times.
 struct HalfDt {
-  std::int64_t steps = 0;
+  std::optional<DriftRun> run = {};
   double step_ns = 0.0;
-  DriftSummary summary;
-  std::optional<ArcErrors> longest_arc;
+  std::string why_not = {};  ///< If it was not measured.
 };
-struct HalfDtOutcome {
-  std::optional<HalfDt> half;
-  std::string why_not;  ///< If it was not measured.
-};
-[[nodiscard]] HalfDtOutcome measure_half_dt(const Core& core, const Scenario& scenario);
+[[nodiscard]] HalfDt measure_half_dt(const Core& core, const Scenario& scenario);
 
 struct DriftReport {
   DriftRun run;
   bool has_rows_stored = false;  ///< The errors of every row are in a file.
   std::optional<double> step_ns = {};
-  HalfDtOutcome half_dt = {};
+  HalfDt half_dt = {};
   std::optional<ContactChance> contact_chance = {};
 };
 

@@ -4,6 +4,7 @@
 
 #include "sim/reference/drift_columns.h"
 #include "sim/result/number_text.h"
+#include "sim/scenario/frame_clock.h"
 #include "tools/app/drift/drift.h"
 
 namespace hyrax {
@@ -157,26 +158,24 @@ Table speed_table(const DriftReport& report) {
   struct Line {
     std::string dt;
     double step_ns;
-    const DriftSummary& summary;
-    const std::optional<ArcErrors>& longest_arc;
+    const DriftRun& run;
   };
-  std::vector<Line> lines = {{"this", *report.step_ns, report.run.summary, report.run.longest_arc}};
-  if (const auto& half = report.half_dt.half)
-    lines.push_back({"half", half->step_ns, half->summary, half->longest_arc});
+  std::vector<Line> lines = {{"this", *report.step_ns, report.run}};
+  if (report.half_dt.run) lines.push_back({"half", report.half_dt.step_ns, *report.half_dt.run});
   const auto value = [](const std::optional<Worst>& worst) { return worst ? worst->value : kNotGiven; };
   return {.columns = {column_of("dt", "", "", lines, &Line::dt),
                       column_of("a step here", "ns", "", lines, &Line::step_ns, 2),
                       column_of(
                           "trunc.", "px", "", lines,
-                          [&](const Line& line) { return value(line.summary.truncation_px); }, 3),
+                          [&](const Line& line) { return value(line.run.summary.truncation_px); }, 3),
                       column_of(
                           "model", "px", "", lines,
-                          [&](const Line& line) { return value(line.summary.model_px); }, 3),
+                          [&](const Line& line) { return value(line.run.summary.model_px); }, 3),
                       column_of(
                           "slope", "px/s", "", lines,
                           [](const Line& line) {
-                            return line.longest_arc
-                                       ? line.longest_arc->energy_drift_slope_px_per_s.value_or(kNotGiven)
+                            return line.run.longest_arc
+                                       ? line.run.longest_arc->energy_drift_slope_px_per_s.value_or(kNotGiven)
                                        : kNotGiven;
                           },
                           3)}};
@@ -184,9 +183,9 @@ Table speed_table(const DriftReport& report) {
 
 // The error against the fixed model does not vanish with the frame if half the dt keeps most of it.
 bool converges(const DriftReport& report) {
-  if (!report.half_dt.half) return true;
+  if (!report.half_dt.run) return true;
   const std::optional<Worst>& now = report.run.summary.model_px;
-  const std::optional<Worst>& half = report.half_dt.half->summary.model_px;
+  const std::optional<Worst>& half = report.half_dt.run->summary.model_px;
   constexpr double kHalvedAtLeast = 0.6;  // 0.5 for a method of first order.
   return !now || !half || half->value <= kHalvedAtLeast * now->value;
 }
@@ -243,7 +242,7 @@ Verdict verdict_of(const DriftReport& report, bool lists_all) {
     verdict.text.emplace_back(wrapped("not computed", items));
   if (!report.step_ns) return verdict;
   verdict.text.emplace_back(speed_table(report));
-  if (!report.half_dt.half)
+  if (!report.half_dt.run)
     verdict.text.emplace_back("  half dt      not measured: " + report.half_dt.why_not);
   if (!converges(report))
     verdict.text.emplace_back(
@@ -282,11 +281,12 @@ Table restitution_member(const Spread& spread) {
   return table;
 }
 
-Table half_dt_member(const HalfDtOutcome& outcome) {
+Table half_dt_member(const HalfDt& half) {
   Table table{.name = "half_dt", .columns = {}, .shape = JsonShape::one};
-  if (const std::optional<HalfDt>& half = outcome.half)
-    table.columns = {column_of_one("steps", "1", half->steps), column_of_one("step", "ns", half->step_ns),
-                     column_of_one("worst", "", worst_table("worst", half->summary, &Worst::value))};
+  if (half.run)
+    table.columns = {column_of_one("steps", "1", step_count(half.run->scenario)),
+                     column_of_one("step", "ns", half.step_ns),
+                     column_of_one("worst", "", worst_table("worst", half.run->summary, &Worst::value))};
   return table;
 }
 

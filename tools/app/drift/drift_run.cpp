@@ -4,69 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <functional>
 
 #include "sim/core/listing_core.h"
-#include "sim/reference/drift_meter.h"
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
 namespace {
-
-// At most kRowsDrawnMax of many values: at the limit every other one is dropped, and from then on half as
-// many are added.
-template <class Value>
-class Thinned {
- public:
-  explicit Thinned(std::vector<Value>& values) : values_(values) {}
-  void add(const Value& value) {
-    if (seen_++ % every_ != 0) return;
-    values_.push_back(value);
-    if (values_.size() < kRowsDrawnMax) return;
-    for (std::size_t index = 0; 2 * index < values_.size(); ++index) values_[index] = values_[2 * index];
-    values_.resize((values_.size() + 1) / 2);
-    every_ *= 2;
-  }
-
- private:
-  std::vector<Value>& values_;
-  std::int64_t seen_ = 0;
-  std::int64_t every_ = 1;
-};
-
-class Recorder final : public DriftSink {
- public:
-  Recorder(DriftRun& run, const DriftOptions& options)
-      : run_(run), rows_(run.rows), keeps_rows_(options.keeps_rows), also_(options.also) {
-    also_wants_rows_ = also_ != nullptr && also_->wants_rows();
-  }
-
-  [[nodiscard]] bool wants_rows() const override { return keeps_rows_ || also_wants_rows_; }
-  void row(const RowErrors& row) override {
-    if (keeps_rows_) rows_.add({arcs_seen_, row});
-    if (also_wants_rows_) also_->row(row);
-  }
-  void arc(const ArcErrors& arc) override {
-    ++arcs_seen_;
-    if (!run_.longest_arc || arc.duration_s > run_.longest_arc->duration_s) run_.longest_arc = arc;
-    if (run_.arcs.size() < kArcsListedMax) run_.arcs.push_back(arc);
-    if (also_ != nullptr) also_->arc(arc);
-  }
-  void contact(const ImpactErrors& contact) override {
-    if (run_.contacts.size() < kArcsListedMax) run_.contacts.push_back(contact);
-    if (also_ != nullptr) also_->contact(contact);
-  }
-
- private:
-  DriftRun& run_;
-  Thinned<DrawnRow> rows_;
-  bool keeps_rows_;
-  DriftSink* also_;
-  bool also_wants_rows_ = false;
-  std::size_t arcs_seen_ = 0;
-};
 
 void read_into(const TrajectoryFile& file, const std::vector<RowSink*>& sinks) {
   constexpr std::int64_t kBatchRows = 1 << 16;
@@ -83,53 +29,51 @@ void read_into(const TrajectoryFile& file, const std::vector<RowSink*>& sinks) {
 
 }  // namespace
 
-struct DriftRecorder::Sinks {
-  Sinks(const Scenario& scenario, const DriftOptions& options)
-      : solver(options.gsl ? std::make_unique<GslFlight>(*options.gsl, options.model) : nullptr),
-        recorder(run, options),
-        meter(scenario, inputs_of(scenario, step_count(scenario)), recorder, solver.get(), options.model),
-        margin(scenario, inputs_of(scenario, step_count(scenario)), options.model),
-        whole_rows(run.whole_rows),
-        whole(scenario, inputs_of(scenario, step_count(scenario)), options.model,
-              options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows.add(row); })
-                                 : nullptr) {
-    run.scenario = scenario;
-    if (options.gsl)
-      run.checked_by = fmt::format("GSL {}, tolerance {:g}",
-                                   kGslStepperNames[static_cast<std::size_t>(options.gsl->stepper)],
-                                   options.gsl->tolerance);
-    run.model = options.model;
-  }
-
-  DriftRun run;
-  std::unique_ptr<FlightSolver> solver;
-  Recorder recorder;
-  DriftMeter meter;
-  MarginMeter margin;
-  Thinned<WholeRow> whole_rows;
-  WholeMeter whole;
-};
-
-DriftRecorder::DriftRecorder(const Scenario& scenario, const DriftOptions& options)
-    : sinks_(std::make_unique<Sinks>(scenario, options)) {}
-DriftRecorder::~DriftRecorder() = default;
-
-std::vector<RowSink*> DriftRecorder::sinks() { return {&sinks_->meter, &sinks_->margin, &sinks_->whole}; }
-
-DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
-  DriftRun& run = sinks_->run;
-  run.steps = steps;
-  run.simulated_s = simulated_s;
-  run.summary = sinks_->meter.finish();
-  run.margin = sinks_->margin.margin();
-  run.whole = sinks_->whole.outcome();
-  if (run.whole.run) run.whole.run->secular_px_per_s = run.summary.secular_px_per_s;
-  return std::move(run);
+DriftRecorder::DriftRecorder(const Scenario& scenario, const Model& model, const DriftOptions& options,
+                             DriftSink* row_sink)
+    : keeps_rows_(options.keeps_rows),
+      row_sink_(row_sink),
+      meter_(scenario, inputs_of(scenario, step_count(scenario)), *this,
+             options.gsl ? &solver_.emplace(*options.gsl, model) : nullptr, model),
+      margin_(scenario, inputs_of(scenario, step_count(scenario)), model),
+      whole_(scenario, inputs_of(scenario, step_count(scenario)), model,
+             options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows_.add(row); })
+                                : nullptr) {
+  run_.scenario = scenario;
+  run_.model = model;
+  if (options.gsl)
+    run_.checked_by =
+        fmt::format("GSL {}, tolerance {:g}",
+                    kGslStepperNames[static_cast<std::size_t>(options.gsl->stepper)], options.gsl->tolerance);
 }
 
-DriftRun measure_drift(const Core& core, const Scenario& scenario, DriftOptions options) {
-  options.model = reference_model(core);
-  DriftRecorder recorder(scenario, options);
+void DriftRecorder::row(const RowErrors& row) {
+  if (keeps_rows_) rows_.add({arcs_seen_, row});
+  if (row_sink_ != nullptr) row_sink_->row(row);
+}
+
+void DriftRecorder::arc(const ArcErrors& arc) {
+  ++arcs_seen_;
+  if (!run_.longest_arc || arc.duration_s > run_.longest_arc->duration_s) run_.longest_arc = arc;
+  if (run_.arcs.size() < kArcsListedMax) run_.arcs.push_back(arc);
+}
+
+void DriftRecorder::contact(const ImpactErrors& contact) {
+  if (run_.contacts.size() < kArcsListedMax) run_.contacts.push_back(contact);
+}
+
+DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
+  run_.steps = steps;
+  run_.simulated_s = simulated_s;
+  run_.summary = meter_.finish();
+  run_.margin = margin_.margin();
+  run_.whole = whole_.outcome();
+  if (run_.whole.run) run_.whole.run->secular_px_per_s = run_.summary.secular_px_per_s;
+  return std::move(run_);
+}
+
+DriftRun measure_drift(const Core& core, const Scenario& scenario, const DriftOptions& options) {
+  DriftRecorder recorder(scenario, reference_model(core), options);
   const RunSummary summary = play_with_progress(core, scenario, recorder.sinks());
   return recorder.finish(summary.steps, summary.simulated_s);
 }
@@ -147,11 +91,10 @@ Core core_of_file(const Core& core, const std::string& path, const FileHead& hea
   return other;
 }
 
-DriftRun load_drift(const Core& core, const std::string& path, DriftOptions options) {
+DriftRun load_drift(const Core& core, const std::string& path, const DriftOptions& options) {
   const TrajectoryFile file = TrajectoryFile::open(path);
   const FileHead& head = file.head();
-  options.model = reference_model(core);
-  DriftRecorder recorder(head.scenario, options);
+  DriftRecorder recorder(head.scenario, reference_model(core), options);
   if (file.row_count() == head.steps + 1) {
     read_into(file, recorder.sinks());
     return recorder.finish(head.steps, file.rows(head.steps, 1).t_s.front());

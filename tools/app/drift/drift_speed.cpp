@@ -61,22 +61,16 @@ std::optional<double> step_ns(const Core& core, const Scenario& scenario) {
   return least_ns / static_cast<double>(times) / static_cast<double>(frames_s.size());
 }
 
-HalfDtOutcome measure_half_dt(const Core& core, const Scenario& scenario) {
+HalfDt measure_half_dt(const Core& core, const Scenario& scenario) {
   constexpr std::int64_t kStepsMaxHere = 1'000'000;
-  if (scenario.clock.jitter) return {{}, "jitter"};
-  if (std::holds_alternative<RecordedSteps>(scenario.clock.base)) return {{}, "a trace"};
+  if (scenario.clock.jitter) return {.why_not = "jitter"};
+  if (std::holds_alternative<RecordedSteps>(scenario.clock.base)) return {.why_not = "a trace"};
   const std::int64_t steps = step_count(scenario);
-  if (steps == 0 || base_dt_s(scenario.clock) == 0.0) return {{}, "dt is 0"};
-  if (steps > kStepsMaxHere) return {{}, "over 1e6 steps"};
+  if (steps == 0 || base_dt_s(scenario.clock) == 0.0) return {.why_not = "dt is 0"};
+  if (steps > kStepsMaxHere) return {.why_not = "over 1e6 steps"};
   const std::optional<Scenario> halved = at_half_dt(scenario);
-  if (!halved) return {{}, "no such clock"};
-  HalfDt half;
-  const DriftRun run = measure_drift(core, *halved);
-  half.summary = run.summary;
-  half.longest_arc = run.longest_arc;
-  half.steps = step_count(*halved);
-  half.step_ns = step_ns(core, *halved).value_or(0.0);
-  return {half, ""};
+  if (!halved) return {.why_not = "no such clock"};
+  return {.run = measure_drift(core, *halved), .step_ns = step_ns(core, *halved).value_or(0.0)};
 }
 
 }  // namespace hyrax

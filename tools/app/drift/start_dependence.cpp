@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <limits>
 
 #include "tools/files/table_text.h"
 
@@ -73,11 +72,6 @@ std::string margin_text(const Margin& margin) {
                      rounded_down(*margin.half_width),
                      kDecisionNames[static_cast<std::size_t>(margin.nearest->decision)],
                      margin.nearest->step);
-}
-
-ContactChance contact_chance_of(const Core& core, const Scenario& scenario, const Margin& margin) {
-  // Where no decision depends on the start, no start changes a contact.
-  return contact_chance(core, scenario, margin.half_width.value_or(std::numeric_limits<double>::infinity()));
 }
 
 std::string start_text(const StartDependence& start, bool all) {

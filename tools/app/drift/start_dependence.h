@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "sim/core/core.h"
 #include "sim/reference/margin.h"
 #include "sim/result/table.h"
 #include "sim/search/contact_chance.h"
@@ -21,10 +20,6 @@ struct StartDependence {
 
 /// "any start within ±0.27 px and px/s keeps all contacts; nearest decision: right wall, step 135".
 [[nodiscard]] std::string margin_text(const Margin& margin);
-
-/// Plays 200 starts beside the scenario's.
-[[nodiscard]] ContactChance contact_chance_of(const Core& core, const Scenario& scenario,
-                                              const Margin& margin);
 
 /// The lines of the text: margin; chance, as "within ±1 px of the start, contacts change for 38 % of starts
 /// (31 .. 45 %; 200 starts, seed 1)". @param all the table of d(end) / d(start), too.

@@ -164,10 +164,9 @@ ScenarioRun played(const Core& core, const TrajectoryFile& file) {
   run.output = file.path();
   run.scenario = file.head().scenario;
   run.rows_recorded = file.row_count();
-  DriftOptions options;
-  options.model = reference_model(file.head().physics, file.head().constants);
   std::optional<DriftRecorder> recorder;
-  if (file.head().constants) recorder.emplace(run.scenario, options);
+  if (file.head().constants)
+    recorder.emplace(run.scenario, reference_model(file.head().physics, file.head().constants));
   run.summary = play_with_progress(core, run.scenario, recorder ? recorder->sinks() : std::vector<RowSink*>(),
                                    judged_options(run.scenario));
   if (recorder) run.drift = recorder->finish(run.summary.steps, run.summary.simulated_s);

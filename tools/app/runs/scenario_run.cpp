@@ -18,67 +18,53 @@
 namespace hyrax {
 namespace {
 
-void append(std::vector<RowSink*>& sinks, const std::vector<RowSink*>& others) {
-  sinks.insert(sinks.end(), others.begin(), others.end());
+WrittenRun play_into(RowSink& file, const Core& core, const Scenario& scenario, const WriteOptions& options,
+                     std::optional<DriftRecorder>& drift) {
+  std::vector<RowSink*> sinks = options.also;
+  sinks.push_back(&file);
+  if (drift)
+    for (RowSink* const sink : drift->sinks()) sinks.push_back(sink);
+  WrittenRun run;
+  run.summary = play_with_progress(core, scenario, sinks, options.replay);
+  run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
+  return run;
 }
-
-// Measures a run as it is written, and adds the result to its file.
-class StoredErrors {
- public:
-  StoredErrors(hid_t file, const Scenario& scenario, std::int64_t steps, const StoredDrift& stored)
-      : reference_(h5::create_group(file, "reference")), drift_(h5::create_group(file, "drift")) {
-    DriftOptions options = stored.options;
-    if (stored.stores_rows) options.also = &rows_.emplace(reference_, drift_, steps, scenario.record_every);
-    recorder_.emplace(scenario, options);
-  }
-
-  [[nodiscard]] std::vector<RowSink*> sinks() { return recorder_->sinks(); }
-  /// False if the result could not be written.
-  [[nodiscard]] bool finish(hid_t file, const RunSummary& summary, DriftRun& run) {
-    run = recorder_->finish(summary.steps, summary.simulated_s);
-    const bool has_rows = !rows_ || rows_->finish(file);
-    const bool has_arcs = write_measured_arcs(reference_, drift_, run);
-    reference_ = {};
-    drift_ = {};
-    return has_rows && has_arcs;
-  }
-
- private:
-  h5::Handle reference_;
-  h5::Handle drift_;
-  std::optional<DriftRowTable> rows_;
-  std::optional<DriftRecorder> recorder_;
-};
 
 // `steps` is less than the scenario's if a first try found that the run ends there.
 WrittenRun write_trajectory(const Core& core, const std::string& output, const Scenario& scenario,
                             std::int64_t steps, const WriteOptions& options) {
   TrajectoryWriter writer(output, scenario, steps);
-  std::vector<RowSink*> sinks = {&writer};
-  append(sinks, options.also);
-  std::optional<StoredErrors> errors;
-  if (options.drift) append(sinks, errors.emplace(writer.file(), scenario, steps, *options.drift).sinks());
-  WrittenRun run;
-  run.summary = play_with_progress(core, scenario, sinks, options.replay);
-  run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
+  h5::Handle reference, drift;
+  std::optional<DriftRowTable> rows;
+  std::optional<DriftRecorder> recorder;
+  if (options.drift) {
+    reference = h5::create_group(writer.file(), "reference");
+    drift = h5::create_group(writer.file(), "drift");
+    if (options.drift->stores_rows) rows.emplace(reference, drift, steps, scenario.record_every);
+    recorder.emplace(scenario, reference_model(core), *options.drift, rows ? &*rows : nullptr);
+  }
+  WrittenRun run = play_into(writer, core, scenario, options, recorder);
   if (run.summary.steps != steps) return run;
-  std::function<bool(hid_t)> write_more;
-  if (errors) write_more = [&](hid_t file) { return errors->finish(file, run.summary, run.drift.emplace()); };
+  const auto write_errors = [&](hid_t file) {
+    if (!recorder) return true;
+    run.drift = recorder->finish(steps, run.summary.simulated_s);
+    const bool has_rows = !rows || rows->finish(file);
+    const bool has_arcs = write_measured_arcs(reference, drift, *run.drift);
+    reference = {};
+    drift = {};
+    return has_rows && has_arcs;
+  };
   writer.finish({scenario, steps, std::string(core.name), hex(run.summary.state_hash), core.constants},
-                inputs_of(scenario, steps), run.summary.contacts.total(), write_more);
+                inputs_of(scenario, steps), run.summary.contacts.total(), write_errors);
   return run;
 }
 
 WrittenRun write_csv(const Core& core, const std::string& output, const Scenario& scenario,
                      const WriteOptions& options) {
   TrajectoryCsv csv(output, scenario, step_count(scenario));
-  std::vector<RowSink*> sinks = {&csv};
-  append(sinks, options.also);
   std::optional<DriftRecorder> drift;
-  if (options.drift) append(sinks, drift.emplace(scenario, options.drift->options).sinks());
-  WrittenRun run;
-  run.summary = play_with_progress(core, scenario, sinks, options.replay);
-  run.rows_recorded = TrajectoryWriter::row_count(run.summary.steps, scenario.record_every);
+  if (options.drift) drift.emplace(scenario, reference_model(core), *options.drift);
+  WrittenRun run = play_into(csv, core, scenario, options, drift);
   csv.finish();
   if (drift) run.drift = drift->finish(run.summary.steps, run.summary.simulated_s);
   return run;
@@ -146,7 +132,7 @@ ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenar
   }
   static_cast<WrittenRun&>(run) =
       write_run(core, output, scenario, {.replay = replay, .drift = options.drift, .also = also});
-  if (margin) run.start = {margin->margin(), contact_chance_of(core, scenario, margin->margin())};
+  if (margin) run.start = {margin->margin(), contact_chance(core, scenario, margin->margin().half_width)};
   run.expectations = judge_run(core, scenario, run.summary,
                                run.drift  ? std::optional(run.drift->summary)
                                : measures ? std::optional(meter.finish())

@@ -18,16 +18,10 @@
 
 namespace hyrax {
 
-/// How a run is measured against the reference, and what of that is stored.
-struct StoredDrift {
-  DriftOptions options;
-  bool stores_rows = false;  ///< The errors of every recorded row, beside those of arcs and contacts.
-};
-
 struct WriteOptions {
   ReplayOptions replay;
-  std::optional<StoredDrift> drift;  ///< Measured as the run is written.
-  std::vector<RowSink*> also = {};   ///< Get the run as well.
+  std::optional<DriftOptions> drift;  ///< Measured as the run is written.
+  std::vector<RowSink*> also = {};    ///< Get the run as well.
 };
 
 struct WrittenRun {
@@ -47,7 +41,7 @@ struct ScenarioRunOptions {
   std::string golden_folder;  ///< Empty: the `golden` beside the nearest `scenarios`.
   bool skips_repetition = true;
   bool compares = true;  ///< With the golden file, if there is one.
-  std::optional<StoredDrift> drift;
+  std::optional<DriftOptions> drift;
   bool measures_start = false;    ///< How the run depends on its start.
   RunPicture* picture = nullptr;  ///< Gets what it draws.
 };

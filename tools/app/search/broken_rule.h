@@ -12,9 +12,9 @@
 
 #include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
+#include "sim/scenario/sweep.h"
 #include "sim/search/run_check.h"
 #include "sim/search/shrink.h"
-#include "tools/app/command_line/part.h"
 #include "tools/files/child_process.h"
 
 namespace hyrax {

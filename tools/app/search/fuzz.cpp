@@ -28,11 +28,7 @@ class Fuzzer {
         limits_(limits),
         other_(other),
         batch_(other == nullptr ? 64 : static_cast<std::int64_t>(other->batch())) {
-    if (limits.runs) {
-      const WorkPart& part = limits.part;
-      rows_ = *limits.runs > part.index ? (*limits.runs - part.index - 1) / part.count + 1 : 0;
-      end_row_ = rows_;
-    }
+    if (limits.runs) end_row_ = rows_ = limits.part.rows(*limits.runs);
   }
 
   FuzzOutcome run() {
@@ -103,7 +99,7 @@ class Fuzzer {
   }
 
   [[nodiscard]] std::uint64_t run_of(std::int64_t row) const {
-    return static_cast<std::uint64_t>(limits_.part.index + row * limits_.part.count);
+    return static_cast<std::uint64_t>(limits_.part.member(row));
   }
 
   // Runs before this one go on: one of them may fail as well.

@@ -38,27 +38,18 @@ std::span<const Json> entries(const Json& object, std::string_view key) {
   return array == nullptr ? std::span<const Json>() : *array;
 }
 
-// Of `run --json`.
-Hashes hashes_of_runs(const Json& document) {
+// Of `run --json`, or of `check --json`, which says what it measured where another hash is expected.
+Hashes hashes_in(const Json& document) {
   Hashes hashes;
-  for (const Json& run : entries(document, "runs")) {
-    const auto* const path = run.get<std::string>("scenario");
-    const auto* const hash = run.get<std::string>("state_hash");
-    if (path != nullptr && hash != nullptr) hashes.emplace(*path, *hash);
-  }
-  return hashes;
-}
-
-// Of `check --json`, which says what it measured where another hash is expected.
-Hashes hashes_of_checks(const Json& document) {
-  Hashes hashes;
-  for (const Json& result : entries(document, "results"))
-    for (const Json& expectation : entries(result, "expect")) {
-      const auto* const path = result.get<std::string>("scenario");
-      const auto* const rule = expectation.get<std::string>("rule");
-      const auto* const hash = expectation.get<std::string>("measured");
-      if (path != nullptr && rule != nullptr && *rule == "state_hash" && hash != nullptr)
-        hashes.emplace(*path, *hash);
+  for (const char* const list : {"runs", "results"})
+    for (const Json& entry : entries(document, list)) {
+      const auto* const path = entry.get<std::string>("scenario");
+      const auto* hash = entry.get<std::string>("state_hash");
+      for (const Json& expectation : entries(entry, "expect"))
+        if (const auto* const rule = expectation.get<std::string>("rule");
+            rule != nullptr && *rule == "state_hash")
+          hash = expectation.get<std::string>("measured");
+      if (path != nullptr && hash != nullptr) hashes.emplace(*path, *hash);
     }
   return hashes;
 }
@@ -121,8 +112,7 @@ std::vector<std::string> OtherProgram::query(Query command, std::span<const Scen
             ? run_child({program_, "run", inputs, "--json", "-o", folder.path() + "/out/"}, {}, left_s(),
                         kOutBytesMax)
             : run_child({program_, "check", inputs, "--json", "--jobs", "1"}, {}, left_s(), kOutBytesMax);
-  const Json document = parsed(end.out);
-  Hashes printed = command == Query::run ? hashes_of_runs(document) : hashes_of_checks(document);
+  Hashes printed = hashes_in(parsed(end.out));
   std::vector<std::string> hashes;
   for (const std::string& path : paths) hashes.push_back(printed[path]);
   return hashes;

@@ -48,8 +48,8 @@ TEST(DriftResult, OfRunsAreThoseApproved) {
       .has_rows_stored = true,
       .step_ns = 5.25,
       .contact_chance = ContactChance{.drawn_part = 0.5, .changed = {30, 200}, .steps = 330}};
-  const DriftRun half = measure_drift(shipped_core(), fling_at(120.0, 40));
-  report.half_dt.half = HalfDt{660, 6.5, half.summary, half.longest_arc};
+  report.half_dt = {.run = measure_drift(shipped_core(), fling_at(120.0, 40)), .step_ns = 6.5};
+  report.half_dt.run->scenario.length = std::int64_t{660};
   text += text_of(report, false) + pictures_of(report.run);
 
   text += "\nA long one, all of it listed\n";
@@ -93,7 +93,7 @@ TEST(HalfDt, IsOfTheRunWithTwiceTheFramesAndItsInputsAtTheirTimes) {
   const DriftRun wanted = measure_drift(shipped_core(), halved);
   for (const Clock& clock : {Clock{FixedRate{60.0}, {}}, Clock{FixedStep{1.0 / 60.0}, {}}}) {
     scenario.clock = clock;
-    const HalfDt half = measure_half_dt(shipped_core(), scenario).half.value();
+    const DriftRun half = measure_half_dt(shipped_core(), scenario).run.value();
     EXPECT_EQ(half.steps, 180);
     EXPECT_EQ(half.summary.model_px->value, wanted.summary.model_px->value);
     EXPECT_EQ(half.longest_arc->last_step, wanted.longest_arc->last_step);
@@ -111,9 +111,9 @@ TEST(HalfDt, SaysWhyItIsNotMeasured) {
            {{FixedRate{0.6 * kRateMax_hz}, {}}, 9, "no such clock"}}) {
     Scenario scenario = fling_at(60.0, steps);
     scenario.clock = clock;
-    const HalfDtOutcome outcome = measure_half_dt(shipped_core(), scenario);
-    EXPECT_FALSE(outcome.half.has_value());
-    EXPECT_EQ(outcome.why_not, why_not);
+    const HalfDt half = measure_half_dt(shipped_core(), scenario);
+    EXPECT_FALSE(half.run.has_value());
+    EXPECT_EQ(half.why_not, why_not);
   }
 }
 

@@ -17,7 +17,7 @@
 #include "tools/app/causes/difference_group.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/paper_model.h"
-#include "tools/app/diff/trajectory_diff.h"
+#include "tools/app/diff/difference_text.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/scenario_writer.h"

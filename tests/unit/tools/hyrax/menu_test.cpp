@@ -67,8 +67,10 @@ class ChosenFromMenu : public testing::Test {
   std::vector<std::string> notes;
   std::int64_t ticks = 77;
   Pet pet{shipped_core(), {{100, 50}, {1024, 768}, {128, 128}}, kTicksPerS, ticks};
+  ScenarioSaver saver;
   Recorder recorder{
       pet,
+      saver,
       kTicksPerS,
       {.notify = [this](const std::string& note) { notes.push_back(note); },
        .new_path = [this](const std::string& name) { return free_path(path(name + ".json")); }}};

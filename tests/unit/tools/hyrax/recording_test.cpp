@@ -16,18 +16,10 @@
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
-#include "tools/hyrax/pet.h"
+#include "tools/hyrax/recorder.h"
 
 namespace hyrax {
 namespace {
-
-Keyframe start() {
-  Keyframe start;
-  start.row.x_px = 300.0;
-  start.window = kDesktopWindow;
-  start.sprite = kHyrax;
-  return start;
-}
 
 class RecordedSession : public testing::Test {
  protected:
@@ -40,7 +32,7 @@ class RecordedSession : public testing::Test {
     }
   }
   void save() {
-    session.recording().save();
+    session.recording()->save();
     saver.wait();
   }
   std::vector<std::string> names() const { return folder_.names(); }
@@ -54,23 +46,30 @@ class RecordedSession : public testing::Test {
 
   const TempFolder folder_;
   ScenarioSaver saver;
-  Session session{shipped_core(), start()};
+  std::vector<std::string> notes;
+  Pet pet{shipped_core(), {{}, kDesktopWindow, kHyrax}, 1000, 0};
+  Session& session = pet.session();
+  Recorder recorder{
+      pet,
+      saver,
+      1000,
+      {.notify = [this](const std::string& note) { notes.push_back(note); }, .new_path = nullptr}};
 };
 
 TEST_F(RecordedSession, IsCompleteAfterEverySaveAndNoFileBefore) {
-  session.start_recording(path("empty.json"), saver);
+  recorder.start(path("empty.json"), 0);
   save();
-  session.finish_recording();
+  recorder.finish();
   EXPECT_TRUE(names().empty());
   play(10);
-  session.start_recording(path("Fling 1.json"), saver);
+  recorder.start(path("Fling 1.json"), 0);
   for (int second = 1; second <= 5; ++second) {
     play(60);
     save();
     EXPECT_EQ(good_frames(path("Fling 1.json")), 60 * second);
   }
   play(7);
-  session.finish_recording();
+  recorder.finish();
   EXPECT_EQ(good_frames(path("Fling 1.json")), 307);
   EXPECT_FALSE(session.is_recording());
   EXPECT_EQ(load_scenario(path("Fling 1.json")).name, "fling-1");
@@ -79,7 +78,7 @@ TEST_F(RecordedSession, IsCompleteAfterEverySaveAndNoFileBefore) {
 TEST_F(RecordedSession, ContinuesInPartsBesideOtherFilesAndEndsAsOneFile) {
   write_text_file(path("long-2.json"), "mine");
   write_text_file(path("long-4.json"), "mine, too");
-  session.start_recording(path("long.json"), saver);
+  recorder.start(path("long.json"), 0);
   play(2 * Recording::kPartFrames + 500);
   save();
   EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-3.json", "long-4.json", "long-5.json",
@@ -87,47 +86,47 @@ TEST_F(RecordedSession, ContinuesInPartsBesideOtherFilesAndEndsAsOneFile) {
   for (const char* const part : {"long.json", "long-3.json"})
     EXPECT_EQ(good_frames(path(part)), Recording::kPartFrames);
   EXPECT_EQ(good_frames(path("long-5.json")), 500);
-  session.finish_recording();
+  recorder.finish();
   EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-4.json", "long.json"}));
   EXPECT_EQ(good_frames(path("long.json")), 2 * Recording::kPartFrames + 500);
   EXPECT_EQ(read_text_file(path("long-2.json")), "mine");
   EXPECT_EQ(read_text_file(path("long-4.json")), "mine, too");
   write_text_file(path("one-2.json"), "mine");
-  session.start_recording(path("one.json"), saver);
+  recorder.start(path("one.json"), 0);
   play(Recording::kPartFrames);
-  session.finish_recording();
+  recorder.finish();
   EXPECT_EQ(good_frames(path("one.json")), Recording::kPartFrames);
   EXPECT_EQ(read_text_file(path("one-2.json")), "mine") << "not the second part, which has no frame";
 }
 
 TEST_F(RecordedSession, LeavesAFileThatHasItsNameOrTakesItMeanwhile) {
   write_text_file(path("fling.json"), "mine");
-  EXPECT_EQ(refusal_of([&] { session.start_recording(path("fling.json"), saver); }),
+  EXPECT_EQ(refusal_of([&] { recorder.start(path("fling.json"), 0); }),
             path("fling.json") + ": exists already; name another file, or remove it first");
   EXPECT_FALSE(session.is_recording());
   std::filesystem::remove(path("fling.json"));
-  session.start_recording(path("fling.json"), saver);
+  recorder.start(path("fling.json"), 0);
   write_text_file(path("fling.json"), "mine");
   play(50);
   save();
   EXPECT_EQ(good_frames(path("fling-2.json")), 50);
   play(20);
-  EXPECT_THROW(session.finish_recording(), Failure);
+  EXPECT_THROW(recorder.finish(), Failure);
   EXPECT_EQ(read_text_file(path("fling.json")), "mine");
   EXPECT_EQ(good_frames(path("fling-2.json")), 70);
 }
 
 TEST_F(RecordedSession, ContinuesInFurtherFiles) {
   write_text_file(path("long-2.json"), "mine");
-  session.start_recording(path("long.json"), saver);
+  recorder.start(path("long.json"), 0);
   for (const std::int64_t frames : {Recording::kPartFrames + 7, std::int64_t{20}, std::int64_t{30}}) {
     play(frames);
     session.apply(Fling{{100.0, -200.0}});
     save();
-    session.continue_recording();
+    recorder.continue_in_new_file();
   }
   play(40);
-  session.finish_recording();
+  recorder.finish();
   EXPECT_EQ(names(), (std::vector<std::string>{"long-2.json", "long-3.json", "long-4.json", "long-5.json",
                                                "long.json"}));
   EXPECT_EQ(good_frames(path("long.json")), Recording::kPartFrames + 7);
@@ -137,13 +136,14 @@ TEST_F(RecordedSession, ContinuesInFurtherFiles) {
 }
 
 TEST_F(RecordedSession, ContinuesWhereTheFileThatEndsCannotBeWritten) {
-  session.start_recording(path("fling.json"), saver);
+  recorder.start(path("fling.json"), 0);
   play(10);
   write_text_file(path("fling.json"), "mine");
-  EXPECT_THROW(session.continue_recording(), Failure);
+  recorder.continue_in_new_file();
+  EXPECT_TRUE(notes.back().starts_with(path("fling.json") + ": ")) << notes.back();
   ASSERT_TRUE(session.is_recording());
   play(20);
-  session.finish_recording();
+  recorder.finish();
   EXPECT_EQ(good_frames(path("fling-2.json")), 10);
   EXPECT_EQ(good_frames(path("fling-3.json")), 20);
 }
