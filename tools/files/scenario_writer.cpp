@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/scenario/numbers.h"
+#include "tools/files/json_pointer.h"
 #include "tools/files/scenario_members.h"
 #include "tools/files/scenario_reader.h"
 
@@ -31,17 +32,10 @@ Json to_json(const Clock& clock) {
 }
 
 Json action_json(Action action) {
-  Object object;
+  Json object = Object();
   visit_numbers(action, [&](std::string_view path, const NumberField& field) {
-    const Json number = std::visit([](const auto* at) { return Json(*at); }, field.at);
-    const std::size_t slash = path.find('/');
-    if (slash == std::string_view::npos) {
-      object.emplace_back(path, number);
-      return;
-    }
-    const std::string_view group = path.substr(0, slash);
-    if (object.empty() || object.back().first != group) object.emplace_back(group, Object{});
-    object.back().second.get<Object>()->emplace_back(path.substr(slash + 1), number);
+    set_at(object, std::string("/").append(path),
+           std::visit([](const auto* at) { return Json(*at); }, field.at));
   });
   return object;
 }
