@@ -44,6 +44,8 @@ class JsonPlace {
 
   [[nodiscard]] bool is_there() const { return json_ != nullptr; }
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
+  /// Errors in the whole document so far.
+  [[nodiscard]] std::size_t problem_count() const { return problems_->count; }
   /// Adds an error: a sentence, or a rule, to which " (found VALUE)" is appended.
   void wrong(const std::string& sentence) const;
   /// REQUIRES: is_there().
