@@ -142,18 +142,16 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
   if (!steps || *steps < 0 || *steps > kStepsMax)
     refuse("attribute steps: is missing or not an integer 0 .. 1e12");
   head.steps = *steps;
-  if (is_paper_model(head.physics) || h5::has_attribute(file_, "constants"))
-    head.constants = read_constants();
+  if (h5::has_attribute(file_, "constants")) {
+    ConstantNumbers numbers{};
+    const auto values = h5::read_numbers_attribute(file_, "constants", numbers.size());
+    if (!values) refuse("attribute constants: is not 5 numbers of 64 bits");
+    std::ranges::copy(*values, numbers.begin());
+    head.constants = constants_of(numbers);
+  } else if (is_paper_model(head.physics)) {
+    head.constants = paper_constants();
+  }
   return head;
-}
-
-Constants TrajectoryFile::read_constants() const {
-  if (!h5::has_attribute(file_, "constants")) return paper_constants();
-  ConstantNumbers numbers{};
-  const auto values = h5::read_numbers_attribute(file_, "constants", numbers.size());
-  if (!values) refuse("attribute constants: is not 5 numbers of 64 bits");
-  std::ranges::copy(*values, numbers.begin());
-  return constants_of(numbers);
 }
 
 std::string TrajectoryFile::text(const char* attribute) const {

@@ -83,7 +83,6 @@ class TrajectoryFile {
 
   void read_all() const;
   [[nodiscard]] FileHead read_head(Parsing parsing) const;
-  [[nodiscard]] Constants read_constants() const;
   [[nodiscard]] std::string text(const char* attribute) const;
   void check_lengths() const;
 
