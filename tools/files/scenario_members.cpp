@@ -22,10 +22,8 @@ std::optional<Interval> read_interval(const JsonPlace& here, const std::string& 
   if (!here.is_there()) return std::nullopt;
   const auto* array = here.json()->get<Json::Array>();
   if (array == nullptr || array->size() != 2 || !(*array)[0].is_number() || !(*array)[1].is_number() ||
-      (*array)[0].number() > (*array)[1].number()) {
-    here.breaks_rule("must be [low, high] with low <= high" + or_a_number);
-    return std::nullopt;
-  }
+      (*array)[0].number() > (*array)[1].number())
+    return here.breaks_rule("must be [low, high] with low <= high" + or_a_number);
   const auto low = here.element(0).number();
   const auto high = here.element(1).number();
   return low && high ? std::optional(Interval{*low, *high}) : std::nullopt;

@@ -40,10 +40,9 @@ std::optional<UniformDraw> read_range(const JsonPlace& here, ScenarioNumberKind 
   if (array->size() == size && is_good((*array)[0]) && is_good((*array)[1]) &&
       (*array)[0].number() <= (*array)[1].number())
     return UniformDraw{(*array)[0].number(), (*array)[1].number()};
-  here.breaks_rule(std::string("must be ") + (size == 2 ? "[low, high]" : "[low, high, n]") +
-                   " with low <= high, " +
-                   (kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds"));
-  return std::nullopt;
+  return here.breaks_rule(std::string("must be ") + (size == 2 ? "[low, high]" : "[low, high, n]") +
+                          " with low <= high, " +
+                          (kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds"));
 }
 
 ChoiceDraw read_choice(const JsonPlace& here, ScenarioNumberKind kind) {
