@@ -49,14 +49,6 @@ void read_start(const JsonPlace& here, Scenario& scenario) {
                              here.member("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
 }
 
-// If the kind is unknown, the keys of all kinds are allowed, each with its own rule.
-Jitter read_jitter_of_unknown_kind(const JsonPlace& here) {
-  static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
-  for (const JitterRule& rule : kJitterRules)
-    static_cast<void>(here.member(rule.amount_key).number(rule.amount));
-  return {};
-}
-
 Jitter read_jitter(const JsonPlace& here) {
   if (here.json()->get<Json::Object>() == nullptr) {
     here.breaks_rule("must be an object");
@@ -69,7 +61,11 @@ Jitter read_jitter(const JsonPlace& here) {
     std::vector<std::string_view> kinds;
     for (const JitterRule& each : kJitterRules) kinds.push_back(each.kind);
     if (kind) here.member("kind").wrong(unknown_word("value", *kind, kinds));
-    return read_jitter_of_unknown_kind(here);
+    // The keys of all kinds are allowed, each with its own rule.
+    static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
+    for (const JitterRule& each : kJitterRules)
+      static_cast<void>(here.member(each.amount_key).number(each.amount));
+    return {};
   }
   static_cast<void>(here.is_object_of({"kind", rule->amount_key, "seed"}));
   return {static_cast<Jitter::Kind>(rule - kJitterRules.begin()),

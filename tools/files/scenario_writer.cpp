@@ -84,13 +84,6 @@ Json to_json(const Expect& expect) {
   return object;
 }
 
-Json start_to_json(const Scenario& scenario) {
-  return Object{{"x_px", scenario.start.x_px},
-                {"y_px", scenario.start.y_px},
-                {"vx_px_per_s", scenario.start_velocity.vx_px_per_s},
-                {"vy_px_per_s", scenario.start_velocity.vy_px_per_s}};
-}
-
 }  // namespace
 
 Json to_json(const Scenario& scenario) {
@@ -101,7 +94,10 @@ Json to_json(const Scenario& scenario) {
   add(document, "description", scenario.description);
   document.emplace_back("window", to_json(scenario.window));
   document.emplace_back("sprite", to_json(scenario.sprite));
-  document.emplace_back("start", start_to_json(scenario));
+  document.emplace_back("start", Object{{"x_px", scenario.start.x_px},
+                                        {"y_px", scenario.start.y_px},
+                                        {"vx_px_per_s", scenario.start_velocity.vx_px_per_s},
+                                        {"vy_px_per_s", scenario.start_velocity.vy_px_per_s}});
   document.emplace_back("clock", to_json(scenario.clock));
   if (const auto* steps = std::get_if<std::int64_t>(&scenario.length)) document.emplace_back("steps", *steps);
   if (const auto* duration_s = std::get_if<double>(&scenario.length))
