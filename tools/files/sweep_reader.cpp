@@ -252,7 +252,7 @@ Json json_of(const VariedKey& key) {
   if (const auto* const grid = std::get_if<GridAxis>(&key.variation))
     return Json::Object{{"grid", Json::Array{grid->low, grid->high, grid->count}}};
   if (const auto* const choice = std::get_if<ChoiceDraw>(&key.variation))
-    return Object{
+    return Json::Object{
         {"choice", list_of(choice->values, [](const SweepNumber& value) { return json_of(value); })}};
   return Json::Object{{"member", true}};
 }
