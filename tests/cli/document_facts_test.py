@@ -273,7 +273,7 @@ def computed():
         (STUDIES, "| {} .. {} px/s | {} .. {} Hz | two-cycle or", [gains[1], round(gains[2], 1), rates[2], rates[1]]),
         (STUDIES, "| > {} px/s | below {} Hz | residual speed, constant: -{} a / (1 + {} * {})",
          [round(gains[2], 1), rates[2], restitution, restitution, drag]), (SWEEPS, '"few bounces, far right:", ((file["members/contacts"][:, {}] <',
-         [re.search(r'"contacts with ([a-z, ]+)"', text_of("tools/store/ensemble_columns.cpp"))[1].split(", ").index("ground")]),
+         [re.search(r'"contacts with ([a-z, ]+)"', text_of("tools/store/ensemble_file.cpp"))[1].split(", ").index("ground")]),
         ("sim/README.md", "vy constant ({} px/s at {} Hz)", [round(-restitution * drag * gravity * dt / (1 + kept), 3), 60]),
         (SWEEPS, "leaves at most {} |vx| dt", [round(1 / (1 - drag * friction), 2)]), (DRIFT, "k = -ln({}) / dt", [drag]),
         (DRIFT, "k = {} 1/s", [round(60 * rate, 7)]), (DRIFT, "It differs from {}, because", [restitution]),

@@ -83,20 +83,16 @@ int create_part(const std::string& path) {
   return -1;
 }
 
-struct PartFile {
-  std::string path;
-  int descriptor;  // Its lock lives as long as the descriptor is open.
-};
-
-PartFile create_part_file(const std::string& target) {
+// Sets the path of the part file; its lock lives as long as the descriptor is open.
+int create_part_file(const std::string& target, std::string& path) {
   for (int number = 1; number <= kPartsMax; ++number) {
-    PartFile part{part_path(target, number), -1};
-    part.descriptor = create_part(part.path);
-    if (part.descriptor < 0 && errno == EEXIST) {
-      remove_if_abandoned(part.path);
-      part.descriptor = create_part(part.path);
+    path = part_path(target, number);
+    int descriptor = create_part(path);
+    if (descriptor < 0 && errno == EEXIST) {
+      remove_if_abandoned(path);
+      descriptor = create_part(path);
     }
-    if (part.descriptor >= 0) return part;
+    if (descriptor >= 0) return descriptor;
     if (errno != EEXIST) fail_to_write(target, errno);
   }
   throw Failure(ExitCode::cannot_access, target + ": cannot be written: " + std::to_string(kPartsMax) +
@@ -106,10 +102,8 @@ PartFile create_part_file(const std::string& target) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path) : path_(replaceable(path)) {
-  PartFile part = create_part_file(path_);
-  part_path_ = std::move(part.path);
-  lock_ = part.descriptor;
+AtomicFile::AtomicFile(const std::string& path)
+    : path_(replaceable(path)), lock_(create_part_file(path_, part_path_)) {
   remove_on_signal(part_path_);
   take_mode(lock_, path_, S_IRUSR | S_IWUSR);
 }

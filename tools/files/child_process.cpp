@@ -49,17 +49,13 @@ class Descriptor {
 };
 
 // What the child reads.
-class MemoryFile : public Descriptor {
- public:
-  MemoryFile(const std::string& program, std::string_view text)
-      : Descriptor(memfd_create("hyrax-child", MFD_CLOEXEC), program) {
-    for (std::size_t at = 0; at < text.size();) {
-      const ssize_t count = pwrite(number(), text.data() + at, text.size() - at, static_cast<off_t>(at));
-      if (count < 0 && errno != EINTR) throw cannot_start(program, errno);
-      if (count > 0) at += static_cast<std::size_t>(count);
-    }
+void fill(const Descriptor& file, const std::string& program, std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t count = pwrite(file.number(), text.data() + at, text.size() - at, static_cast<off_t>(at));
+    if (count < 0 && errno != EINTR) throw cannot_start(program, errno);
+    if (count > 0) at += static_cast<std::size_t>(count);
   }
-};
+}
 
 // What the child prints: the first bytes are kept, the others are read, so that it never waits.
 class Capture {
@@ -90,7 +86,12 @@ class Capture {
     text_.append(buffer, std::min(static_cast<std::size_t>(count), bytes_max_ - text_.size()));
     return true;
   }
-  [[nodiscard]] std::string take() { return std::move(text_); }
+  /// All that was printed. REQUIRES: the child ended.
+  [[nodiscard]] std::string take() {
+    constexpr int kReadsMax = 64;  // What a pipe can hold; another process may keep filling it.
+    for (int reads = 0; reads < kReadsMax && read_some();) ++reads;
+    return std::move(text_);
+  }
 
  private:
   int ends_[2] = {-1, -1};
@@ -99,42 +100,25 @@ class Capture {
   std::string text_;
 };
 
-// The child's streams, and a process group of its own, so that all of it can be killed.
-class SpawnSettings {
- public:
-  SpawnSettings(const MemoryFile& in, const Capture& out, const Capture& err) {
-    posix_spawn_file_actions_init(&files_);
-    posix_spawn_file_actions_adddup2(&files_, in.number(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&files_, out.child_end(), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&files_, err.child_end(), STDERR_FILENO);
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-  ~SpawnSettings() {
-    posix_spawnattr_destroy(&attributes_);
-    posix_spawn_file_actions_destroy(&files_);
-  }
-
-  [[nodiscard]] const posix_spawn_file_actions_t* files() const { return &files_; }
-  [[nodiscard]] const posix_spawnattr_t* attributes() const { return &attributes_; }
-
- private:
-  posix_spawn_file_actions_t files_;
-  posix_spawnattr_t attributes_;
-};
-
-pid_t start(const std::vector<std::string>& arguments, const SpawnSettings& settings) {
+// The child gets these streams, and a process group of its own, so that all of it can be killed.
+pid_t start(const std::vector<std::string>& arguments, int in, int out, int err) {
   std::vector<char*> words;
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, in, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
   pid_t child = 0;
-  if (const int error =
-          posix_spawnp(&child, words[0], settings.files(), settings.attributes(), words.data(), environ);
-      error != 0)
-    throw cannot_start(arguments.front(), error);
+  const int error = posix_spawnp(&child, words[0], &files, &attributes, words.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0) throw cannot_start(arguments.front(), error);
   return child;
 }
 
@@ -161,14 +145,6 @@ bool wait_for(const Descriptor& child, Capture& out, Capture& err, std::optional
   }
 }
 
-// What a pipe can hold; another process may keep filling it.
-std::string rest_of(Capture& capture) {
-  constexpr int kReadsMax = 64;
-  for (int reads = 0; reads < kReadsMax && capture.read_some(); ++reads) {
-  }
-  return capture.take();
-}
-
 int reap(pid_t child, const std::string& program) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
@@ -182,10 +158,11 @@ ChildEnd run_child(const std::vector<std::string>& arguments, std::string_view i
                    std::optional<double> limit_s, std::size_t out_bytes_max) {
   const std::string& program = arguments.front();
   constexpr std::size_t kErrBytesMax = 64 << 10;
-  const MemoryFile in(program, input);
+  const Descriptor in(memfd_create("hyrax-child", MFD_CLOEXEC), program);
+  fill(in, program, input);
   Capture out(program, out_bytes_max);
   Capture err(program, kErrBytesMax);
-  const pid_t child = start(arguments, SpawnSettings(in, out, err));
+  const pid_t child = start(arguments, in.number(), out.child_end(), err.child_end());
   kill_group_on_signal(child);
   out.close_child_end();
   err.close_child_end();
@@ -197,8 +174,8 @@ ChildEnd run_child(const std::vector<std::string>& arguments, std::string_view i
   kill(-child, SIGKILL);  // The child is not reaped yet: no other process can have its group's number.
   spare_group_on_signal(child);
   end.exit_code = reap(child, program);
-  end.out = rest_of(out);
-  end.err = rest_of(err);
+  end.out = out.take();
+  end.err = err.take();
   return end;
 }
 

@@ -47,34 +47,28 @@ ScenarioPlace scenario_place(const std::string& scenario_path) {
   return place;
 }
 
-GoldenPlace place_at(const fs::path& folder, const fs::path& below) {
-  fs::path path = folder / below;
-  const std::string h5_path = path.replace_extension(".h5").generic_string();
-  return {.h5_path = h5_path,
-          .txt_path = path.replace_extension(".txt").generic_string(),
-          .folder = folder.generic_string()};
+// The one that was given, or the one beside the folder `scenarios`; empty without either.
+fs::path golden_folder(const fs::path& scenarios, const std::string& given) {
+  if (!given.empty()) return given;
+  return scenarios.empty() ? fs::path() : scenarios.parent_path() / "golden";
 }
 
 }  // namespace
 
-std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const std::string& golden_folder) {
+std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const std::string& given) {
   const auto [path, scenarios] = scenario_place(scenario_path);
-  if (!scenarios.empty()) {
-    const fs::path golden =
-        golden_folder.empty() ? scenarios.parent_path() / "golden" : fs::path(golden_folder);
-    const fs::path below = path.lexically_relative(scenarios);
-    GoldenPlace place = place_at(golden, below);
-    place.is_reserved = below.has_parent_path() && *below.begin() == "core";
-    return place;
-  }
-  if (!golden_folder.empty()) return place_at(golden_folder, path.filename());
-  return std::nullopt;
+  const fs::path folder = golden_folder(scenarios, given);
+  if (folder.empty()) return std::nullopt;
+  const fs::path below = scenarios.empty() ? path.filename() : path.lexically_relative(scenarios);
+  fs::path file = folder / below;
+  return GoldenPlace{.h5_path = file.replace_extension(".h5").generic_string(),
+                     .txt_path = file.replace_extension(".txt").generic_string(),
+                     .is_reserved = below.has_parent_path() && *below.begin() == "core",
+                     .folder = folder.generic_string()};
 }
 
 std::string golden_folder_of(const std::string& scenario_path, const std::string& given) {
-  if (!given.empty()) return given;
-  const fs::path scenarios = scenario_place(scenario_path).scenarios;
-  return scenarios.empty() ? "" : (scenarios.parent_path() / "golden").string();
+  return golden_folder(scenario_place(scenario_path).scenarios, given).string();
 }
 
 std::string scenarios_folder_of(const std::string& scenario_path) {

@@ -15,13 +15,12 @@ struct GoldenPlace {
   std::string folder = {};   ///< The golden folder that both are in.
 };
 
-/// The scenario's path relative to the nearest folder named `scenarios`, in `golden_folder` or in the
-/// `golden` beside that folder; without such a folder its file name in `golden_folder`. Nothing without
-/// either folder.
+/// The scenario's path relative to the nearest folder named `scenarios`, in `given` or in the `golden` beside
+/// that folder; without such a folder its file name in `given`. Nothing without either folder.
 /// `..` is resolved as the system does after links.
-/// @param golden_folder empty if none was given.
+/// @param given the golden folder; empty if none was given.
 [[nodiscard]] std::optional<GoldenPlace> golden_place(const std::string& scenario_path,
-                                                      const std::string& golden_folder);
+                                                      const std::string& given);
 
 /// The golden folder of a scenario: `given` if it is not empty, else the `golden` beside the nearest folder
 /// named `scenarios` above the file; empty without such a folder.

@@ -15,29 +15,14 @@
 namespace hyrax {
 namespace {
 
-struct TextPlace {
-  std::size_t line = 1;
-  std::size_t column = 1;
-};
-
-// Of the byte before offset `end`, counted in bytes.
-TextPlace place_of(std::string_view text, std::size_t end) {
-  TextPlace place;
-  const std::size_t last = std::min(end, text.size());
-  for (std::size_t at = 0; at + 1 < last; ++at) {
-    if (text[at] == '\n')
-      place = {place.line + 1, 1};
-    else
-      ++place.column;
-  }
-  return place;
-}
-
+// At the byte before offset `end`; columns are counted in bytes.
 [[noreturn]] void fail(std::string_view text, const std::string& source, std::size_t end,
                        const std::string& sentence) {
-  const TextPlace place = place_of(text, end);
-  refuse_input(source + ": line " + std::to_string(place.line) + ", column " + std::to_string(place.column) +
-               ": " + sentence);
+  const std::string_view before = text.substr(0, std::max<std::size_t>(std::min(end, text.size()), 1) - 1);
+  const auto line = 1 + std::ranges::count(before, '\n');
+  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 on the first line.
+  refuse_input(source + ": line " + std::to_string(line) + ", column " +
+               std::to_string(before.size() - line_begin + 1) + ": " + sentence);
 }
 
 // The parser quotes the whole token it was reading, of any length and with any bytes. Only its end is
@@ -210,64 +195,53 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-class Writer {
- public:
-  explicit Writer(int depth_indented) : depth_indented_(depth_indented) {}
+std::string scalar(const Json& json) {
+  if (const auto* truth = json.get<bool>()) return *truth ? "true" : "false";
+  if (const auto* text = json.get<std::string>()) return quoted(*text);
+  if (const auto* integer = json.get<std::int64_t>()) return std::to_string(*integer);
+  if (const auto* integer = json.get<std::uint64_t>()) return std::to_string(*integer);
+  if (const auto* number = json.get<RoundedNumber>()) return number->text;
+  const auto* number = json.get<double>();
+  if (number == nullptr) return "null";
+  if (std::isfinite(*number)) return to_text(*number);
+  return std::isnan(*number) ? "\"NaN\"" : *number > 0.0 ? "\"Infinity\"" : "\"-Infinity\"";
+}
 
-  std::string take() { return std::move(text_); }
+// Appends documents; members down to a depth have lines of their own.
+struct Writer {
+  int depth_indented;
+  std::string text = {};
 
   void write(const Json& json, int depth) {
     if (const auto* array = json.get<Json::Array>())
-      write_members('[', ']', *array, depth, [&](const Json& element) { write(element, depth + 1); });
+      write_members("[", "]", *array, depth, [&](const Json& element) { write(element, depth + 1); });
     else if (const auto* object = json.get<Json::Object>())
-      write_members('{', '}', *object, depth, [&](const auto& member) {
-        text_ += quoted(member.first) + ": ";
+      write_members("{ ", " }", *object, depth, [&](const auto& member) {
+        text += quoted(member.first) + ": ";
         write(member.second, depth + 1);
       });
     else
-      text_ += scalar(json);
+      text += scalar(json);
   }
 
- private:
-  static std::string scalar(const Json& json) {
-    if (const auto* truth = json.get<bool>()) return *truth ? "true" : "false";
-    if (const auto* text = json.get<std::string>()) return quoted(*text);
-    if (const auto* integer = json.get<std::int64_t>()) return std::to_string(*integer);
-    if (const auto* integer = json.get<std::uint64_t>()) return std::to_string(*integer);
-    if (const auto* number = json.get<double>()) {
-      if (std::isfinite(*number)) return to_text(*number);
-      return std::isnan(*number) ? "\"NaN\"" : *number > 0.0 ? "\"Infinity\"" : "\"-Infinity\"";
+  // The brackets with their blanks, which an empty or an indented list does without.
+  void write_members(std::string_view open, std::string_view close, const auto& members, int depth,
+                     const auto& write_member) {
+    const bool is_indented = depth < depth_indented && !members.empty();
+    const auto new_line = [&](int at) { text.append("\n").append(static_cast<std::size_t>(2 * at), ' '); };
+    if (is_indented || members.empty()) {
+      open = open.substr(0, 1);
+      close = close.substr(close.size() - 1);
     }
-    if (const auto* number = json.get<RoundedNumber>()) return number->text;
-    return "null";
-  }
-
-  template <class Members, class WriteMember>
-  void write_members(char open, char close, const Members& members, int depth,
-                     const WriteMember& write_member) {
-    const bool is_indented = depth < depth_indented_ && !members.empty();
-    const bool has_space = open == '{' && !is_indented && !members.empty();
-    text_ += open;
-    bool is_first = true;
+    text += open;
     for (const auto& member : members) {
-      if (!is_first) text_ += is_indented ? "," : ", ";
-      is_first = false;
+      if (&member != &members.front()) text += is_indented ? "," : ", ";
       if (is_indented) new_line(depth + 1);
-      if (has_space && &member == &members.front()) text_ += ' ';
       write_member(member);
     }
     if (is_indented) new_line(depth);
-    if (has_space) text_ += ' ';
-    text_ += close;
+    text += close;
   }
-
-  void new_line(int depth) {
-    text_ += '\n';
-    text_.append(static_cast<std::size_t>(2 * depth), ' ');
-  }
-
-  int depth_indented_;
-  std::string text_;
 };
 
 }  // namespace
@@ -304,9 +278,9 @@ Json parse_json(std::string_view text, const std::string& source) {
 }
 
 std::string to_text(const Json& json, int depth_indented) {
-  Writer writer(depth_indented);
+  Writer writer{depth_indented};
   writer.write(json, 0);
-  return writer.take();
+  return std::move(writer.text);
 }
 
 std::string to_text(double value) {

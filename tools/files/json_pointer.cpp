@@ -57,14 +57,7 @@ Json* member_at(Json& parent, const std::string& token) {
 
 std::string pointer_to(const std::string& pointer, std::string_view token) {
   std::string text = pointer + "/";
-  for (const char c : token) {
-    if (c == '~')
-      text += "~0";
-    else if (c == '/')
-      text += "~1";
-    else
-      text += c;
-  }
+  for (const char c : token) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
   return text;
 }
 

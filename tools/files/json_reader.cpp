@@ -39,9 +39,10 @@ void JsonPlace::wrong(const std::string& sentence) const {
   if (problems_->count++ < JsonProblems::kListedMax) problems_->listed.push_back({pointer_, sentence});
 }
 
-void JsonPlace::breaks_rule(const std::string& rule) const {
+std::nullopt_t JsonPlace::breaks_rule(const std::string& rule) const {
   assert(is_there());
   wrong(rule + " (found " + shortened(to_text(*json_)) + ")");
+  return std::nullopt;
 }
 
 bool JsonPlace::is_object_of(const std::vector<std::string_view>& keys) const {
@@ -55,7 +56,10 @@ void JsonPlace::each_member(
     const std::function<void(const std::string& key, const JsonPlace& here)>& visit) const {
   if (!is_there()) return;
   const auto* object = json_->get<Json::Object>();
-  if (object == nullptr) return breaks_rule("must be an object");
+  if (object == nullptr) {
+    breaks_rule("must be an object");
+    return;
+  }
   std::unordered_set<std::string_view> seen;
   for (const auto& [key, value] : *object) {
     const JsonPlace here(&value, pointer_to(pointer_, key), *problems_);
@@ -88,16 +92,11 @@ JsonPlace JsonPlace::element(std::size_t index) const {
 
 std::optional<double> JsonPlace::number(const NumberRule& rule) const {
   if (!is_there()) return std::nullopt;
-  if (!json_->is_number()) {
-    breaks_rule("must be a number");
-    return std::nullopt;
-  }
+  if (!json_->is_number()) return breaks_rule("must be a number");
   const double value = json_->number();
   const bool is_low = rule.excludes_low ? !(value > rule.low) : !(value >= rule.low);
-  if (!std::isfinite(value) || is_low || value > rule.high) {
-    breaks_rule(is_low || std::isfinite(rule.high) ? sentence_of(rule) : "number is too large");
-    return std::nullopt;
-  }
+  if (!std::isfinite(value) || is_low || value > rule.high)
+    return breaks_rule(is_low || std::isfinite(rule.high) ? sentence_of(rule) : "number is too large");
   return value;
 }
 
@@ -105,10 +104,8 @@ std::optional<std::int64_t> JsonPlace::integer(std::int64_t low, std::int64_t hi
   if (!is_there()) return std::nullopt;
   // The bounds are far below 2^53, so they are exact as doubles.
   if (!json_->is_whole() || json_->number() < static_cast<double>(low) ||
-      json_->number() > static_cast<double>(high)) {
-    breaks_rule("must be a whole number " + std::to_string(low) + " .. " + std::to_string(high));
-    return std::nullopt;
-  }
+      json_->number() > static_cast<double>(high))
+    return breaks_rule("must be a whole number " + std::to_string(low) + " .. " + std::to_string(high));
   return static_cast<std::int64_t>(json_->number());
 }
 
@@ -116,8 +113,7 @@ std::optional<std::int64_t> JsonPlace::positive_integer(std::int64_t most) const
   if (!is_there()) return std::nullopt;
   if (json_->is_whole() && json_->number() >= 1.0)
     return static_cast<std::int64_t>(std::min(json_->number(), static_cast<double>(most)));
-  breaks_rule("must be a whole number of at least 1");
-  return std::nullopt;
+  return breaks_rule("must be a whole number of at least 1");
 }
 
 std::optional<std::uint64_t> JsonPlace::seed() const {
@@ -126,22 +122,19 @@ std::optional<std::uint64_t> JsonPlace::seed() const {
   const auto* real = json_->get<double>();
   if (real != nullptr && json_->is_whole() && *real >= 0.0 && *real < 0x1p64)
     return static_cast<std::uint64_t>(*real);
-  breaks_rule("must be a whole number 0 .. 18446744073709551615");
-  return std::nullopt;
+  return breaks_rule("must be a whole number 0 .. 18446744073709551615");
 }
 
 std::optional<bool> JsonPlace::boolean() const {
   if (!is_there()) return std::nullopt;
   if (const auto* truth = json_->get<bool>()) return *truth;
-  breaks_rule("must be true or false");
-  return std::nullopt;
+  return breaks_rule("must be true or false");
 }
 
 std::optional<std::string> JsonPlace::text() const {
   if (!is_there()) return std::nullopt;
   if (const auto* text = json_->get<std::string>()) return *text;
-  breaks_rule("must be a text in double quotes");
-  return std::nullopt;
+  return breaks_rule("must be a text in double quotes");
 }
 
 }  // namespace hyrax

@@ -44,10 +44,12 @@ class JsonPlace {
 
   [[nodiscard]] bool is_there() const { return json_ != nullptr; }
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
+  /// Errors in the whole document so far.
+  [[nodiscard]] std::size_t problem_count() const { return problems_->count; }
   /// Adds an error: a sentence, or a rule, to which " (found VALUE)" is appended.
   void wrong(const std::string& sentence) const;
-  /// REQUIRES: is_there().
-  void breaks_rule(const std::string& rule) const;
+  /// Returns nothing, as the reader of a value then does. REQUIRES: is_there().
+  std::nullopt_t breaks_rule(const std::string& rule) const;
 
   /// Whether this is an object; if not, and for unknown and duplicate keys, adds an error.
   [[nodiscard]] bool is_object_of(const std::vector<std::string_view>& keys) const;

@@ -14,50 +14,32 @@ constexpr std::size_t kListedMax = 4;
 
 std::string value_text(const Json* value) { return value == nullptr ? "none" : to_text(*value); }
 
-class PointerChanges {
- public:
-  void compare(const std::string& pointer, const Json* from, const Json* to) {
-    if (from != nullptr && to != nullptr) {
-      const auto* const object_from = from->get<Json::Object>();
-      const auto* const object_to = to->get<Json::Object>();
-      if (object_from != nullptr && object_to != nullptr) return compare(pointer, *object_from, *object_to);
-      const auto* const array_from = from->get<Json::Array>();
-      const auto* const array_to = to->get<Json::Array>();
-      if (array_from != nullptr && array_to != nullptr) return compare(pointer, *array_from, *array_to);
-    }
-    if (value_text(from) != value_text(to))
-      changes_.push_back(pointer + " " + value_text(from) + " -> " + value_text(to));
-  }
+template <class Container>
+const Container* get(const Json* value) {
+  return value == nullptr ? nullptr : value->get<Container>();
+}
 
-  [[nodiscard]] std::string text() const {
-    std::string text;
-    for (std::size_t change = 0; change < std::min(changes_.size(), kListedMax); ++change)
-      text += (text.empty() ? "" : "; ") + changes_[change];
-    if (changes_.size() > kListedMax)
-      text += "; and " + std::to_string(changes_.size() - kListedMax) + " more";
-    return text;
-  }
+const Json* element_of(const Json::Array& array, std::size_t index) {
+  return index < array.size() ? &array[index] : nullptr;
+}
 
- private:
-  void compare(const std::string& pointer, const Json::Object& from, const Json::Object& to) {
-    const auto find = [](const Json::Object& object, const std::string& key) -> const Json* {
-      const auto member = std::ranges::find(object, key, &Json::Object::value_type::first);
-      return member == object.end() ? nullptr : &member->second;
-    };
-    for (const auto& [key, value] : from) compare(pointer_to(pointer, key), &value, find(to, key));
-    for (const auto& [key, value] : to)
-      if (find(from, key) == nullptr) compare(pointer_to(pointer, key), nullptr, &value);
+void add_changes(const std::string& pointer, const Json* from, const Json* to,
+                 std::vector<std::string>& changes) {
+  const auto *const members_from = get<Json::Object>(from), *const members_to = get<Json::Object>(to);
+  const auto *const array_from = get<Json::Array>(from), *const array_to = get<Json::Array>(to);
+  if (members_from != nullptr && members_to != nullptr) {
+    for (const auto& [key, value] : *members_from)
+      add_changes(pointer_to(pointer, key), &value, to->find(key), changes);
+    for (const auto& [key, value] : *members_to)
+      if (from->find(key) == nullptr) add_changes(pointer_to(pointer, key), nullptr, &value, changes);
+  } else if (array_from != nullptr && array_to != nullptr) {
+    for (std::size_t index = 0; index < std::max(array_from->size(), array_to->size()); ++index)
+      add_changes(pointer_to(pointer, std::to_string(index)), element_of(*array_from, index),
+                  element_of(*array_to, index), changes);
+  } else if (value_text(from) != value_text(to)) {
+    changes.push_back(pointer + " " + value_text(from) + " -> " + value_text(to));
   }
-  void compare(const std::string& pointer, const Json::Array& from, const Json::Array& to) {
-    const auto element = [](const Json::Array& array, std::size_t index) {
-      return index < array.size() ? &array[index] : nullptr;
-    };
-    for (std::size_t index = 0; index < std::max(from.size(), to.size()); ++index)
-      compare(pointer_to(pointer, std::to_string(index)), element(from, index), element(to, index));
-  }
-
-  std::vector<std::string> changes_;
-};
+}
 
 }  // namespace
 
@@ -65,9 +47,13 @@ std::string scenario_changes(const Scenario& from, const Scenario& to) {
   if (plays_the_same(from, to)) return "";
   const Json before = to_json(without_texts(from));
   const Json after = to_json(without_texts(to));
-  PointerChanges changes;
-  changes.compare("", &before, &after);
-  return changes.text();
+  std::vector<std::string> changes;
+  add_changes("", &before, &after, changes);
+  std::string text;
+  for (std::size_t change = 0; change < std::min(changes.size(), kListedMax); ++change)
+    text += (text.empty() ? "" : "; ") + changes[change];
+  if (changes.size() > kListedMax) text += "; and " + std::to_string(changes.size() - kListedMax) + " more";
+  return text;
 }
 
 }  // namespace hyrax

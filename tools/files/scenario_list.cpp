@@ -64,14 +64,6 @@ class Walk {
   std::size_t entries_ = 0;
 };
 
-std::vector<std::string> scenarios_in(const std::string& folder) {
-  Walk walk;
-  walk.enter(folder);
-  if (walk.paths.empty()) refuse_input(folder + ": no scenario found (*.json)");
-  std::sort(walk.paths.begin(), walk.paths.end());
-  return std::move(walk.paths);
-}
-
 std::vector<std::string> list_each(const std::vector<std::string>& arguments,
                                    std::vector<Failure>& unlisted) {
   std::vector<std::string> paths;
@@ -81,7 +73,11 @@ std::vector<std::string> list_each(const std::vector<std::string>& arguments,
       continue;
     }
     try {
-      std::ranges::move(scenarios_in(argument), std::back_inserter(paths));
+      Walk walk;
+      walk.enter(argument);
+      if (walk.paths.empty()) refuse_input(argument + ": no scenario found (*.json)");
+      std::ranges::sort(walk.paths);
+      std::ranges::move(walk.paths, std::back_inserter(paths));
     } catch (const Failure& failure) {
       unlisted.push_back(failure);
     }

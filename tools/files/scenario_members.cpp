@@ -22,10 +22,8 @@ std::optional<Interval> read_interval(const JsonPlace& here, const std::string& 
   if (!here.is_there()) return std::nullopt;
   const auto* array = here.json()->get<Json::Array>();
   if (array == nullptr || array->size() != 2 || !(*array)[0].is_number() || !(*array)[1].is_number() ||
-      (*array)[0].number() > (*array)[1].number()) {
-    here.breaks_rule("must be [low, high] with low <= high" + or_a_number);
-    return std::nullopt;
-  }
+      (*array)[0].number() > (*array)[1].number())
+    return here.breaks_rule("must be [low, high] with low <= high" + or_a_number);
   const auto low = here.element(0).number();
   const auto high = here.element(1).number();
   return low && high ? std::optional(Interval{*low, *high}) : std::nullopt;
@@ -92,7 +90,7 @@ struct EventRead {
   bool has_known_time = false;  ///< And not a hitch of unknown length.
 };
 
-EventRead read_event(const JsonPlace& here, const JsonProblems& problems) {
+EventRead read_event(const JsonPlace& here) {
   EventRead read;
   std::vector<std::string_view> keys = {"step", "at_s"};
   keys.insert(keys.end(), kActionNames.begin(), kActionNames.end());
@@ -109,9 +107,9 @@ EventRead read_event(const JsonPlace& here, const JsonProblems& problems) {
   for (std::size_t kind = 0; kind < kActionNames.size(); ++kind) {
     const JsonPlace action = here.member(kActionNames[kind]);
     if (!action.is_there()) continue;
-    const std::size_t problems_before = problems.count;
+    const std::size_t problems_before = here.problem_count();
     read.event.action = read_action(action, kind);
-    is_bad_hitch |= kind == kHitchKind && problems.count > problems_before;
+    is_bad_hitch |= kind == kHitchKind && here.problem_count() > problems_before;
     ++actions;
   }
   if (actions != 1)
@@ -179,11 +177,6 @@ void check_times(const std::vector<JsonPlace>& places, const std::vector<EventRe
 Size read_window(const JsonPlace& here) { return read_size(here, 0, kWindowSideMax_px); }
 Size read_sprite(const JsonPlace& here) { return read_size(here, kSpriteSideMin_px, kSpriteSideMax_px); }
 
-Position read_position(const JsonPlace& here) {
-  return {here.required("x_px").number(kCoordinateRule).value_or(0.0),
-          here.required("y_px").number(kCoordinateRule).value_or(0.0)};
-}
-
 Expect read_expect(const JsonPlace& here) {
   Expect expect;
   if (!here.is_object_of({"in_bounds", "finite", "final_x_px", "final_y_px", "at_rest_since_s", "contacts",
@@ -206,14 +199,14 @@ Expect read_expect(const JsonPlace& here) {
 }
 
 void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
-                 Scenario& scenario, const JsonProblems& problems) {
+                 Scenario& scenario) {
   const Json::Array* array = here.array();
   if (array == nullptr) return;
   std::vector<JsonPlace> places;
   std::vector<EventRead> events;
   for (std::size_t event = 0; event < array->size(); ++event) {
     places.push_back(here.element(event));
-    events.push_back(read_event(places.back(), problems));
+    events.push_back(read_event(places.back()));
   }
   check_holds(places, events);
   check_times(places, events, is_clock_good, steps, scenario);

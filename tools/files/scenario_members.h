@@ -1,4 +1,4 @@
-// The members of a scenario document that have structure of their own: sizes, positions, events, expect.
+// The members of a scenario document that have structure of their own: sizes, events, expect.
 #pragma once
 
 #include <array>
@@ -10,9 +10,6 @@
 
 namespace hyrax {
 
-inline constexpr NumberRule kCoordinateRule{-kCoordinateMax_px, kCoordinateMax_px};
-inline constexpr NumberRule kSpeedRule{-kSpeedMax_px_per_s, kSpeedMax_px_per_s};
-inline constexpr NumberRule kFrameRule{0.0, kFrameMax_s};
 inline constexpr NumberRule kNotNegativeRule{0.0};
 
 /// How a jitter's kind is written, in the order of Jitter::Kind.
@@ -28,15 +25,12 @@ inline constexpr std::array<JitterRule, 3> kJitterRules = {{{"uniform", "fractio
 // Errors are added to the problems of the place; the values in question are then 0 or missing.
 [[nodiscard]] Size read_window(const JsonPlace& here);
 [[nodiscard]] Size read_sprite(const JsonPlace& here);
-/// Of an object that may have more members than x_px and y_px.
-[[nodiscard]] Position read_position(const JsonPlace& here);
 [[nodiscard]] Expect read_expect(const JsonPlace& here);
 
 /// Reads `scenario.events`, and checks each event, their order and the frames that they are due at.
 /// @param is_clock_good whether the clock was read; without it no `at_s` has a frame.
 /// @param steps of the run, if known.
-/// @param problems found so far.
 void read_events(const JsonPlace& here, bool is_clock_good, std::optional<std::int64_t> steps,
-                 Scenario& scenario, const JsonProblems& problems);
+                 Scenario& scenario);
 
 }  // namespace hyrax

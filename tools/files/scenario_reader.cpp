@@ -15,6 +15,8 @@
 namespace hyrax {
 namespace {
 
+constexpr NumberRule kFrameRule{0.0, kFrameMax_s};
+
 bool is_name(const std::string& name) {
   const auto is_allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
   return !name.empty() && name.size() <= kNameLengthMax && std::all_of(name.begin(), name.end(), is_allowed);
@@ -39,17 +41,12 @@ std::string read_name(const JsonPlace& here, const std::string& fallback) {
 
 void read_start(const JsonPlace& here, Scenario& scenario) {
   if (!here.is_object_of({"x_px", "y_px", "vx_px_per_s", "vy_px_per_s"})) return;
-  scenario.start = read_position(here);
+  constexpr NumberRule kCoordinateRule{-kCoordinateMax_px, kCoordinateMax_px};
+  constexpr NumberRule kSpeedRule{-kSpeedMax_px_per_s, kSpeedMax_px_per_s};
+  scenario.start = {here.required("x_px").number(kCoordinateRule).value_or(0.0),
+                    here.required("y_px").number(kCoordinateRule).value_or(0.0)};
   scenario.start_velocity = {here.member("vx_px_per_s").number(kSpeedRule).value_or(0.0),
                              here.member("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
-}
-
-// If the kind is unknown, the keys of all kinds are allowed, each with its own rule.
-Jitter read_jitter_of_unknown_kind(const JsonPlace& here) {
-  static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
-  for (const JitterRule& rule : kJitterRules)
-    static_cast<void>(here.member(rule.amount_key).number(rule.amount));
-  return {};
 }
 
 Jitter read_jitter(const JsonPlace& here) {
@@ -64,7 +61,11 @@ Jitter read_jitter(const JsonPlace& here) {
     std::vector<std::string_view> kinds;
     for (const JitterRule& each : kJitterRules) kinds.push_back(each.kind);
     if (kind) here.member("kind").wrong(unknown_word("value", *kind, kinds));
-    return read_jitter_of_unknown_kind(here);
+    // The keys of all kinds are allowed, each with its own rule.
+    static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
+    for (const JitterRule& each : kJitterRules)
+      static_cast<void>(here.member(each.amount_key).number(each.amount));
+    return {};
   }
   static_cast<void>(here.is_object_of({"kind", rule->amount_key, "seed"}));
   return {static_cast<Jitter::Kind>(rule - kJitterRules.begin()),
@@ -142,8 +143,7 @@ void read_record(const JsonPlace& here, Scenario& scenario) {
   scenario.record_every = here.member("every").positive_integer(kStepsMax).value_or(1);
 }
 
-Scenario read_document(const JsonPlace& document, const std::string& fallback_name,
-                       const JsonProblems& problems) {
+Scenario read_document(const JsonPlace& document, const std::string& fallback_name) {
   Scenario scenario;
   if (!document.is_object_of({"$schema", "format", "name", "description", "window", "sprite", "start",
                               "clock", "steps", "duration_s", "events", "record", "expect"}))
@@ -155,11 +155,11 @@ Scenario read_document(const JsonPlace& document, const std::string& fallback_na
   scenario.window = read_window(document.required("window"));
   scenario.sprite = read_sprite(document.required("sprite"));
   read_start(document.required("start"), scenario);
-  const std::size_t problems_before_clock = problems.count;
+  const std::size_t problems_before_clock = document.problem_count();
   read_clock(document.required("clock"), scenario.clock);
-  const bool is_clock_good = problems.count == problems_before_clock;
+  const bool is_clock_good = document.problem_count() == problems_before_clock;
   const auto steps = read_length(document, is_clock_good, scenario);
-  read_events(document.member("events"), is_clock_good, steps, scenario, problems);
+  read_events(document.member("events"), is_clock_good, steps, scenario);
   read_record(document.member("record"), scenario);
   if (const JsonPlace expect = document.member("expect"); expect.is_there())
     scenario.expect = read_expect(expect);
@@ -179,7 +179,7 @@ Json value_of(const Override& given) {
 
 Scenario to_scenario(const Json& document, const std::string& source, const std::string& fallback_name) {
   JsonProblems problems;
-  Scenario scenario = read_document(JsonPlace(&document, "", problems), fallback_name, problems);
+  Scenario scenario = read_document(JsonPlace(&document, "", problems), fallback_name);
   problems.throw_if_any(source);
   return scenario;
 }
@@ -197,10 +197,9 @@ std::string read_scenario_text(const std::string& path) {
 }
 
 Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides) {
-  const bool is_stdin = path == "-";
   Json document = parse_json(read_scenario_text(path), path);
   for (const Override& given : overrides) replace_value(document, given, path);
-  return to_scenario(document, path, is_stdin ? "stdin" : std::string(file_name(path).stem));
+  return to_scenario(document, path, path == "-" ? "stdin" : std::string(file_name(path).stem));
 }
 
 Scenario parse_scenario_file(std::string_view text, const std::string& path) {

@@ -25,8 +25,7 @@ struct Override {
   std::string value;
 };
 
-/// Replaces the value; missing objects on the way are created.
-/// ERRORS: Failure(bad_input) "SOURCE: POINTER: ..." if it is not a pointer or does not exist.
+/// ERRORS: as set_at's.
 void replace_value(Json& document, const Override& given, const std::string& source);
 
 /// The text of a scenario file, or of standard input for the path "-".
@@ -36,7 +35,8 @@ void replace_value(Json& document, const Override& given, const std::string& sou
 
 /// Reads a scenario file, or standard input (named "stdin" if it gives no name) for the path "-"; overrides
 /// applied.
-/// ERRORS: Failure(cannot_access) if the file cannot be read; Failure(bad_input) as above.
+/// ERRORS: Failure(cannot_access) if the file cannot be read; Failure(bad_input) as to_scenario's and
+/// set_at's.
 [[nodiscard]] Scenario load_scenario(const std::string& path, const std::vector<Override>& overrides = {});
 
 /// Reads a scenario from the text of the file at `path`, which need not say its name.

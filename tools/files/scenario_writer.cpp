@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/scenario/numbers.h"
+#include "tools/files/json_pointer.h"
 #include "tools/files/scenario_members.h"
 #include "tools/files/scenario_reader.h"
 
@@ -31,17 +32,10 @@ Json to_json(const Clock& clock) {
 }
 
 Json action_json(Action action) {
-  Object object;
+  Json object = Object();
   visit_numbers(action, [&](std::string_view path, const NumberField& field) {
-    const Json number = std::visit([](const auto* at) { return Json(*at); }, field.at);
-    const std::size_t slash = path.find('/');
-    if (slash == std::string_view::npos) {
-      object.emplace_back(path, number);
-      return;
-    }
-    const std::string_view group = path.substr(0, slash);
-    if (object.empty() || object.back().first != group) object.emplace_back(group, Object{});
-    object.back().second.get<Object>()->emplace_back(path.substr(slash + 1), number);
+    set_at(object, std::string("/").append(path),
+           std::visit([](const auto* at) { return Json(*at); }, field.at));
   });
   return object;
 }
@@ -90,13 +84,6 @@ Json to_json(const Expect& expect) {
   return object;
 }
 
-Json start_to_json(const Scenario& scenario) {
-  return Object{{"x_px", scenario.start.x_px},
-                {"y_px", scenario.start.y_px},
-                {"vx_px_per_s", scenario.start_velocity.vx_px_per_s},
-                {"vy_px_per_s", scenario.start_velocity.vy_px_per_s}};
-}
-
 }  // namespace
 
 Json to_json(const Scenario& scenario) {
@@ -107,7 +94,10 @@ Json to_json(const Scenario& scenario) {
   add(document, "description", scenario.description);
   document.emplace_back("window", to_json(scenario.window));
   document.emplace_back("sprite", to_json(scenario.sprite));
-  document.emplace_back("start", start_to_json(scenario));
+  document.emplace_back("start", Object{{"x_px", scenario.start.x_px},
+                                        {"y_px", scenario.start.y_px},
+                                        {"vx_px_per_s", scenario.start_velocity.vx_px_per_s},
+                                        {"vy_px_per_s", scenario.start_velocity.vy_px_per_s}});
   document.emplace_back("clock", to_json(scenario.clock));
   if (const auto* steps = std::get_if<std::int64_t>(&scenario.length)) document.emplace_back("steps", *steps);
   if (const auto* duration_s = std::get_if<double>(&scenario.length))

@@ -15,50 +15,34 @@
 namespace hyrax {
 namespace {
 
-constexpr std::string_view kVariations[] = {"uniform", "choice", "grid", "member"};
-
-// A number of a key: whole where the key's numbers are whole.
-bool is_number_of(ScenarioNumberKind kind, const Json& json) {
-  return json.is_number() && std::isfinite(json.number()) &&
-         (kind == ScenarioNumberKind::real || json.is_whole());
+// The number in the type of the key; nothing where that type does not hold it.
+std::optional<SweepNumber> number_of(ScenarioNumberKind kind, const Json& json) {
+  if (!json.is_number() || !std::isfinite(json.number())) return std::nullopt;
+  const double value = json.number();
+  if (kind == ScenarioNumberKind::real) return value;
+  if (!json.is_whole()) return std::nullopt;
+  if (kind == ScenarioNumberKind::integer)
+    return std::fabs(value) <= 0x1p62 ? std::optional<SweepNumber>(static_cast<std::int64_t>(value))
+                                      : std::nullopt;
+  if (const auto* const seed = json.get<std::uint64_t>()) return *seed;
+  return value >= 0.0 && value < 0x1p64 ? std::optional<SweepNumber>(static_cast<std::uint64_t>(value))
+                                        : std::nullopt;
 }
 
-SweepNumber number_of(ScenarioNumberKind kind, const Json& json) {
-  if (kind == ScenarioNumberKind::real) return json.number();
-  if (kind == ScenarioNumberKind::seed) {
-    const auto* const seed = json.get<std::uint64_t>();
-    return seed != nullptr ? *seed : static_cast<std::uint64_t>(json.number());
-  }
-  return static_cast<std::int64_t>(json.number());
-}
-
-// Numbers of a seed that a conversion would not keep are refused here; other limits need the scenario.
-bool is_convertible(ScenarioNumberKind kind, double value) {
-  if (kind == ScenarioNumberKind::real) return true;
-  return kind == ScenarioNumberKind::seed ? value >= 0.0 && value <= 0x1p64 : std::fabs(value) <= 0x1p62;
-}
-
-// [low, high], or [low, high, n].
-std::optional<std::pair<double, double>> read_range(const JsonPlace& here, ScenarioNumberKind kind,
-                                                    std::size_t size) {
+// [low, high], or [low, high, n]. 2^64 stands for the largest seed.
+std::optional<UniformDraw> read_range(const JsonPlace& here, ScenarioNumberKind kind, std::size_t size) {
   const Json::Array* const array = here.array();
   if (array == nullptr) return std::nullopt;
-  const std::string form = size == 2 ? "[low, high]" : "[low, high, n]";
   const auto is_good = [&](const Json& json) {
-    return is_number_of(kind, json) && is_convertible(kind, json.number());
+    return number_of(kind, json) ||
+           (kind == ScenarioNumberKind::seed && json.is_whole() && json.number() == 0x1p64);
   };
-  if (array->size() != size || !is_good((*array)[0]) || !is_good((*array)[1]) ||
-      (*array)[0].number() > (*array)[1].number()) {
-    here.breaks_rule("must be " + form + " with low <= high, " +
-                     (kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds"));
-    return std::nullopt;
-  }
-  return std::pair{(*array)[0].number(), (*array)[1].number()};
-}
-
-UniformDraw read_uniform(const JsonPlace& here, ScenarioNumberKind kind) {
-  const auto range = read_range(here, kind, 2);
-  return range ? UniformDraw{range->first, range->second} : UniformDraw{};
+  if (array->size() == size && is_good((*array)[0]) && is_good((*array)[1]) &&
+      (*array)[0].number() <= (*array)[1].number())
+    return UniformDraw{(*array)[0].number(), (*array)[1].number()};
+  return here.breaks_rule(std::string("must be ") + (size == 2 ? "[low, high]" : "[low, high, n]") +
+                          " with low <= high, " +
+                          (kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds"));
 }
 
 ChoiceDraw read_choice(const JsonPlace& here, ScenarioNumberKind kind) {
@@ -67,10 +51,8 @@ ChoiceDraw read_choice(const JsonPlace& here, ScenarioNumberKind kind) {
   if (array == nullptr) return choice;
   if (array->empty()) here.wrong("must hold at least one number (found [])");
   for (std::size_t entry = 0; entry < array->size(); ++entry) {
-    const Json& json = (*array)[entry];
-    if (is_number_of(kind, json) && is_convertible(kind, json.number()) &&
-        (kind != ScenarioNumberKind::seed || json.get<std::uint64_t>() != nullptr || json.number() < 0x1p64))
-      choice.values.push_back(number_of(kind, json));
+    if (const auto number = number_of(kind, (*array)[entry]))
+      choice.values.push_back(*number);
     else
       here.element(entry).breaks_rule(
           kind == ScenarioNumberKind::real ? "must be a number" : "must be a whole number, as the key holds");
@@ -78,31 +60,32 @@ ChoiceDraw read_choice(const JsonPlace& here, ScenarioNumberKind kind) {
   return choice;
 }
 
+bool has_whole_values_only(const GridAxis& grid) {
+  if (grid.low == grid.high) return true;
+  // More values than whole numbers cannot all be whole; so the loop is as short as the range is.
+  if (static_cast<double>(grid.count - 1) > grid.high - grid.low) return false;
+  for (std::int64_t index = 0; index < grid.count; ++index)
+    if (std::floor(value_of(grid, index)) != value_of(grid, index)) return false;
+  return true;
+}
+
 GridAxis read_grid(const JsonPlace& here, ScenarioNumberKind kind) {
   const auto range = read_range(here, kind, 3);
   if (!range) return {};
-  const auto count = here.element(2).integer(1, kMembersMax);
-  GridAxis grid{range->first, range->second, count.value_or(1)};
-  if (kind == ScenarioNumberKind::real) return grid;
-  // More values than whole numbers cannot all be whole; so the loop is as short as the range is.
-  const bool is_too_fine = static_cast<double>(grid.count - 1) > grid.high - grid.low && grid.high > grid.low;
-  for (std::int64_t index = 0; !is_too_fine && grid.high > grid.low && index < grid.count; ++index) {
-    if (std::floor(value_of(grid, index)) == value_of(grid, index)) continue;
+  const GridAxis grid{range->low, range->high, here.element(2).integer(1, kMembersMax).value_or(1)};
+  if (kind != ScenarioNumberKind::real && !has_whole_values_only(grid))
     here.breaks_rule("must give whole numbers only, as the key holds");
-    return grid;
-  }
-  if (is_too_fine) here.breaks_rule("must give whole numbers only, as the key holds");
   return grid;
 }
 
 VariedKey read_key(const JsonPlace& here, const std::string& pointer) {
   VariedKey key{.pointer = pointer, .kind = number_kind(pointer), .variation = MemberNumber{}};
-  if (!here.is_object_of({"uniform", "choice", "grid", "member"})) return key;
-  int variations = 0;
-  for (const std::string_view name : kVariations) variations += here.member(name).is_there() ? 1 : 0;
-  if (variations != 1) here.wrong("must hold exactly one of uniform, choice, grid and member");
+  const std::vector<std::string_view> variations = {"uniform", "choice", "grid", "member"};
+  if (!here.is_object_of(variations)) return key;
+  if (std::ranges::count_if(variations, [&](auto name) { return here.member(name).is_there(); }) != 1)
+    here.wrong("must hold exactly one of uniform, choice, grid and member");
   if (const JsonPlace uniform = here.member("uniform"); uniform.is_there())
-    key.variation = read_uniform(uniform, key.kind);
+    key.variation = read_range(uniform, key.kind, 2).value_or(UniformDraw{});
   else if (const JsonPlace choice = here.member("choice"); choice.is_there())
     key.variation = read_choice(choice, key.kind);
   else if (const JsonPlace grid = here.member("grid"); grid.is_there())
@@ -119,8 +102,7 @@ std::vector<VariedKey> read_vary(const JsonPlace& here) {
       place.wrong("the members have no expect; it is dropped from the base");
     vary.push_back(read_key(place, pointer));
   });
-  std::sort(vary.begin(), vary.end(),
-            [](const VariedKey& a, const VariedKey& b) { return a.pointer < b.pointer; });
+  std::ranges::sort(vary, {}, &VariedKey::pointer);
   return vary;
 }
 
@@ -220,36 +202,19 @@ Json json_of(const SweepNumber& number) {
   return std::visit([](auto value) { return Json(value); }, number);
 }
 
-// One member's document, or the base with one number changed, read as a scenario.
-class MemberReader {
- public:
-  MemberReader(const Json& base, const Sweep& sweep, std::string source)
-      : base_(base), sweep_(sweep), source_(std::move(source)) {}
+// ERRORS: Failure(bad_input) "PLACE: POINTER: ...".
+Json member_document(const Json& base, const Sweep& sweep, std::int64_t member, const std::string& place) {
+  Json document = base;
+  for (std::size_t key = 0; key < sweep.vary.size(); ++key)
+    set_at(document, sweep.vary[key].pointer, json_of(value_of(sweep, key, member)), place);
+  return document;
+}
 
-  // ERRORS: Failure(bad_input) "SOURCE: member I: POINTER: ...".
-  [[nodiscard]] Scenario read(std::int64_t member) const {
-    const std::string place = source_ + ": member " + std::to_string(member);
-    Json document = base_;
-    for (std::size_t key = 0; key < sweep_.vary.size(); ++key)
-      set_at(document, sweep_.vary[key].pointer, json_of(value_of(sweep_, key, member)), place);
-    return to_scenario(document, place, "");
-  }
-
-  // Member 0 with another value of one key. ERRORS: Failure(bad_input) "SOURCE: /vary/KEY: POINTER: ...".
-  void read_with(std::size_t changed, const SweepNumber& value) const {
-    const std::string place = source_ + ": " + pointer_to("/vary", sweep_.vary[changed].pointer);
-    Json document = base_;
-    for (std::size_t key = 0; key < sweep_.vary.size(); ++key)
-      set_at(document, sweep_.vary[key].pointer, json_of(key == changed ? value : value_of(sweep_, key, 0)),
-             place);
-    static_cast<void>(to_scenario(document, place, ""));
-  }
-
- private:
-  const Json& base_;
-  const Sweep& sweep_;
-  std::string source_;
-};
+// ERRORS: Failure(bad_input) "SOURCE: member I: POINTER: ...".
+Scenario read_member(const Json& base, const Sweep& sweep, std::int64_t member, const std::string& source) {
+  const std::string place = source + ": member " + std::to_string(member);
+  return to_scenario(member_document(base, sweep, member, place), place, "");
+}
 
 // Each key names a number of the scenario. No two can name the same: a number has one pointer.
 void check_keys(const Sweep& sweep, const std::string& source) {
@@ -260,41 +225,41 @@ void check_keys(const Sweep& sweep, const std::string& source) {
   }
 }
 
-// A key whose extremes are beyond its limits: the first member that is, if it is among the first million.
-void check_limits(const Sweep& sweep, const MemberReader& reader) {
+// A key whose extremes are beyond its limits: the first member that is, if it is among the first million;
+// else member 0 with that extreme, named by its key.
+void check_limits(const Json& document, const Sweep& sweep, const std::string& source) {
   constexpr std::int64_t kSearchedMax = 1'000'000;
   Scenario base = sweep.base;
   for (std::size_t key = 0; key < sweep.vary.size(); ++key) {
-    const NumberField field = *number_at(base, sweep.vary[key].pointer);
+    const std::string& pointer = sweep.vary[key].pointer;
+    const NumberField field = *number_at(base, pointer);
     for (const SweepNumber& extreme : extremes_of(sweep, key)) {
       if (field.allows(as_double(extreme))) continue;
       for (std::int64_t member = 0; member < std::min(sweep.members, kSearchedMax); ++member)
-        if (!field.allows(as_double(value_of(sweep, key, member)))) static_cast<void>(reader.read(member));
-      reader.read_with(key, extreme);
+        if (!field.allows(as_double(value_of(sweep, key, member))))
+          static_cast<void>(read_member(document, sweep, member, source));
+      const std::string place = source + ": " + pointer_to("/vary", pointer);
+      Json changed = member_document(document, sweep, 0, place);
+      set_at(changed, pointer, json_of(extreme), place);
+      static_cast<void>(to_scenario(changed, place, ""));
     }
   }
 }
 
-struct VariationJson {
-  using Object = Json::Object;
-  Json operator()(const UniformDraw& range) const {
-    return Object{{"uniform", Json::Array{range.low, range.high}}};
-  }
-  Json operator()(const ChoiceDraw& choice) const {
-    Json::Array values;
-    for (const SweepNumber& value : choice.values) values.push_back(json_of(value));
-    return Object{{"choice", std::move(values)}};
-  }
-  Json operator()(const GridAxis& grid) const {
-    return Object{{"grid", Json::Array{grid.low, grid.high, grid.count}}};
-  }
-  Json operator()(const MemberNumber&) const { return Object{{"member", true}}; }
-};
+Json json_of(const VariedKey& key) {
+  if (const auto* const range = std::get_if<UniformDraw>(&key.variation))
+    return Json::Object{{"uniform", Json::Array{range->low, range->high}}};
+  if (const auto* const grid = std::get_if<GridAxis>(&key.variation))
+    return Json::Object{{"grid", Json::Array{grid->low, grid->high, grid->count}}};
+  if (const auto* const choice = std::get_if<ChoiceDraw>(&key.variation))
+    return Json::Object{
+        {"choice", list_of(choice->values, [](const SweepNumber& value) { return json_of(value); })}};
+  return Json::Object{{"member", true}};
+}
 
 std::string canonical_text(const Sweep& sweep, const Json& base) {
   Json::Object vary;
-  for (const VariedKey& key : sweep.vary)
-    vary.emplace_back(key.pointer, std::visit(VariationJson{}, key.variation));
+  for (const VariedKey& key : sweep.vary) vary.emplace_back(key.pointer, json_of(key));
   Json::Array keep;
   for (std::size_t each = 0; each < kKeepNames.size(); ++each)
     if (sweep.keep.has(static_cast<Keep>(each))) keep.emplace_back(kKeepNames[each]);
@@ -316,12 +281,12 @@ SweepFile parse_sweep(std::string_view text, const std::string& source, SweepChe
   const Json base = read_sweep(JsonPlace(&document, "", problems), source, file);
   problems.throw_if_any(source);
   Sweep& sweep = file.sweep;
-  const MemberReader reader(base, sweep, source);
-  sweep.base = reader.read(0);
+  sweep.base = read_member(base, sweep, 0, source);
   check_keys(sweep, source);
   if (check == SweepCheck::all_members) {
-    check_limits(sweep, reader);
-    if (const auto member = first_inconsistent_member(sweep)) static_cast<void>(reader.read(*member));
+    check_limits(base, sweep, source);
+    if (const auto member = first_inconsistent_member(sweep))
+      static_cast<void>(read_member(base, sweep, *member, source));
   }
   file.text = canonical_text(sweep, base);
   return file;

@@ -4,8 +4,10 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <concepts>
 
 #include "sim/result/number_text.h"
+#include "tools/files/json_pointer.h"
 
 namespace hyrax {
 namespace {
@@ -17,8 +19,7 @@ std::string csv_field(std::string_view text) {
   return quoted + "\"";
 }
 std::string csv_field(double value) { return std::isnan(value) ? std::string() : to_text(value); }
-std::string csv_field(std::int64_t value) { return std::to_string(value); }
-std::string csv_field(std::uint64_t value) { return std::to_string(value); }
+std::string csv_field(std::integral auto value) { return std::to_string(value); }
 std::string csv_field(const std::optional<std::int64_t>& value) {
   return value ? std::to_string(*value) : std::string();
 }
@@ -149,19 +150,10 @@ Json json_cell(const Column& column, std::size_t row) {
 }
 
 Json key_values(const Table& table, std::size_t row, std::size_t first_column) {
-  Json::Object object;
+  Json object = Json::Object();
   for (std::size_t index = first_column; index < table.columns.size(); ++index) {
     const Column& column = table.columns[index];
-    const std::string key = key_of(column);
-    const std::size_t slash = key.find('/');
-    if (key == "-") continue;
-    if (slash == std::string::npos) {
-      object.push_back({key, json_cell(column, row)});
-      continue;
-    }
-    if (object.empty() || object.back().first != key.substr(0, slash))
-      object.push_back({key.substr(0, slash), Json::Object{}});
-    object.back().second.get<Json::Object>()->push_back({key.substr(slash + 1), json_cell(column, row)});
+    if (const std::string key = key_of(column); key != "-") set_at(object, "/" + key, json_cell(column, row));
   }
   return object;
 }

@@ -18,8 +18,7 @@ namespace hyrax {
 [[nodiscard]] std::string csv_text(const Table& table);
 
 /// The table in its JsonShape; keys are Column::key or the heads of csv_text in lower case, a missing number
-/// is null. The members of an object in a row are neighbours in the table. REQUIRES: the shape is not
-/// `members`, which has no value of its own; see add_members.
+/// is null. REQUIRES: the shape is not `members`, which has no value of its own; see add_members.
 [[nodiscard]] Json json_of(const Table& table);
 
 [[nodiscard]] std::string key_of(const Column& column);

@@ -4,12 +4,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include <unistd.h>
 
 #include "tools/files/failure.h"
 #include "tools/files/signal_cleanup.h"
+#include "tools/files/text_file.h"
 
 namespace hyrax {
 
@@ -23,8 +23,7 @@ TemporaryFolder::TemporaryFolder() {
 
 std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
   const std::string path = path_ + "/" + name;
-  std::ofstream file(path, std::ios::binary);
-  if (!(file << text).flush()) throw Failure(ExitCode::cannot_access, path + ": cannot be written");
+  write_text_file(path, text);
   return path;
 }
 

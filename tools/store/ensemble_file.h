@@ -18,9 +18,6 @@
 
 namespace hyrax {
 
-/// A varied key in rows of a part: a column of the group /inputs.
-[[nodiscard]] Column input_column(const Sweep& sweep, std::size_t key, const WorkPart& part,
-                                  std::int64_t first_row, std::int64_t count);
 /// The results of a part's rows from `first_row` on, as the groups /members, which has what the sweep keeps,
 /// and /inputs, which has what it varies.
 [[nodiscard]] std::vector<Table> ensemble_tables(const Sweep& sweep, const WorkPart& part,

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <cstring>
 #include <new>
+#include <span>
+#include <type_traits>
 
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/failure.h"
@@ -14,68 +17,41 @@
 namespace hyrax {
 namespace {
 
-// What a replay from a block needs besides the row that it begins with.
-struct KeyframeColumn {
-  const char* name;
-  double (*get)(const Keyframe&);
-  void (*set)(Keyframe&, double);
-};
-
-// 0 if it cannot be a count, as in a damaged file: it then differs from the stored value, which is refused.
-std::int64_t count_of(double value, double max) {
-  return value >= 0.0 && value <= max ? static_cast<std::int64_t>(value) : 0;
+// The number that a value in a file stands for. Of a damaged file it may be another one.
+template <class Number>
+Number number_of(double value) {
+  if constexpr (std::is_same_v<Number, double>) return value;
+  constexpr double kMax = std::is_same_v<Number, std::int64_t> ? 1e12 : 1e6;  // Frames; px.
+  return static_cast<Number>(value >= 0.0 && value <= kMax ? value : 0.0);
 }
 
-template <auto Member, auto Field>
-constexpr KeyframeColumn size_column(const char* name) {
-  return {name, [](const Keyframe& keyframe) { return static_cast<double>(keyframe.*Member.*Field); },
-          [](Keyframe& keyframe, double value) {
-            keyframe.*Member.*Field = static_cast<std::int32_t>(count_of(value, 1e6));
-          }};
-}
-
-constexpr KeyframeColumn kKeyframeColumns[] = {
-    {"time_base", [](const Keyframe& k) { return k.timeline.base_s; },
-     [](Keyframe& k, double v) { k.timeline.base_s = v; }},
-    {"time_comp", [](const Keyframe& k) { return k.timeline.comp_s; },
-     [](Keyframe& k, double v) { k.timeline.comp_s = v; }},
-    {"time_dt", [](const Keyframe& k) { return k.timeline.dt_s; },
-     [](Keyframe& k, double v) { k.timeline.dt_s = v; }},
-    {"time_frames", [](const Keyframe& k) { return static_cast<double>(k.timeline.frames); },
-     [](Keyframe& k, double v) { k.timeline.frames = count_of(v, 1e12); }},
-    size_column<&Keyframe::window, &Size::width_px>("window_width"),
-    size_column<&Keyframe::window, &Size::height_px>("window_height"),
-    size_column<&Keyframe::sprite, &Size::width_px>("sprite_width"),
-    size_column<&Keyframe::sprite, &Size::height_px>("sprite_height"),
-    {"is_held", [](const Keyframe& k) { return k.is_held ? 1.0 : 0.0; },
-     [](Keyframe& k, double v) { k.is_held = v != 0.0; }},
-};
-
-void read_keyframes(const TrajectoryFile& file, StoredRun& run) {
-  const auto blocks = static_cast<std::int64_t>(run.blocks.size());
-  for (const KeyframeColumn& described : kKeyframeColumns) {
-    const std::string place = std::string("/blocks/") + described.name;
-    const NumberColumn column = file.column(place, H5T_FLOAT, sizeof(double));
-    if (column.length() != blocks) file.refuse("/blocks: its datasets differ in length");
-    const auto values = column.read<double>(H5T_NATIVE_DOUBLE, 0, blocks);
-    for (std::size_t index = 0; index < values.size(); ++index) {
-      described.set(run.blocks[index].keyframe, values[index]);
-      if (!same_bits(described.get(run.blocks[index].keyframe), values[index]))
-        file.refuse(place + ": not a state of a replay (found " + std::to_string(values[index]) + ")");
-    }
+void read_keyframes(const TrajectoryFile& file, std::vector<StoredBlock>& blocks) {
+  std::vector<std::vector<double>> columns;
+  visit_numbers(blocks.front().keyframe, [&](const char* name, const auto&) {
+    columns.push_back(file.column<double>(std::string("/blocks/") + name));
+    if (columns.back().size() != blocks.size()) file.refuse("/blocks: its datasets differ in length");
+  });
+  for (std::size_t index = 0; index < blocks.size(); ++index) {
+    auto column = columns.begin();
+    visit_numbers(blocks[index].keyframe, [&](const char* name, auto& number) {
+      const double value = (*column++)[index];
+      number = number_of<std::decay_t<decltype(number)>>(value);
+      if (!same_bits(static_cast<double>(number), value))
+        file.refuse(std::string("/blocks/") + name + ": not a state of a replay (found " +
+                    std::to_string(value) + ")");
+    });
   }
 }
 
-// Takes the row checks of a block from `checks`, of which `next` were taken before.
-void read_checks(const TrajectoryFile& file, const std::vector<std::uint8_t>& checks, std::int64_t steps,
-                 StoredBlock& block, std::size_t& next) {
+// Takes the row checks of a block off the front of `checks`.
+void take_checks(const TrajectoryFile& file, std::int64_t steps, StoredBlock& block,
+                 std::span<const std::uint8_t>& checks) {
   const auto rows =
       static_cast<std::size_t>(std::min<std::int64_t>(kBlockRows, steps + 1 - block.keyframe.row.step));
-  for (; block.checks.size() < rows; next += sizeof(RowCheck)) {
-    if (next + sizeof(RowCheck) > checks.size()) file.refuse("/blocks/row_check: is too short");
-    std::copy_n(checks.begin() + static_cast<std::ptrdiff_t>(next), sizeof(RowCheck),
-                block.checks.emplace_back().begin());
-  }
+  if (checks.size() < rows * sizeof(RowCheck)) file.refuse("/blocks/row_check: is too short");
+  block.checks.resize(rows);
+  std::memcpy(block.checks.data(), checks.data(), rows * sizeof(RowCheck));
+  checks = checks.subspan(rows * sizeof(RowCheck));
 }
 
 // The state at each block's first row is in /trajectory. False if the file could not be written.
@@ -90,9 +66,14 @@ bool write_blocks(hid_t file, const std::vector<StoredBlock>& blocks) {
   std::vector<Column> columns = {column_of("count", "", "", blocks, &StoredBlock::count),
                                  {"digest", "", "", std::move(digests)},
                                  {"row_check", "", "", std::move(checks)}};
-  for (const KeyframeColumn& column : kKeyframeColumns)
-    columns.push_back(column_of(column.name, "", "", blocks,
-                                [&](const StoredBlock& block) { return column.get(block.keyframe); }));
+  const std::size_t first_number = columns.size();
+  for (const StoredBlock& block : blocks) {
+    std::size_t column = first_number;
+    visit_numbers(block.keyframe, [&](const char* name, const auto& number) {
+      if (column == columns.size()) columns.push_back({.name = name, .values = std::vector<double>()});
+      std::get<std::vector<double>>(columns[column++].values).push_back(static_cast<double>(number));
+    });
+  }
   return std::ranges::all_of(columns,  // Of different lengths.
                              [&](const Column& column) {
                                return h5::ColumnWriter(group, {column}, length(column)).append({column});
@@ -104,18 +85,14 @@ bool write_blocks(hid_t file, const std::vector<StoredBlock>& blocks) {
 // ERRORS: Failure(bad_input) if the blocks do not cover the run.
 void read_blocks(const TrajectoryFile& file, StoredRun& run) {
   assert(file.has("blocks"));
-  const NumberColumn count = file.column("/blocks/count", H5T_INTEGER, sizeof(std::int64_t));
-  const NumberColumn digest = file.column("/blocks/digest", H5T_INTEGER, 1);
-  const NumberColumn check = file.column("/blocks/row_check", H5T_INTEGER, 1);
-  const std::int64_t blocks = count.length();
-  if (blocks == 0 || blocks > file.row_count() ||
-      digest.length() != blocks * static_cast<std::int64_t>(sizeof(Digest)))
+  const auto counts = file.column<std::int64_t>("/blocks/count");
+  const auto digests = file.column<std::uint8_t>("/blocks/digest");
+  const auto all_checks = file.column<std::uint8_t>("/blocks/row_check");
+  const auto blocks = static_cast<std::int64_t>(counts.size());
+  if (blocks == 0 || blocks > file.row_count() || digests.size() != counts.size() * sizeof(Digest))
     file.refuse("/blocks: its datasets differ in length");
-  const auto counts = count.read<std::int64_t>(H5T_NATIVE_INT64, 0, blocks);
-  const auto digests = digest.read<std::uint8_t>(H5T_NATIVE_UINT8, 0, digest.length());
-  const auto checks = check.read<std::uint8_t>(H5T_NATIVE_UINT8, 0, check.length());
   const Columns rows = file.rows(0, file.row_count());
-  std::size_t next_check = 0;
+  std::span<const std::uint8_t> checks = all_checks;
   std::int64_t next_row = 0;
   for (std::size_t index = 0; index < counts.size(); ++index) {
     StoredBlock block;
@@ -127,11 +104,11 @@ void read_blocks(const TrajectoryFile& file, StoredRun& run) {
         next_row > run.steps)
       file.refuse("/blocks: are not consecutive");
     next_row += block.count * static_cast<std::int64_t>(kBlockRows);
-    if (index < kCheckedBlocksMax) read_checks(file, checks, run.steps, block, next_check);
+    if (index < kCheckedBlocksMax) take_checks(file, run.steps, block, checks);
     run.blocks.push_back(std::move(block));
   }
-  if (next_check != checks.size()) file.refuse("/blocks/row_check: is too long");
-  read_keyframes(file, run);
+  if (!checks.empty()) file.refuse("/blocks/row_check: is too long");
+  read_keyframes(file, run.blocks);
   if (run.steps >= next_row || run.steps < next_row - static_cast<std::int64_t>(kBlockRows))
     file.refuse("/blocks/count: its blocks do not end with the run's last row");
   const bool ends_with_a_block = run.blocks.back().keyframe.row.step == run.steps;

@@ -82,10 +82,6 @@ class ContentsHash {
     add(row.step);
     add(std::int64_t{row.contact});
   }
-  void add(const Size& size) {
-    add(std::int64_t{size.width_px});
-    add(std::int64_t{size.height_px});
-  }
   [[nodiscard]] std::string value() const { return hex(hash_.value()); }
 
  private:
@@ -105,12 +101,12 @@ void add(ContentsHash& hash, const StoredBlock& block) {
   hash.add(block.count);
   hash.add(hex(block.digest));
   hash.add(keyframe.row);
-  for (const double value : {keyframe.timeline.base_s, keyframe.timeline.comp_s, keyframe.timeline.dt_s})
-    hash.add(value);
-  hash.add(keyframe.timeline.frames);
-  hash.add(keyframe.window);
-  hash.add(keyframe.sprite);
-  hash.add(std::int64_t{keyframe.is_held});
+  visit_numbers(keyframe, [&](const char*, auto number) {
+    if constexpr (std::is_same_v<decltype(number), double>)
+      hash.add(number);
+    else
+      hash.add(std::int64_t{number});
+  });
 }
 
 // The last line. @param head the text up to the reason's.

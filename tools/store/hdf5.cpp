@@ -127,24 +127,25 @@ std::vector<hsize_t> shape_of(hid_t dataset) {
 
 namespace {
 
-// Rows of a dataset, in the file and in memory.
-struct RowSpaces {
-  Handle file;
-  Handle memory;
-  bool is_good = false;
-};
-
-RowSpaces row_spaces(hid_t dataset, hsize_t first, hsize_t count) {
+// What transfer(memory space, file space) returns for rows of a dataset; negative if it has no such rows.
+herr_t transfer_rows(hid_t dataset, hsize_t first, hsize_t count, const auto& transfer) {
   std::vector<hsize_t> size = shape_of(dataset);
-  if (size.empty() || first + count > size.front()) return {};
+  if (size.empty() || first + count > size.front()) return -1;
   std::vector<hsize_t> start(size.size(), 0);
   start.front() = first;
   size.front() = count;
-  RowSpaces spaces{{H5Dget_space(dataset), H5Sclose},
-                   {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose}};
-  spaces.is_good =
-      H5Sselect_hyperslab(spaces.file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0;
-  return spaces;
+  const Handle memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
+  const Handle file(H5Dget_space(dataset), H5Sclose);
+  if (H5Sselect_hyperslab(file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) < 0) return -1;
+  return transfer(memory, file);
+}
+
+// An attribute of a list of `count` elements, or of one value.
+void write_attribute_of(hid_t object, const char* name, hid_t type, hid_t memory_type, const void* data,
+                        std::optional<hsize_t> count = {}) {
+  const Handle space(count ? H5Screate_simple(1, &*count, nullptr) : H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  H5Awrite(attribute, memory_type, data);
 }
 
 }  // namespace
@@ -154,13 +155,15 @@ herr_t write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count
     size.front() = first + count;
     if (H5Dset_extent(dataset, size.data()) < 0) return -1;
   }
-  const RowSpaces spaces = row_spaces(dataset, first, count);
-  return spaces.is_good ? H5Dwrite(dataset, memory_type, spaces.memory, spaces.file, H5P_DEFAULT, data) : -1;
+  return transfer_rows(dataset, first, count, [&](hid_t memory, hid_t file) {
+    return H5Dwrite(dataset, memory_type, memory, file, H5P_DEFAULT, data);
+  });
 }
 
 herr_t read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* data) {
-  const RowSpaces spaces = row_spaces(dataset, first, count);
-  return spaces.is_good ? H5Dread(dataset, memory_type, spaces.memory, spaces.file, H5P_DEFAULT, data) : -1;
+  return transfer_rows(dataset, first, count, [&](hid_t memory, hid_t file) {
+    return H5Dread(dataset, memory_type, memory, file, H5P_DEFAULT, data);
+  });
 }
 
 bool share_axis(hid_t group, const char* scale) {
@@ -182,10 +185,7 @@ bool share_axis(hid_t group, const char* scale) {
 void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t> values,
                  std::span<const std::string_view> meanings) {
   assert(values.size() == meanings.size());
-  const hsize_t count = values.size();
-  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Handle attribute(H5Acreate2(dataset, codes, H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  H5Awrite(attribute, H5T_NATIVE_UINT8, values.data());
+  write_attribute_of(dataset, codes, H5T_STD_U8LE, H5T_NATIVE_UINT8, values.data(), values.size());
   std::string text;
   for (const std::string_view meaning : meanings) text.append(text.empty() ? "" : " ").append(meaning);
   write_attribute(dataset, "flag_meanings", text);
@@ -195,22 +195,15 @@ void write_attribute(hid_t object, const char* name, std::string_view text) {
   const std::string terminated(text);
   const char* const data = terminated.c_str();
   const Handle type = text_type();
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  H5Awrite(attribute, type, static_cast<const void*>(&data));
+  write_attribute_of(object, name, type, type, static_cast<const void*>(&data));
 }
 
 void write_attribute(hid_t object, const char* name, std::int64_t value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate2(object, name, H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  H5Awrite(attribute, H5T_NATIVE_INT64, &value);
+  write_attribute_of(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, &value);
 }
 
 void write_attribute(hid_t object, const char* name, std::span<const double> values) {
-  const hsize_t count = values.size();
-  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Handle attribute(H5Acreate2(object, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data());
+  write_attribute_of(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.data(), values.size());
 }
 
 bool has_attribute(hid_t object, const char* name) { return H5Aexists(object, name) > 0; }
@@ -280,23 +273,22 @@ ColumnData data_of(const std::vector<double>& values) {
 ColumnData data_of(const std::vector<std::int64_t>& values) {
   return {H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), values.size()};
 }
-
 ColumnData data_of(const std::vector<std::uint64_t>& values) {
   return {H5T_STD_U64LE, H5T_NATIVE_UINT64, values.data(), values.size()};
 }
-
-ColumnData data_of(std::vector<std::int64_t>&& values) {
-  ColumnData column = data_of(values);
-  column.integers = std::move(values);
+// Of bools and of integers that may be missing.
+ColumnData data_of(const auto& values, const auto& integer_of) {
+  std::vector<std::int64_t> integers;
+  for (const auto& value : values) integers.push_back(integer_of(value));
+  ColumnData column = data_of(integers);
+  column.integers = std::move(integers);
   return column;
 }
 ColumnData data_of(const std::vector<bool>& values) {
-  return data_of(std::vector<std::int64_t>(values.begin(), values.end()));
+  return data_of(values, [](bool value) { return std::int64_t{value}; });
 }
 ColumnData data_of(const std::vector<std::optional<std::int64_t>>& values) {
-  std::vector<std::int64_t> numbers;
-  for (const std::optional<std::int64_t>& value : values) numbers.push_back(value.value_or(-1));
-  return data_of(std::move(numbers));
+  return data_of(values, [](const std::optional<std::int64_t>& value) { return value.value_or(-1); });
 }
 
 ColumnData data_of(const Codes& values) {

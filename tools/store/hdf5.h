@@ -22,11 +22,9 @@ class Handle {
   Handle() = default;
   Handle(hid_t id, Close close_id) : id_(id), close_(close_id) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
-  Handle& operator=(Handle&& other) noexcept {
-    if (this == &other) return *this;
-    static_cast<void>(close());
-    id_ = std::exchange(other.id_, H5I_INVALID_HID);
-    close_ = other.close_;
+  Handle& operator=(Handle other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
     return *this;
   }
   ~Handle() { static_cast<void>(close()); }

@@ -1,5 +1,6 @@
 #include "tools/store/output_guard.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <deque>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
+#include "tools/files/unknown_word.h"
 
 namespace hyrax {
 namespace {
@@ -46,16 +48,6 @@ bool holds_scenario(const std::string& path) {
 
 bool is_beside_scenarios(const fs::path& folder) {
   return folder.filename() == "golden" && is_folder((folder.parent_path() / "scenarios").string());
-}
-
-void require_suffix(const std::string& option, const std::string& path,
-                    const std::vector<std::string>& suffixes) {
-  std::string allowed;
-  for (const std::string& suffix : suffixes) {
-    if (file_name(path).extension == suffix) return;
-    allowed += (allowed.empty() ? "" : ", ") + suffix;
-  }
-  if (!allowed.empty()) refuse_input(option + ": unknown suffix (found " + path + "); allowed: " + allowed);
 }
 
 }  // namespace
@@ -118,27 +110,28 @@ OutputGuard::OutputGuard(const std::vector<std::string>& inputs, const std::stri
 }
 
 void OutputGuard::admit(const std::string& option, const std::string& path,
-                        const std::vector<std::string>& suffixes) {
-  require_suffix(option, path, suffixes);
-  admit_any(option, path);
+                        const std::vector<std::string_view>& suffixes) {
+  admit_any(option, path, suffixes);
   refuse_scenarios(option, path);
 }
 
 void OutputGuard::admit_file(const std::string& option, const std::string& path,
-                             const std::vector<std::string>& suffixes) {
+                             const std::vector<std::string_view>& suffixes) {
   admit(option, path, suffixes);
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty() && !is_folder(folder.string())) fail_to_write(path, ENOENT);
 }
 
 void OutputGuard::admit_scenario(const std::string& option, const std::string& path, bool is_forced,
-                                 const std::vector<std::string>& suffixes) {
-  require_suffix(option, path, suffixes);
-  admit_any(option, path);
+                                 const std::vector<std::string_view>& suffixes) {
+  admit_any(option, path, suffixes);
   if (!is_forced && is_there(path)) refuse_input(path + ": exists; `--force` replaces it");
 }
 
-void OutputGuard::admit_any(const std::string& option, const std::string& path) {
+void OutputGuard::admit_any(const std::string& option, const std::string& path,
+                            const std::vector<std::string_view>& suffixes) {
+  if (!suffixes.empty() && std::ranges::find(suffixes, file_name(path).extension) == suffixes.end())
+    refuse_input(option + ": unknown suffix (found " + path + "); allowed: " + listed(suffixes));
   const Route route = route_to(path);
   const auto identity = identity_of(path);
   if (route.is_in_golden || (identity && golden_files_.count(*identity) > 0))

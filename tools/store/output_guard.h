@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,17 +25,17 @@ class OutputGuard {
   /// @param suffixes one of which its name must end in; empty: any name.
   /// ERRORS: Failure(bad_input) "OPTION: would overwrite ... (found PATH); ...".
   void admit(const std::string& option, const std::string& path,
-             const std::vector<std::string>& suffixes = {});
+             const std::vector<std::string_view>& suffixes = {});
 
   /// The same for a file whose folder exists.
   /// ERRORS: also Failure(cannot_access) "PATH: cannot be written: ..." if the folder does not exist.
   void admit_file(const std::string& option, const std::string& path,
-                  const std::vector<std::string>& suffixes = {});
+                  const std::vector<std::string_view>& suffixes = {});
 
   /// The same for a scenario file: it may replace a scenario, if that is forced.
   /// ERRORS: also Failure(bad_input) "PATH: exists; ...".
   void admit_scenario(const std::string& option, const std::string& path, bool is_forced,
-                      const std::vector<std::string>& suffixes = {});
+                      const std::vector<std::string_view>& suffixes = {});
 
   /// The same for a golden file that is written on purpose; it may be admitted several times.
   void admit_golden(const std::string& option, const std::string& path) const;
@@ -44,7 +45,8 @@ class OutputGuard {
   struct Route;
 
   [[nodiscard]] Route route_to(const std::string& path) const;
-  void admit_any(const std::string& option, const std::string& path);
+  void admit_any(const std::string& option, const std::string& path,
+                 const std::vector<std::string_view>& suffixes);
   void refuse_inputs(const std::string& option, const std::string& path) const;
   void refuse_scenarios(const std::string& option, const std::string& path) const;
 

@@ -100,17 +100,12 @@ class StudyReader {
 
   [[nodiscard]] static bool read_values(hid_t dataset, hsize_t count, Column& column) {
     const h5::Handle type(H5Dget_type(dataset), H5Tclose);
-    switch (H5Tget_class(type)) {
-      case H5T_FLOAT:
-        return h5::read_rows(dataset, 0, count, column) >= 0;
-      case H5T_INTEGER:
-        column.values = std::vector<std::int64_t>();
-        return h5::read_rows(dataset, 0, count, column) >= 0;
-      case H5T_STRING:
-        return H5Tis_variable_str(type) == 0 && read_texts(dataset, type, count, column);
-      default:
-        return false;
-    }
+    const H5T_class_t type_class = H5Tget_class(type);
+    if (type_class == H5T_STRING)
+      return H5Tis_variable_str(type) == 0 && read_texts(dataset, type, count, column);
+    if (type_class == H5T_INTEGER) column.values = std::vector<std::int64_t>();
+    return (type_class == H5T_INTEGER || type_class == H5T_FLOAT) &&
+           h5::read_rows(dataset, 0, count, column) >= 0;
   }
 
   [[nodiscard]] static bool read_texts(hid_t dataset, hid_t type, hsize_t count, Column& column) {

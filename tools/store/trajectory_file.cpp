@@ -1,6 +1,7 @@
 #include "tools/store/trajectory_file.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 
 #include <fcntl.h>
@@ -49,48 +50,61 @@ bool is_contiguous(hid_t dataset) {
   return H5Pget_layout(creation) == H5D_CONTIGUOUS;
 }
 
-std::vector<NumberColumn> row_columns(hid_t file, const std::string& path) {
-  std::vector<NumberColumn> columns;
+std::vector<NumberColumn<double>> row_columns(hid_t file, const std::string& path) {
+  std::vector<NumberColumn<double>> columns;
   for (const RowColumn& column : kRowColumns)
-    columns.emplace_back(file, path, std::string("/trajectory/") + column.name, H5T_FLOAT, sizeof(double));
+    columns.emplace_back(file, path, std::string("/trajectory/") + column.name);
   return columns;
 }
 
 }  // namespace
 
-NumberColumn::NumberColumn(hid_t file, const std::string& path, const std::string& dataset,
-                           H5T_class_t type_class, std::size_t element_bytes)
+template <class Value>
+NumberColumn<Value>::NumberColumn(hid_t file, const std::string& path, const std::string& dataset,
+                                  H5T_class_t type_class)
     : place_(path + ": " + dataset), dataset_(H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), H5Dclose) {
   if (!dataset_.is_open()) refuse_input(place_ + ": is missing");
   const h5::Handle type(H5Dget_type(dataset_), H5Tclose);
-  if (H5Tget_class(type) != type_class || H5Tget_size(type) != element_bytes)
+  if (H5Tget_class(type) != type_class || H5Tget_size(type) != sizeof(Value))
     refuse_input(place_ + ": is of the wrong type");
   const h5::Handle space(H5Dget_space(dataset_), H5Sclose);
   hsize_t length = 0;
   if (H5Sget_simple_extent_ndims(space) != 1 || H5Sget_simple_extent_dims(space, &length, nullptr) != 1)
     refuse_input(place_ + ": must have one axis");
   const bool is_contiguous_dataset = is_contiguous(dataset_);
-  if (length > 0 && H5Dget_storage_size(dataset_) / element_bytes != length && is_contiguous_dataset)
+  if (length > 0 && H5Dget_storage_size(dataset_) / sizeof(Value) != length && is_contiguous_dataset)
     refuse_input(place_ + ": is incomplete");
   length_ = static_cast<std::int64_t>(length);
   is_plain_ = is_contiguous_dataset && has_common_format(type);
 }
 
-void NumberColumn::read_into(hid_t memory_type, std::int64_t first, std::int64_t count, void* values) const {
+template <class Value>
+std::vector<Value> NumberColumn<Value>::read(std::int64_t first, std::int64_t count) const {
+  assert(first >= 0 && count >= 0 && first + count <= length_);
+  std::vector<Value> values(static_cast<std::size_t>(count));
+  if (count == 0) return values;
+  const hid_t type = std::is_same_v<Value, double>         ? H5T_NATIVE_DOUBLE
+                     : std::is_same_v<Value, std::int64_t> ? H5T_NATIVE_INT64
+                                                           : H5T_NATIVE_UINT8;
   const herr_t result = count == length_
-                            ? H5Dread(dataset_, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values)
-                            : h5::read_rows(dataset_, memory_type, static_cast<hsize_t>(first),
-                                            static_cast<hsize_t>(count), values);
+                            ? H5Dread(dataset_, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data())
+                            : h5::read_rows(dataset_, type, static_cast<hsize_t>(first),
+                                            static_cast<hsize_t>(count), values.data());
   if (result < 0) refuse_input(place_ + ": cannot be read: the file is truncated or damaged");
+  return values;
 }
+
+template class NumberColumn<double>;
+template class NumberColumn<std::int64_t>;
+template class NumberColumn<std::uint8_t>;
 
 TrajectoryFile::TrajectoryFile(const std::string& path, Parsing parsing)
     : path_(path),
       file_(open_readable(path)),
       head_(read_head(parsing)),
-      step_(file_, path, "/trajectory/step", H5T_INTEGER, sizeof(std::int64_t)),
+      step_(file_, path, "/trajectory/step"),
       columns_(row_columns(file_, path)),
-      contact_(file_, path, "/trajectory/contact", H5T_INTEGER, sizeof(std::uint8_t)) {
+      contact_(file_, path, "/trajectory/contact") {
   check_lengths();
 }
 
@@ -128,18 +142,16 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
   if (!steps || *steps < 0 || *steps > kStepsMax)
     refuse("attribute steps: is missing or not an integer 0 .. 1e12");
   head.steps = *steps;
-  if (is_paper_model(head.physics) || h5::has_attribute(file_, "constants"))
-    head.constants = read_constants();
+  if (h5::has_attribute(file_, "constants")) {
+    ConstantNumbers numbers{};
+    const auto values = h5::read_numbers_attribute(file_, "constants", numbers.size());
+    if (!values) refuse("attribute constants: is not 5 numbers of 64 bits");
+    std::ranges::copy(*values, numbers.begin());
+    head.constants = constants_of(numbers);
+  } else if (is_paper_model(head.physics)) {
+    head.constants = paper_constants();
+  }
   return head;
-}
-
-Constants TrajectoryFile::read_constants() const {
-  if (!h5::has_attribute(file_, "constants")) return paper_constants();
-  ConstantNumbers numbers{};
-  const auto values = h5::read_numbers_attribute(file_, "constants", numbers.size());
-  if (!values) refuse("attribute constants: is not 5 numbers of 64 bits");
-  std::ranges::copy(*values, numbers.begin());
-  return constants_of(numbers);
 }
 
 std::string TrajectoryFile::text(const char* attribute) const {
@@ -158,41 +170,36 @@ void TrajectoryFile::check_lengths() const {
     require(columns_[column].length(), kRowColumns[column].name);
   require(contact_.length(), "contact");
   if (row_count() == 0) refuse("/trajectory: has no rows");
-  const auto last = step_.read<std::int64_t>(H5T_NATIVE_INT64, row_count() - 1, 1);
-  if (last.front() != head_.steps)
-    refuse("/trajectory/step: ends at the wrong row (found " + std::to_string(last.front()) +
+  const auto last = step_.read(row_count() - 1, 1).front();
+  if (last != head_.steps)
+    refuse("/trajectory/step: ends at the wrong row (found " + std::to_string(last) +
            "); the attribute steps is " + std::to_string(head_.steps));
 }
 
 Columns TrajectoryFile::rows(std::int64_t first, std::int64_t count) const {
   Columns rows;
-  rows.step = step_.read<std::int64_t>(H5T_NATIVE_INT64, first, count);
+  rows.step = step_.read(first, count);
   for (std::size_t column = 0; column < columns_.size(); ++column)
-    rows.*kRowColumns[column].also = columns_[column].read<double>(H5T_NATIVE_DOUBLE, first, count);
-  rows.contact = contact_.read<std::uint8_t>(H5T_NATIVE_UINT8, first, count);
+    rows.*kRowColumns[column].also = columns_[column].read(first, count);
+  rows.contact = contact_.read(first, count);
   return rows;
 }
 
 std::vector<Contact> TrajectoryFile::contacts() const {
-  const std::int64_t count = column("/contacts/step", H5T_INTEGER, sizeof(std::int64_t)).length();
-  std::vector<Contact> contacts(static_cast<std::size_t>(count));
+  std::vector<Contact> contacts(column<std::int64_t>("/contacts/step").size());
   for (const ColumnOf<Contact>& described : kContactColumns) {
-    const auto read = [&](auto value, H5T_class_t type_class, hid_t memory_type, const auto& set) {
-      const NumberColumn numbers =
-          column(std::string("/contacts/") + described.name, type_class, sizeof value);
-      if (numbers.length() != count)
-        refuse(std::string("/contacts/") + described.name + ": differs in length from /contacts/step");
-      const auto values = numbers.read<decltype(value)>(memory_type, 0, count);
+    const std::string place = std::string("/contacts/") + described.name;
+    const auto set_each = [&](const auto& values, const auto& set) {
+      if (values.size() != contacts.size()) refuse(place + ": differs in length from /contacts/step");
       for (std::size_t index = 0; index < contacts.size(); ++index) set(contacts[index], values[index]);
     };
     if (const auto* const number = std::get_if<double Contact::*>(&described.get))
-      read(0.0, H5T_FLOAT, H5T_NATIVE_DOUBLE,
-           [&](Contact& contact, double value) { contact.** number = value; });
+      set_each(column<double>(place), [&](Contact& contact, double value) { contact.** number = value; });
     else if (const auto* const row = std::get_if<std::int64_t Contact::*>(&described.get))
-      read(std::int64_t{0}, H5T_INTEGER, H5T_NATIVE_INT64,
-           [&](Contact& contact, std::int64_t value) { contact.** row = value; });
+      set_each(column<std::int64_t>(place),
+               [&](Contact& contact, std::int64_t value) { contact.** row = value; });
     else
-      read(std::uint8_t{0}, H5T_INTEGER, H5T_NATIVE_UINT8, [&](Contact& contact, std::uint8_t code) {
+      set_each(column<std::uint8_t>(place), [&](Contact& contact, std::uint8_t code) {
         if (code != 1 && code != 2 && code != 4 && code != 8)
           refuse("/contacts/wall: unknown code (found " + std::to_string(code) + "); allowed: 1, 2, 4, 8");
         contact.wall = static_cast<Wall>(code);
@@ -209,20 +216,13 @@ std::int64_t TrajectoryFile::contacts_total() const {
 }
 
 std::vector<Input> TrajectoryFile::inputs() const {
-  const NumberColumn frame = column("/events/frame", H5T_INTEGER, sizeof(std::int64_t));
-  if (frame.length() == 0) return {};
-  const NumberColumn kind = column("/events/kind", H5T_ENUM, sizeof(std::uint8_t));
-  const NumberColumn a = column("/events/a", H5T_FLOAT, sizeof(double));
-  const NumberColumn b = column("/events/b", H5T_FLOAT, sizeof(double));
-  const std::int64_t count = frame.length();
-  if (kind.length() != count || a.length() != count || b.length() != count)
+  const auto frames = column<std::int64_t>("/events/frame");
+  if (frames.empty()) return {};
+  const auto kinds = column<std::uint8_t>("/events/kind", H5T_ENUM);
+  const auto as = column<double>("/events/a");
+  const auto bs = column<double>("/events/b");
+  if (kinds.size() != frames.size() || as.size() != frames.size() || bs.size() != frames.size())
     refuse("/events: its datasets differ in length");
-  const h5::Handle dataset(H5Dopen2(file_, "/events/kind", H5P_DEFAULT), H5Dclose);
-  const h5::Handle kind_type(H5Dget_type(dataset), H5Tclose);
-  const auto frames = frame.read<std::int64_t>(H5T_NATIVE_INT64, 0, count);
-  const auto kinds = kind.read<std::uint8_t>(kind_type, 0, count);
-  const auto as = a.read<double>(H5T_NATIVE_DOUBLE, 0, count);
-  const auto bs = b.read<double>(H5T_NATIVE_DOUBLE, 0, count);
   std::vector<Input> inputs;
   for (std::size_t index = 0; index < frames.size(); ++index) {
     if (kinds[index] >= input_kind_names().size())
@@ -237,11 +237,6 @@ std::vector<Input> TrajectoryFile::inputs() const {
 }
 
 bool TrajectoryFile::has(const char* group) const { return H5Lexists(file_, group, H5P_DEFAULT) > 0; }
-
-NumberColumn TrajectoryFile::column(const std::string& dataset, H5T_class_t type_class,
-                                    std::size_t element_bytes) const {
-  return {file_, path_, dataset, type_class, element_bytes};
-}
 
 void TrajectoryFile::refuse(const std::string& sentence) const { refuse_input(path_ + ": " + sentence); }
 

@@ -1,10 +1,10 @@
 // Reads `hyrax-trajectory/1` files, and rejects damaged or incomplete ones.
 #pragma once
 
-#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "sim/scenario/schedule.h"
@@ -16,28 +16,22 @@
 
 namespace hyrax {
 
-/// One dataset of numbers, checked: its class and element size, one axis, completely stored.
+/// One dataset of numbers, checked: of the type class (the class of Value, or an enumeration) and size of
+/// Value, one axis, completely stored. Value: double, std::int64_t or std::uint8_t.
+template <class Value>
 class NumberColumn {
  public:
   /// ERRORS: Failure(bad_input) "PATH: DATASET: ...".
-  NumberColumn(hid_t file, const std::string& path, const std::string& dataset, H5T_class_t type_class,
-               std::size_t element_bytes);
+  NumberColumn(hid_t file, const std::string& path, const std::string& dataset,
+               H5T_class_t type_class = std::is_same_v<Value, double> ? H5T_FLOAT : H5T_INTEGER);
 
   [[nodiscard]] std::int64_t length() const { return length_; }
   /// Whether it is contiguous, in a common number format, so that the library decodes nothing.
   [[nodiscard]] bool is_plain() const { return is_plain_; }
   /// Elements `first` .. `first + count - 1`. REQUIRES: 0 <= first, first + count <= length().
-  template <class Value>
-  [[nodiscard]] std::vector<Value> read(hid_t memory_type, std::int64_t first, std::int64_t count) const {
-    assert(first >= 0 && count >= 0 && first + count <= length_);
-    std::vector<Value> values(static_cast<std::size_t>(count));
-    if (count > 0) read_into(memory_type, first, count, values.data());
-    return values;
-  }
+  [[nodiscard]] std::vector<Value> read(std::int64_t first, std::int64_t count) const;
 
  private:
-  void read_into(hid_t memory_type, std::int64_t first, std::int64_t count, void* values) const;
-
   std::string place_;
   h5::Handle dataset_;
   std::int64_t length_ = 0;
@@ -74,8 +68,12 @@ class TrajectoryFile {
   [[nodiscard]] Provenance provenance() const { return read_provenance(file_); }
 
   [[nodiscard]] bool has(const char* group) const;
-  [[nodiscard]] NumberColumn column(const std::string& dataset, H5T_class_t type_class,
-                                    std::size_t element_bytes) const;
+  /// All of a dataset; see NumberColumn.
+  template <class Value, class... TypeClass>
+  [[nodiscard]] std::vector<Value> column(const std::string& dataset, TypeClass... type_class) const {
+    const NumberColumn<Value> numbers(file_, path_, dataset, type_class...);
+    return numbers.read(0, numbers.length());
+  }
   /// Throws Failure(bad_input) "PATH: SENTENCE".
   [[noreturn]] void refuse(const std::string& sentence) const;
 
@@ -85,16 +83,15 @@ class TrajectoryFile {
 
   void read_all() const;
   [[nodiscard]] FileHead read_head(Parsing parsing) const;
-  [[nodiscard]] Constants read_constants() const;
   [[nodiscard]] std::string text(const char* attribute) const;
   void check_lengths() const;
 
   std::string path_;
   h5::Handle file_;
   FileHead head_;
-  NumberColumn step_;
-  std::vector<NumberColumn> columns_;
-  NumberColumn contact_;
+  NumberColumn<std::int64_t> step_;
+  std::vector<NumberColumn<double>> columns_;
+  NumberColumn<std::uint8_t> contact_;
 };
 
 }  // namespace hyrax

@@ -38,4 +38,18 @@ using ConstantNumbers = std::array<double, 5>;
           .rest_threshold_px_per_s = numbers[4]};
 }
 
+/// Calls visit(name, member) for each number of a keyframe besides its row: what a replay from a block needs,
+/// a dataset of /blocks each. @param keyframe may be const.
+void visit_numbers(auto& keyframe, const auto& visit) {
+  visit("time_base", keyframe.timeline.base_s);
+  visit("time_comp", keyframe.timeline.comp_s);
+  visit("time_dt", keyframe.timeline.dt_s);
+  visit("time_frames", keyframe.timeline.frames);
+  visit("window_width", keyframe.window.width_px);
+  visit("window_height", keyframe.window.height_px);
+  visit("sprite_width", keyframe.sprite.width_px);
+  visit("sprite_height", keyframe.sprite.height_px);
+  visit("is_held", keyframe.is_held);
+}
+
 }  // namespace hyrax
