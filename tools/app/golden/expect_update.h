@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "sim/compare/expectations.h"
-#include "sim/scenario/scenario.h"
 
 namespace hyrax {
 
-/// Whether a run can give an expectation that does not hold a new value: a count, a range with two ends, the
-/// state hash. No boolean, error bound or one-sided limit, and nothing that the run does not have.
+/// Whether a run can give an expectation that does not hold a new range: a count, a range with two ends. No
+/// error bound or one-sided limit, and nothing that the run does not have.
+[[nodiscard]] bool is_updatable_range(const Expectation& broken);
+
+/// The same, or the state hash; no boolean.
 [[nodiscard]] bool is_updatable(const Expectation& broken);
 
-/// The scenario's text with new values for those of `broken` that are updatable: ranges keep their width,
-/// with the new value in the middle; counts become the new ones. The state hash is left as it is. REQUIRES:
-/// the text of this scenario, whose run broke them.
-[[nodiscard]] std::string with_updated_ranges(std::string text, const Scenario& scenario,
-                                              const std::vector<Expectation>& broken);
+/// The scenario's text with new values for ranges that do not hold: they keep their width, with the new value
+/// in the middle; counts become the new ones. REQUIRES: updatable ones, that the run of this scenario broke.
+[[nodiscard]] std::string with_updated_ranges(std::string text, const std::vector<Expectation>& ranges);
 
 }  // namespace hyrax

@@ -35,13 +35,11 @@ struct PairComparison {
 };
 
 /// What a command found of a scenario and its golden pair, whatever it does with it.
-struct PairVerdict {
+struct PairVerdict : PairComparison {
   std::string path;  ///< Of the scenario as given.
   std::optional<GoldenPlace> golden;
-  std::string golden_folder;             ///< Has the accepted core; empty: no scenario, or in no library.
-  Comparison comparison;                 ///< With the golden file, if there is one.
-  std::shared_ptr<const PairRuns> runs;  ///< As PairComparison's.
-  std::string error;                     ///< Of a failed one.
+  std::string golden_folder;  ///< Has the accepted core; empty: no scenario, or in no library.
+  std::string error;          ///< Of a failed one.
   ExitCode exit_code = ExitCode::agreed;
 };
 
