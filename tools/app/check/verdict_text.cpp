@@ -20,8 +20,6 @@ std::string joined(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + "; " + second;
 }
 
-bool is_hash(const Expectation& expectation) { return expectation.rule == "state_hash"; }
-
 // How to give the golden file the scenario's new name.
 std::string rename_command(const std::string& golden_path, const GoldenPlace& place) {
   const std::string folder(file_name(place.h5_path).folder);
@@ -33,9 +31,9 @@ std::string rename_command(const std::string& golden_path, const GoldenPlace& pl
 
 }  // namespace
 
-std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict) {
+std::string verdict_sentence(const CheckVerdict& verdict) {
   const std::string broken = broken_sentence(verdict.broken);
-  const CheckVerdict* const renamed = report.renamed(verdict);
+  const CheckVerdict* const renamed = verdict.renamed;
   switch (verdict.status) {
     case CheckStatus::agreed:
       return "";
@@ -54,7 +52,7 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
     case CheckStatus::disagreed:
       break;
   }
-  const DifferenceGroup* const group = report.group_of(verdict);
+  const DifferenceGroup* const group = verdict.group;
   if (group == nullptr || !verdict.non_finite.empty()) return joined(verdict.non_finite, broken);
   if (!verdict.runs) return joined(verdict.comparison.shape, broken);
   return joined(fmt::format("{}{}: {}", group->cause.kind == CauseKind::unknown ? "cause unknown: " : "",
@@ -66,7 +64,7 @@ std::string accept_option(DifferenceClass widest) {
   return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
 }
 
-std::string verdict_details(const CheckReport& report, const CheckVerdict& verdict, bool lists_all) {
+std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
   if (verdict.status == CheckStatus::failed) return "  " + verdict.error + "\n";
   if (verdict.status == CheckStatus::unreferenced) return fmt::format("  {}\n", kUnreferencedSentence);
   if (verdict.status == CheckStatus::agreed) return "";
@@ -79,8 +77,7 @@ std::string verdict_details(const CheckReport& report, const CheckVerdict& verdi
                                        bless_command_for({verdict.path}, verdict.golden_option))
                          : "");
   if (verdict.comparison.agrees) return text;
-  const DifferenceGroup* const group = report.group_of(verdict);
-  const bool is_edit = group != nullptr && group->cause.kind == CauseKind::scenario;
+  const bool is_edit = verdict.group != nullptr && verdict.group->cause.kind == CauseKind::scenario;
   return text + difference_text(verdict.comparison, lists_all) +
          fmt::format("  to see more     {}; {}\n",
                      program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
@@ -101,8 +98,7 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
   // A run that is not finite, or gives other bits when it is repeated, is no result to bless.
   bool is_acceptable = true;
   for (const CheckVerdict* const verdict : verdicts) {
-    for (const Expectation& broken : verdict->broken)
-      updates_ranges |= is_updatable(broken) && !is_hash(broken);
+    updates_ranges |= std::ranges::any_of(verdict->broken, is_updatable_range);
     const bool is_to_edit = !std::ranges::all_of(verdict->broken, is_updatable);
     blesses_all &= !is_to_edit && verdict->status != CheckStatus::failed;
     if (is_to_edit)
