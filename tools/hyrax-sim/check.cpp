@@ -62,19 +62,17 @@ std::vector<CheckVerdict> check_all(const Core& core, const std::vector<std::str
       verdicts[index].is_open = true;
     }
   };
-  const auto work = [&] {
+  const auto work = [&](const auto& show) {
     for (std::size_t index = next++; index < paths.size(); index = next++) {
       check_one(index);
       if (!verdicts[index].is_open) ++done;
+      show();
     }
   };
   std::vector<std::jthread> workers =
-      start_workers(std::min(jobs, static_cast<std::int64_t>(paths.size())) - 1, work);
+      start_workers(std::min(jobs, static_cast<std::int64_t>(paths.size())) - 1, [&] { work([] {}); });
   Progress progress("scenarios", static_cast<std::int64_t>(paths.size()));
-  for (std::size_t index = next++; index < paths.size(); index = next++) {
-    check_one(index);
-    progress.show(verdicts[index].is_open ? done.load() : ++done);
-  }
+  work([&] { progress.show(done); });
   workers.clear();
   options.reads_golden = true;
   read_open_goldens(verdicts);

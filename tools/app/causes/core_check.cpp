@@ -48,12 +48,6 @@ NumberNames shared_names(std::string_view accepted, std::string_view program) {
   return names;
 }
 
-std::vector<HeaderChange> header_changes_of(const CoreVerdict& verdict) {
-  std::vector<HeaderChange> changes;
-  for (const CoreChange& change : verdict.changes) changes.push_back(change.change);
-  return changes;
-}
-
 }  // namespace
 
 CoreCheck::CoreCheck(const Core& core, const std::string& golden_folder, CoreCommands commands)
@@ -104,7 +98,7 @@ void CoreCheck::compare() {
 }
 
 CauseBase CoreCheck::base() const {
-  const std::vector<HeaderChange> changes = header_changes_of(verdict_);
+  const std::vector<HeaderChange> changes(verdict_.changes.begin(), verdict_.changes.end());
   return {
       .program = core_,
       .accepted = accepted_core_ ? &*accepted_core_ : nullptr,
@@ -134,14 +128,12 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   if (!accepted_core_ || !program_step_) return;
   std::map<double, double> all;
   for (const CoreChange& change : verdict_.changes)
-    if (change.change.kind == HeaderChangeKind::constant)
-      all[change.change.from.value] = change.change.to.value;
+    if (change.kind == HeaderChangeKind::constant) all[change.from.value] = change.to.value;
   if (with_constants(*accepted_step_, all) != *program_step_)
     return;  // Something else changed, too: a constant alone proves nothing.
   for (CoreChange& change : verdict_.changes) {
-    if (change.change.kind != HeaderChangeKind::constant) continue;
-    const auto alone =
-        traced_core(with_constants(*accepted_step_, {{change.change.from.value, change.change.to.value}}));
+    if (change.kind != HeaderChangeKind::constant) continue;
+    const auto alone = traced_core(with_constants(*accepted_step_, {{change.from.value, change.to.value}}));
     change.scenarios = std::ranges::count_if(
         fresh, [&](const StoredRun* run) { return match(*alone, run->scenario, *run).rows; });
   }
@@ -213,9 +205,9 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
               : fmt::format("not proved equal to the accepted one: {}\n", verdict.why);
   if (verdict.changes.empty() && verdict.status == CoreStatus::changed)
     text += fmt::format("  {}\n", kHeaderIsSame);
-  for (const auto& [change, scenarios] : verdict.changes)
+  for (const CoreChange& change : verdict.changes)
     text += fmt::format("  {}{}\n", change_text(change),
-                        scenarios ? fmt::format("; alone reproduces {}", *scenarios) : "");
+                        change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
   std::set<std::string> printed;  // Scenarios, by their names.
   for (const UnnoticedDifference& unnoticed : verdict.unnoticed) {
     if (!unnoticed.scenario)
@@ -238,7 +230,7 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
 }
 
 Json core_json(const CoreVerdict& verdict) {
-  Table changes = changes_table(header_changes_of(verdict));
+  Table changes = changes_table({verdict.changes.begin(), verdict.changes.end()});
   changes.columns.push_back(
       column_of("scenarios", "", "that it reproduces alone", verdict.changes, [](const CoreChange& change) {
         return change.scenarios ? static_cast<double>(*change.scenarios) : kNotGiven;

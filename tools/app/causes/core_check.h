@@ -56,8 +56,7 @@ enum class CoreStatus : std::uint8_t {
 inline constexpr std::array<std::string_view, 5> kCoreStatusNames = {"none", "accepted", "proved_equal",
                                                                      "changed", "not_proved"};
 
-struct CoreChange {
-  HeaderChange change;
+struct CoreChange : HeaderChange {
   std::optional<std::int64_t> scenarios;  ///< How many differing scenarios a constant reproduces alone.
 };
 

@@ -11,19 +11,9 @@
 namespace hyrax {
 namespace {
 
-// Whether rows of the golden file were compared.
-bool is_compared(const CheckVerdict& verdict) {
-  return verdict.has_golden && verdict.status != CheckStatus::failed;
-}
-
 Json result_json(const CheckVerdict& verdict) {
-  const Comparison& comparison = verdict.comparison;
-  Json::Object entry{{"scenario", verdict.path},
-                     {"status", name_of(verdict.status)},
-                     {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
-                     {"max_px", is_compared(verdict) ? max_px_json(comparison) : Json()},
-                     {"contacts_moved", is_compared(verdict) ? Json(comparison.contacts.total()) : Json()},
-                     {"first_divergence", divergence_json(comparison.first)}};
+  Json::Object entry = result_of(verdict, name_of(verdict.status),
+                                 verdict.has_golden && verdict.status != CheckStatus::failed);
   if (!verdict.broken.empty()) entry.emplace_back("expect", list_of(verdict.broken, expectation_json));
   if (!verdict.error.empty()) entry.emplace_back("error", verdict.error);
   return entry;
@@ -85,6 +75,16 @@ std::string annotation(const CheckVerdict& verdict) {
 }
 
 }  // namespace
+
+Json::Object result_of(const PairVerdict& scenario, std::string_view status, bool is_compared) {
+  const Comparison& comparison = scenario.comparison;
+  return {{"scenario", scenario.path},
+          {"status", status},
+          {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
+          {"max_px", is_compared ? max_px_json(comparison) : Json()},
+          {"contacts_moved", is_compared ? Json(comparison.contacts.total()) : Json()},
+          {"first_divergence", divergence_json(comparison.first)}};
+}
 
 Json check_json(const CheckReport& report) {
   return Json::Object{

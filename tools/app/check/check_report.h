@@ -72,6 +72,10 @@ struct OtherFailure {
 /// and the counts (verbose: every scenario first; quiet: names and counts only, failures on standard error).
 void print_check(const CheckReport& report, const Printing& printing);
 
+/// {"scenario", "status", "class", "max_px", ...}: how a run differs from its golden file, the first members
+/// of an entry of "results" of check and bless. @param is_compared else there are no distances.
+[[nodiscard]] Json::Object result_of(const PairVerdict& scenario, std::string_view status, bool is_compared);
+
 [[nodiscard]] Json check_json(const CheckReport& report);
 [[nodiscard]] std::string check_junit(const CheckReport& report);
 /// Workflow commands of GitHub Actions, "::error file=PATH,title=TITLE::MESSAGE", a line for each scenario
