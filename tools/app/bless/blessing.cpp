@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cerrno>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -11,7 +12,6 @@
 #include "sim/study/reference_model.h"
 #include "tools/app/core/paper_model.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/golden/expect_update.h"
 #include "tools/files/json_edit.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
@@ -99,6 +99,30 @@ void compare(const Core& core, const Scenario& scenario, Blessing& blessing) {
     if (failure.exit_code() != ExitCode::bad_input) throw;
     replace_unreadable(core, scenario, failure.what(), blessing);
   }
+}
+
+std::vector<std::string> ends_around(double middle, const Interval& interval, bool is_whole) {
+  const double width = interval.high - interval.low;
+  if (!is_whole) return {to_text(middle - width / 2.0), to_text(middle + width / 2.0)};
+  const double low = std::max(0.0, middle - std::floor(width / 2.0));
+  return {to_text(Json(static_cast<std::int64_t>(low))),
+          to_text(Json(static_cast<std::int64_t>(low + width)))};
+}
+
+// The scenario's text with new values for ranges that do not hold: they keep their width, with the new value
+// in the middle; counts become the new ones.
+std::string with_updated_ranges(std::string text, const std::vector<Expectation>& ranges) {
+  constexpr std::string_view kContacts = "contacts/";
+  for (const Expectation& expectation : ranges) {
+    const std::string_view rule = expectation.rule;
+    const bool is_count = rule.starts_with(kContacts);
+    std::vector<std::string_view> keys = {"expect"};
+    if (is_count) keys.push_back(kContacts.substr(0, kContacts.size() - 1));
+    keys.push_back(is_count ? rule.substr(kContacts.size()) : rule);
+    text = with_elements(text, keys,
+                         ends_around(std::get<double>(expectation.measured), *expectation.range, is_count));
+  }
+  return text;
 }
 
 void update_expect(const Core& core, bool updates_ranges, Scenario& scenario, Blessing& blessing) {

@@ -180,7 +180,7 @@ std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
     if (scenarios.empty()) continue;
     const auto is_known = [&](const Library& library) { return library.scenarios_folder == scenarios; };
     if (std::ranges::any_of(libraries, is_known)) continue;
-    libraries.push_back({scenarios, golden_folder_of(path, golden_option), golden_option});
+    libraries.push_back({scenarios, golden_folder_of(path, golden_option)});
   }
   return libraries;
 }

@@ -77,7 +77,6 @@ struct CoreVerdict {
 struct Library {
   std::string scenarios_folder;
   std::string golden_folder;
-  std::string golden_option;  ///< --golden as given; empty if it was not.
 };
 
 /// The libraries that scenarios or folders of them belong to, each once: the nearest folder named

@@ -30,7 +30,7 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
       });
   const Core& playing = options.watched_step ? watched_core : core;
   auto pair = has_golden ? compare_with_pair(core, scenario, *verdict.golden, options.reads_golden, playing)
-                         : PairComparison{.summary = play(playing, scenario)};
+                         : PairComparison{{.summary = play(playing, scenario)}};
   verdict.is_open = !pair;
   if (!pair) return;
   static_cast<PairComparison&>(verdict) = *std::move(pair);

@@ -8,7 +8,6 @@
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/diff/difference_text.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/golden/expect_update.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/unreferenced_golden.h"
@@ -99,17 +98,16 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
   bool is_acceptable = true;
   for (const CheckVerdict* const verdict : verdicts) {
     updates_ranges |= std::ranges::any_of(verdict->broken, is_updatable_range);
+    const bool differs = verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees;
     const bool is_to_edit = !std::ranges::all_of(verdict->broken, is_updatable);
     blesses_all &= !is_to_edit && verdict->status != CheckStatus::failed;
     if (is_to_edit)
       to_edit.push_back(verdict->path);
     else if (!verdict->broken.empty())
       to_update.push_back(verdict->path);
-    else if (verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees)
+    else if (differs)
       others.push_back(verdict->path);
-    const bool is_changed = verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees &&
-                            (!verdict->runs || !verdict->runs->is_golden_as_blessed);
-    if (is_changed)
+    if (differs && (!verdict->runs || !verdict->runs->is_golden_as_blessed))
       damaged.push_back(verdict->golden->h5_path +
                         (verdict->runs ? "" : " and " + verdict->golden->txt_path));
     is_acceptable &= verdict->non_finite.empty() && (!verdict->runs || verdict->runs->is_repeated);

@@ -22,9 +22,7 @@ struct PairRuns {
   bool is_repeated = true;           ///< The run was played twice, and the bits were the same.
 };
 
-struct PairComparison {
-  Comparison comparison{};
-  RunSummary summary;     ///< Of the run.
+struct PairComparison : ComparedRun {
   bool is_proved = true;  ///< By the checksums of the summary, which say that nothing else differs.
   /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
   std::string note{};
