@@ -13,8 +13,6 @@
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/files/scenario_list.h"
-#include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/table_text.h"
 
@@ -143,24 +141,11 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const bool is_judged = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
   if (!is_judged || !accepted_core_ || !program_step_) return;
   const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
-  const CorePair cores{pair, *accepted_core_, core_};
-  std::vector<bool> noticed(pair.differences().size());
-  bool& is_noticed = verdict_.is_noticed;
-  std::vector<Failure> unlisted;
-  for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
-      const bool is_open = std::ranges::find(noticed, false) != noticed.end();
-      if (!is_open && (is_noticed || pair.are_setters_equal())) break;
-      const Scenario scenario = load_scenario(path);
-      notice(cores, scenario, noticed);
-      if (!pair.are_setters_equal()) is_noticed = is_noticed || differs(cores, scenario);
-    } catch (const Failure&) {  // Whoever checks it reports it.
-    }
-  verdict_.unnoticed = search_unnoticed(cores, noticed);
+  static_cast<LibraryNotice&>(verdict_) = notice(pair, *accepted_core_, core_, scenarios_folder);
   const bool is_shown = std::ranges::any_of(
       verdict_.unnoticed, [](const UnnoticedDifference& one) { return one.scenario.has_value(); });
   if (is_shown) verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);
-  is_noticed = is_noticed || std::ranges::find(noticed, true) != noticed.end();
-  if (is_shown || is_noticed) verdict_.status = CoreStatus::changed;
+  if (is_shown || verdict_.is_noticed) verdict_.status = CoreStatus::changed;
   if (verdict_.status == CoreStatus::changed)
     verdict_.why.clear();
   else if (!verdict_.unnoticed.empty())

@@ -94,20 +94,15 @@ void print_names(const CheckReport& report) {
   }
 }
 
-// Edits of the scenarios themselves need none.
-std::string accept_option(const CheckReport& report) {
-  DifferenceClass widest = DifferenceClass::rounding;
-  for (const DifferenceGroup& group : report.groups)
-    if (group.cause.kind != CauseKind::scenario) widest = std::max(widest, group.difference);
-  return accept_option(widest);
-}
-
 // The commands that show more of the worst scenario, and that accept all.
 std::string commands_text(const CheckReport& report) {
   const PairVerdict& worst = *report.groups.front().scenarios.front();
   const bool is_alone = report.groups.size() == 1 && report.groups.front().scenarios.size() == 1;
-  const std::vector<std::string> checked =
-      report.arguments.empty() ? std::vector<std::string>{"scenarios"} : report.arguments;
+  std::vector<std::string> paths = report.arguments;
+  if (is_alone)
+    paths = {worst.path};
+  else if (paths.empty())
+    paths = {"scenarios"};
   std::vector<std::string> verbose = {"check", "--verbose"};
   for (const std::string& argument : report.arguments) verbose.push_back(as_argument(argument));
   if (!report.golden_folder.empty())
@@ -116,20 +111,12 @@ std::string commands_text(const CheckReport& report) {
   for (const CheckVerdict& each : report.verdicts)
     if (each.status != CheckStatus::unreferenced && (!is_alone || &each == &worst)) blessed.push_back(&each);
   const std::string text =
-      fmt::format("  to see all      {}\n  to see more     {}; {}\n", program_command(verbose),
-                  program_command({"run", as_argument(worst.path), "-o", "now.h5"}),
-                  program_command({"diff", as_argument(worst.golden->h5_path), "now.h5"}));
+      fmt::format("  to see all      {}\n  to see more     {}\n", program_command(verbose),
+                  diff_commands(worst.path, worst.golden->h5_path));
   // Its results are others the next time.
   if (std::ranges::any_of(report.groups, [](const auto& each) { return each.cause.detail == kNotRepeated; }))
     return text;
-  return text + acceptance_text(is_alone ? std::vector{worst.path} : checked, accept_option(report), blessed);
-}
-
-void print_every(const CheckReport& report) {
-  for (const CheckVerdict& verdict : report.verdicts)
-    print_text("{}: {}\n{}", printable(verdict.path),
-               VerdictWord{name_of(verdict.status), verdict.status == CheckStatus::agreed},
-               verdict_details(verdict, true));
+  return text + acceptance_text(paths, blessed);
 }
 
 }  // namespace
@@ -198,7 +185,11 @@ void print_check(const CheckReport& report, const Printing& printing) {
     print_names(report);
     return print_text("{}\n", counts_sentence(report));
   }
-  if (printing.is_verbose()) print_every(report);
+  if (printing.is_verbose())
+    for (const CheckVerdict& verdict : report.verdicts)
+      print_text("{}: {}\n{}", printable(verdict.path),
+                 VerdictWord{name_of(verdict.status), verdict.status == CheckStatus::agreed},
+                 verdict_details(verdict, true));
   const auto checked = static_cast<std::size_t>(report.scenario_count());
   print_groups(report.groups, report.cores.verdicts(), checked);
   print_text("{}{}", broken_text(report), physics_text(report));

@@ -55,17 +55,12 @@ struct OtherFailure {
 /// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
 [[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
 
-/// The option of bless that accepts differences of this class, with a blank before it; empty: it needs none.
-[[nodiscard]] std::string accept_option(DifferenceClass widest);
-
 /// How to accept what differs: the commands that bless it, unless a run becomes non-finite, and before them
 /// what in `expect` keeps bless from doing so, and which golden file was changed since it was blessed.
 /// Complete lines, indented by two.
 /// @param paths scenarios, or folders of them, that are blessed.
-/// @param options of bless, each with a blank before it; --update-hash or --update-expect is added where it
-/// is needed.
 /// @param verdicts on all scenarios of `paths`; one of them differs.
-[[nodiscard]] std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
+[[nodiscard]] std::string acceptance_text(const std::vector<std::string>& paths,
                                           const std::vector<const CheckVerdict*>& verdicts);
 
 /// A paragraph for each cause, a line for each kind of what is wrong otherwise, the commands that show more,

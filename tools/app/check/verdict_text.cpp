@@ -59,10 +59,6 @@ std::string verdict_sentence(const CheckVerdict& verdict) {
                 broken);
 }
 
-std::string accept_option(DifferenceClass widest) {
-  return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
-}
-
 std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
   if (verdict.status == CheckStatus::failed) return "  " + verdict.error + "\n";
   if (verdict.status == CheckStatus::unreferenced) return fmt::format("  {}\n", kUnreferencedSentence);
@@ -76,24 +72,21 @@ std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
                                        bless_command_for({verdict.path}, verdict.golden_option))
                          : "");
   if (verdict.comparison.agrees) return text;
-  const bool is_edit = verdict.group != nullptr && verdict.group->cause.kind == CauseKind::scenario;
   return text + difference_text(verdict.comparison, lists_all) +
-         fmt::format("  to see more     {}; {}\n",
-                     program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
-                     program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"})) +
-         acceptance_text({verdict.path}, is_edit ? "" : accept_option(*verdict.comparison.difference),
-                         {&verdict});
+         fmt::format("  to see more     {}\n", diff_commands(verdict.path, verdict.golden->h5_path)) +
+         acceptance_text({verdict.path}, {&verdict});
 }
 
-std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
+std::string acceptance_text(const std::vector<std::string>& paths,
                             const std::vector<const CheckVerdict*>& verdicts) {
   const std::string& golden_folder = verdicts.front()->golden_option;
   std::vector<std::string> to_update;
   std::vector<std::string> to_edit;
   std::vector<std::string> damaged;
-  bool updates_ranges = false;
   std::vector<std::string> others;
-  bool blesses_all = true;  // Nothing among `paths` would make bless refuse.
+  bool updates_ranges = false;
+  DifferenceClass widest = DifferenceClass::rounding;  // Edits of the scenarios themselves are accepted.
+  bool blesses_all = true;                             // Nothing among `paths` would make bless refuse.
   // A run that is not finite, or gives other bits when it is repeated, is no result to bless.
   bool is_acceptable = true;
   for (const CheckVerdict* const verdict : verdicts) {
@@ -107,6 +100,8 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
       to_update.push_back(verdict->path);
     else if (differs)
       others.push_back(verdict->path);
+    if (differs && verdict->group != nullptr && verdict->group->cause.kind != CauseKind::scenario)
+      widest = std::max(widest, *verdict->comparison.difference);
     if (differs && (!verdict->runs || !verdict->runs->is_golden_as_blessed))
       damaged.push_back(verdict->golden->h5_path +
                         (verdict->runs ? "" : " and " + verdict->golden->txt_path));
@@ -121,6 +116,8 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
     text += fmt::format(
         "  to edit         expect of {}: bless changes no boolean, error bound or one-sided limit\n",
         fmt::join(to_edit, ", "));
+  const std::string options =
+      widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
   // Of others than these, a hash would be written where there is none.
   const std::string first = to_update.empty() ? ""
                                               : bless_command_for(to_update, golden_folder) + options +
