@@ -29,7 +29,7 @@ class Judge {
   void within(const std::string& rule, const std::optional<Interval>& wanted,
               const std::optional<double>& measured) {
     if (!wanted) return;
-    Expectation verdict{rule, text_of(*wanted), false, {}};
+    Expectation verdict{rule, text_of(*wanted), false, {}, wanted};
     if (measured) {
       verdict.holds = *measured >= wanted->low && *measured <= wanted->high;
       verdict.measured = *measured;

@@ -24,6 +24,7 @@ struct Expectation {
   std::string wanted;  ///< "true", "1069 .. 1070", "at most 3".
   bool holds = false;
   std::variant<std::monostate, bool, double, std::string> measured;  ///< Nothing where there is none.
+  std::optional<Interval> range = {};  ///< In which it must be, if it must be in one.
 };
 
 /// A verdict for each rule that is set, in the format's order.

@@ -3,6 +3,8 @@
 
 #include <cstring>
 #include <initializer_list>
+#include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -38,6 +40,21 @@ class Failure : public std::runtime_error {
  private:
   ExitCode exit_code_;
 };
+
+/// What ends the work, as a failure: a fault of the program is one of `name`. Nothing: the work is done.
+template <class Work>
+[[nodiscard]] std::optional<Failure> failure_of(const std::string& name, const Work& work) {
+  try {
+    work();
+    return std::nullopt;
+  } catch (const Failure& failure) {
+    return failure;
+  } catch (const std::bad_alloc&) {
+    return Failure(ExitCode::program_fault, name + ": out of memory");
+  } catch (const std::exception& error) {
+    return Failure(ExitCode::program_fault, name + ": internal error: " + error.what());
+  }
+}
 
 /// Throws Failure(bad_input).
 [[noreturn]] inline void refuse_input(const std::string& sentences) {

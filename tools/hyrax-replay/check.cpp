@@ -1,7 +1,5 @@
 #include "tools/hyrax-replay/check.h"
 
-#include <exception>
-
 #include "sim/trajectory/state_hash.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/check_status.h"
@@ -19,9 +17,9 @@ namespace {
 
 struct ScenarioVerdict {
   std::string path;
-  CheckStatus status;
-  std::string sentence;  // Why it does not agree.
-  ExitCode exit_code;
+  CheckStatus status = CheckStatus::agreed;
+  std::string sentence = {};  // Why it does not agree.
+  ExitCode exit_code = ExitCode::agreed;
   bool is_folder = false;  // That failed; it is no scenario.
 };
 
@@ -62,29 +60,30 @@ void judge_into(const Core& core, const Scenario& scenario, const std::string& g
   if (!verdict.sentence.empty()) verdict.status = CheckStatus::disagreed;
 }
 
-ScenarioVerdict failed(const std::string& path, ExitCode exit_code, const std::string& error,
-                       bool is_folder = false) {
-  return {path, CheckStatus::failed, error, exit_code, is_folder};
+void fail(ScenarioVerdict& verdict, const Failure& failure) {
+  verdict.status = CheckStatus::failed;
+  verdict.sentence = failure.what();
+  verdict.exit_code = failure.exit_code();
 }
 
-ScenarioVerdict verdict_on(const Core& core, const std::string& path, const std::string& golden_folder) try {
-  ScenarioVerdict verdict{
-      .path = path, .status = CheckStatus::agreed, .sentence = "", .exit_code = ExitCode::agreed};
-  judge_into(core, load_scenario(path), golden_folder, verdict);
-  verdict.exit_code = exit_code_of(verdict.status);
+ScenarioVerdict verdict_on(const Core& core, const std::string& path, const std::string& golden_folder) {
+  ScenarioVerdict verdict{.path = path};
+  const auto failure = failure_of(path, [&] {
+    judge_into(core, load_scenario(path), golden_folder, verdict);
+    verdict.exit_code = exit_code_of(verdict.status);
+  });
+  if (failure) fail(verdict, *failure);
   return verdict;
-} catch (const Failure& failure) {
-  return failed(path, failure.exit_code(), failure.what());
-} catch (const std::exception& error) {
-  return failed(path, ExitCode::program_fault, path + ": internal error: " + error.what());
 }
 
 ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
-  if (!golden.error.empty()) return failed(golden.path, ExitCode::cannot_access, golden.error, true);
-  return {.path = golden.path,
-          .status = CheckStatus::unreferenced,
-          .sentence = kUnreferencedSentence,
-          .exit_code = exit_code_of(CheckStatus::unreferenced)};
+  ScenarioVerdict verdict{.path = golden.path,
+                          .status = CheckStatus::unreferenced,
+                          .sentence = kUnreferencedSentence,
+                          .exit_code = exit_code_of(CheckStatus::unreferenced),
+                          .is_folder = !golden.error.empty()};
+  if (verdict.is_folder) fail(verdict, Failure(ExitCode::cannot_access, golden.error));
+  return verdict;
 }
 
 }  // namespace

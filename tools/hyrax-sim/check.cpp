@@ -62,19 +62,17 @@ std::vector<CheckVerdict> check_all(const Core& core, const std::vector<std::str
       verdicts[index].is_open = true;
     }
   };
-  const auto work = [&] {
+  const auto work = [&](const auto& show) {
     for (std::size_t index = next++; index < paths.size(); index = next++) {
       check_one(index);
       if (!verdicts[index].is_open) ++done;
+      show();
     }
   };
   std::vector<std::jthread> workers =
-      start_workers(std::min(jobs, static_cast<std::int64_t>(paths.size())) - 1, work);
+      start_workers(std::min(jobs, static_cast<std::int64_t>(paths.size())) - 1, [&] { work([] {}); });
   Progress progress("scenarios", static_cast<std::int64_t>(paths.size()));
-  for (std::size_t index = next++; index < paths.size(); index = next++) {
-    check_one(index);
-    progress.show(verdicts[index].is_open ? done.load() : ++done);
-  }
+  work([&] { progress.show(done); });
   workers.clear();
   options.reads_golden = true;
   read_open_goldens(verdicts);
@@ -238,8 +236,15 @@ ExitCode check(const Core& core, CheckRequest& request) {
                 jobs);
   std::ranges::move(selection.unreferenced, std::back_inserter(verdicts));
   last_failed.update(verdicts, guard);
-  CheckReport report(core, std::move(verdicts), selection.unlisted, arguments, golden_folder);
-  report.judge_cores(whole_libraries(request, selection.has_failed_only));
+  CheckReport report{.verdicts = std::move(verdicts),
+                     .unlisted = selection.unlisted,
+                     .arguments = arguments,
+                     .golden_folder = golden_folder,
+                     .cores = CoreChecks(core, arguments, golden_folder)};
+  explain(report);
+  for (const Library& library : whole_libraries(request, selection.has_failed_only))
+    if (is_folder(library.golden_folder))
+      report.cores.of(library.golden_folder).judge_differences(library.scenarios_folder);
   if (request.printing.is_json)
     print_json(check_json(report));
   else
@@ -247,18 +252,17 @@ ExitCode check(const Core& core, CheckRequest& request) {
   annotate(report, request);
   Outcomes outcomes;
   add_failures(selection, outcomes);
-  for (const CoreVerdict* const verdict : report.cores()) outcomes.add(verdict->exit_code);
-  outcomes.attempt_after([&] { write_unnoticed(report.cores(), request.unnoticed_folder); });
-  for (const CheckVerdict& verdict : report.verdicts()) {
+  for (const CoreVerdict* const verdict : report.cores.verdicts()) outcomes.add(verdict->exit_code);
+  outcomes.attempt_after([&] { write_unnoticed(report.cores.verdicts(), request.unnoticed_folder); });
+  for (const CheckVerdict& verdict : report.verdicts) {
     if (!verdict.note.empty()) print_error(verdict.note);
     outcomes.add(verdict.exit_code);
   }
   if (!request.junit.empty())
     outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(report)); });
   if (!request.summary.empty())
-    outcomes.attempt_after([&] {
-      write_text_file(request.summary, check_markdown(report, write_pictures(core, report, request.summary)));
-    });
+    outcomes.attempt_after(
+        [&] { write_text_file(request.summary, check_markdown(core, report, request.summary)); });
   return outcomes.exit_code();
 }
 

@@ -72,8 +72,6 @@ ExitCode info(const Core& core, const Printing& printing) {
   return ExitCode::agreed;
 }
 
-void declare(Options& options, Printing& request) { options.printing(request); }
-
 }  // namespace
 
 Command info_command() {
@@ -81,7 +79,8 @@ Command info_command() {
           .summary = "print build, flags, instruction set, library versions and the result of the self-test",
           .example = "hyrax-sim info",
           .needs_strict_ieee = false,
-          .declare = with_request<Printing>(declare, info)};
+          .declare = with_request<Printing>(
+              [](Options& options, Printing& printing) { options.printing(printing); }, info)};
 }
 
 }  // namespace hyrax

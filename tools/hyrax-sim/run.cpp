@@ -41,9 +41,9 @@ struct RunRequest {
 // A scenario that was read, or why it was not.
 struct Candidate {
   std::string path;
-  std::optional<Scenario> scenario;
-  std::string output;
-  std::optional<Failure> failure;
+  std::optional<Scenario> scenario = {};
+  std::string output = {};
+  std::optional<Failure> failure = {};
 };
 
 std::vector<Override> overrides_of(const std::vector<std::string>& texts) {
@@ -58,8 +58,7 @@ std::vector<Override> overrides_of(const std::vector<std::string>& texts) {
 }
 
 Candidate read_candidate(const std::string& path, const std::vector<Override>& overrides) {
-  Candidate candidate;
-  candidate.path = path;
+  Candidate candidate{.path = path};
   try {
     candidate.scenario = load_scenario(path, overrides);
   } catch (const Failure& failure) {
@@ -84,13 +83,9 @@ void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Ca
   if (request.output == "-" || request.output == "/dev/stdout") return place_on_stdout(request, candidates);
   for (Candidate& candidate : candidates) {
     if (!candidate.scenario) continue;
-    const std::string name = candidate.scenario->name + ".h5";
-    if (request.output.empty())
-      candidate.output = name;
-    else
-      candidate.output = writes_into_folder(request, candidates.size())
-                             ? (fs::path(request.output) / name).string()
-                             : request.output;
+    const bool is_in_folder = request.output.empty() || writes_into_folder(request, candidates.size());
+    candidate.output = is_in_folder ? (fs::path(request.output) / (candidate.scenario->name + ".h5")).string()
+                                    : request.output;
     guard.admit("hyrax-sim run: -o of " + candidate.path, candidate.output, {".h5", ".csv"});
     if (request.stores_rows && file_name(candidate.output).extension == ".csv")
       refuse_input("hyrax-sim run: --rows: not possible in a CSV file (found " + candidate.output +
@@ -130,14 +125,6 @@ void report(const Core& core, const RunRequest& request, const ScenarioRun& run,
     entry.get<Json::Object>()->emplace_back("drift", std::move(measured));
   }
   outcomes.add(std::move(entry));
-}
-
-void check_page_request(const RunRequest& request, std::size_t scenarios) {
-  if (scenarios > 1)
-    refuse_input(fmt::format("hyrax-sim run: --report: allowed for one scenario only (found {})", scenarios));
-  if (file_name(request.output).extension == ".csv")
-    refuse_input("hyrax-sim run: --report: not possible with a CSV file (found " + request.output +
-                 "); allowed: .h5");
 }
 
 void print_written(const RunRequest& request, const std::string& path) {
@@ -188,10 +175,13 @@ ExitCode run(const Core& core, RunRequest request) {
   constexpr std::size_t kPrintedInFullMax = 3;
   if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
     request.printing.detail = Printing::Detail::verdict;
-  if (!request.figure.empty() && paths.size() > 1)
-    refuse_input(
-        fmt::format("hyrax-sim run: --figure: allowed for one scenario only (found {})", paths.size()));
-  if (!request.page.empty()) check_page_request(request, paths.size());
+  for (const auto& [option, file] : {std::pair("--figure", request.figure), {"--report", request.page}})
+    if (!file.empty() && paths.size() > 1)
+      refuse_input(
+          fmt::format("hyrax-sim run: {}: allowed for one scenario only (found {})", option, paths.size()));
+  if (!request.page.empty() && file_name(request.output).extension == ".csv")
+    refuse_input("hyrax-sim run: --report: not possible with a CSV file (found " + request.output +
+                 "); allowed: .h5");
   std::vector<Candidate> candidates;
   for (const std::string& path : paths) candidates.push_back(read_candidate(path, overrides));
   OutputGuard guard(paths, request.golden_folder);

@@ -6,6 +6,7 @@
 
 #include "sim/core/core.h"
 #include "sim/trajectory/physics_model.h"
+#include "tools/app/check/check_report.h"
 #include "tools/app/diff/difference_text.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/printable.h"
@@ -42,7 +43,7 @@ void print_plan(const Blessing& blessing, const Printing& printing) {
 // A line each of a few, else how many they are.
 void print_unchanged(const BlessReport& report) {
   constexpr std::ptrdiff_t kListed = 3;
-  const auto unchanged = std::ranges::count(report.blessings, BlessStatus::unchanged, &Blessing::status);
+  const auto unchanged = report.count(BlessStatus::unchanged);
   if (unchanged > kListed)
     return print_text("{} scenarios: {} with their golden files already\n", unchanged,
                       VerdictWord{"agree", true});
@@ -83,18 +84,12 @@ void print_done(const Blessing& blessing) {
 }
 
 Json result_json(const Blessing& blessing) {
-  const Comparison& comparison = blessing.comparison;
   const std::optional<GoldenPlace>& place = blessing.golden;  // None of a scenario that cannot be read.
-  const bool is_compared = !blessing.has_failed() && blessing.status != BlessStatus::fresh;
-  Json::Object entry{{"scenario", blessing.path},
-                     {"status", name_of(blessing.status)},
-                     {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
-                     {"max_px", is_compared ? max_px_json(comparison) : Json()},
-                     {"contacts_moved", is_compared ? Json(comparison.contacts.total()) : Json()},
-                     {"first_divergence", divergence_json(comparison.first)},
-                     {"golden_file", place ? Json(place->h5_path) : Json()},
-                     {"summary", place ? Json(place->txt_path) : Json()},
-                     {"updates_hash", blessing.scenario_text.has_value()}};
+  Json::Object entry = result_of(blessing, name_of(blessing.status),
+                                 !blessing.has_failed() && blessing.status != BlessStatus::fresh);
+  entry.emplace_back("golden_file", place ? Json(place->h5_path) : Json());
+  entry.emplace_back("summary", place ? Json(place->txt_path) : Json());
+  entry.emplace_back("updates_hash", blessing.scenario_text.has_value());
   if (!blessing.error.empty()) entry.emplace_back("error", blessing.error);
   return entry;
 }
@@ -103,7 +98,7 @@ Json result_json(const Blessing& blessing) {
 
 std::string refusal_sentence(const BlessReport& report) {
   const auto& blessings = report.blessings;
-  const auto failed = std::ranges::count(blessings, BlessStatus::failed, &Blessing::status);
+  const auto failed = report.count(BlessStatus::failed);
   if (failed > 0)
     return fmt::format("hyrax-sim bless: nothing written: {} of {} scenarios failed", failed,
                        blessings.size());
@@ -111,7 +106,7 @@ std::string refusal_sentence(const BlessReport& report) {
     if (core.is_refused)
       return fmt::format("hyrax-sim bless: nothing written: {}: {}", accepted_core_folder(core.golden_folder),
                          core.why_not);
-  const auto refused = std::ranges::count(blessings, BlessStatus::refused, &Blessing::status);
+  const auto refused = report.count(BlessStatus::refused);
   if (refused == 0) return "";
   const Blessing& widest = *std::ranges::max_element(blessings, {}, [](const Blessing& blessing) {
     return blessing.status == BlessStatus::refused ? blessing.differs_in : std::nullopt;
@@ -123,7 +118,7 @@ std::string refusal_sentence(const BlessReport& report) {
 }
 
 std::string unfinished_sentence(const BlessReport& report) {
-  const auto failed = std::ranges::count(report.blessings, BlessStatus::failed, &Blessing::status);
+  const auto failed = report.count(BlessStatus::failed);
   const auto planned = failed + std::ranges::count_if(report.blessings, &Blessing::writes);
   if (failed == 0) return "";
   return fmt::format(
@@ -160,7 +155,7 @@ Json bless_json(const BlessReport& report, const std::vector<DifferenceGroup>& g
   Json::Object document;
   for (const BlessStatus status : {BlessStatus::fresh, BlessStatus::changed, BlessStatus::unchanged,
                                    BlessStatus::refused, BlessStatus::failed})
-    document.emplace_back(name_of(status), std::ranges::count(report.blessings, status, &Blessing::status));
+    document.emplace_back(name_of(status), report.count(status));
   document.emplace_back("written", report.is_written);
   const std::vector<std::string>& removed = report.pruning.removed;
   document.emplace_back("pruned", Json::Array(removed.begin(), removed.end()));

@@ -2,6 +2,7 @@
 // as JSON.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,6 +105,10 @@ struct BlessReport {
   Pruning pruning;
   std::vector<CoreAcceptance> cores;
   bool is_written = false;
+
+  [[nodiscard]] std::int64_t count(Blessing::Status status) const {
+    return std::ranges::count(blessings, status, &Blessing::status);
+  }
 };
 
 /// Why nothing is written, with the option that would allow it where there is one; empty: it is written.

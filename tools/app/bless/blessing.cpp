@@ -2,7 +2,9 @@
 
 #include <cassert>
 #include <cerrno>
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
 
 #include <unistd.h>
@@ -10,7 +12,6 @@
 #include "sim/study/reference_model.h"
 #include "tools/app/core/paper_model.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/golden/expect_update.h"
 #include "tools/files/json_edit.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
@@ -52,46 +53,37 @@ void require_usable(const GoldenPlace& place, const OutputGuard& guard) {
   }
 }
 
-void require_expected(const Core& core, const std::string& path, const Scenario& scenario,
-                      const RunSummary& summary) {
-  if (const std::string text = non_finite_text(scenario, summary.final); !text.empty())
-    throw Failure(ExitCode::disagreed, path + ": not blessed: " + text);
-  std::string broken;
-  for (const Expectation& expectation : broken_expectations(core, scenario, summary, reference_model(core)))
-    broken += "; " + expectation_text(expectation);
-  if (!broken.empty())
-    throw Failure(ExitCode::disagreed, path + ": not blessed: its expectations do not hold" + broken);
+void require_expected(const Core& core, const Scenario& scenario, const Blessing& blessing) {
+  std::string why = non_finite_text(scenario, blessing.summary.final);
+  if (why.empty())
+    for (const Expectation& broken :
+         broken_expectations(core, scenario, blessing.summary, reference_model(core)))
+      why.append(why.empty() ? "its expectations do not hold; " : "; ").append(expectation_text(broken));
+  if (!why.empty()) throw Failure(ExitCode::disagreed, blessing.path + ": not blessed: " + why);
 }
 
 // A golden file whose rows cannot be compared. Its summary may still say that the run is the accepted one.
-RunSummary replace_unreadable(const Core& core, const Scenario& scenario, const std::string& why,
-                              Blessing& blessing) {
+void replace_unreadable(const Core& core, const Scenario& scenario, const std::string& why,
+                        Blessing& blessing) {
   blessing.status = BlessStatus::changed;
   blessing.unreadable = why;
   blessing.comparison.agrees = false;
   blessing.comparison.difference = DifferenceClass::shape;
-  const RunSummary summary = play(core, scenario);
+  blessing.summary = play(core, scenario);
   const std::string& txt_path = blessing.golden->txt_path;
   const std::string text = is_there(txt_path) ? read_text_file(txt_path) : "";
-  if (summary_state_hash(text) != hex(summary.state_hash)) blessing.differs_in = DifferenceClass::shape;
-  return summary;
+  if (summary_state_hash(text) != hex(blessing.summary.state_hash))
+    blessing.differs_in = DifferenceClass::shape;
 }
 
-void take_over(PairComparison pair, Blessing& blessing) {
-  blessing.comparison = std::move(pair.comparison);
-  blessing.runs = std::move(pair.runs);
-  if (!pair.gives_its_rows) blessing.differs_in = blessing.comparison.difference;
-  if (blessing.runs && plays_the_same(blessing.runs->golden.scenario, blessing.runs->fresh.scenario))
-    blessing.differs_in = blessing.comparison.difference;
-}
-
-// Sets what has to be blessed; returns the summary of the run.
-RunSummary compare(const Core& core, const Scenario& scenario, Blessing& blessing) {
+// Plays the scenario, and sets what has to be blessed.
+void compare(const Core& core, const Scenario& scenario, Blessing& blessing) {
   const auto& [h5_path, txt_path, is_reserved, folder] = *blessing.golden;
   const bool has_both = has_golden_file(*blessing.golden);
   if (!is_there(h5_path) && !is_there(txt_path)) {
     blessing.status = BlessStatus::fresh;
-    return play(core, scenario);
+    blessing.summary = play(core, scenario);
+    return;
   }
   if (!is_there(h5_path)) return replace_unreadable(core, scenario, h5_path + " is missing", blessing);
   if (!has_both) blessing.unreadable = txt_path + " is missing";
@@ -99,28 +91,49 @@ RunSummary compare(const Core& core, const Scenario& scenario, Blessing& blessin
     PairComparison pair = *compare_with_pair(core, scenario, *blessing.golden, true, core);
     blessing.status = pair.is_proved ? BlessStatus::unchanged : BlessStatus::changed;
     blessing.keeps_h5 = has_both && !pair.is_proved && is_h5_current(core, scenario, *blessing.golden);
-    const RunSummary summary = pair.summary;
-    take_over(std::move(pair), blessing);
-    return summary;
+    static_cast<PairComparison&>(blessing) = std::move(pair);
+    const bool is_of_scenario =
+        blessing.runs && plays_the_same(blessing.runs->golden.scenario, blessing.runs->fresh.scenario);
+    if (is_of_scenario || !blessing.gives_its_rows) blessing.differs_in = blessing.comparison.difference;
   } catch (const Failure& failure) {
     if (failure.exit_code() != ExitCode::bad_input) throw;
-    return replace_unreadable(core, scenario, failure.what(), blessing);
+    replace_unreadable(core, scenario, failure.what(), blessing);
   }
 }
 
-void update_expect(const Core& core, const RunSummary& summary, bool updates_ranges, Scenario& scenario,
-                   Blessing& blessing) {
-  const std::string hash = hex(summary.state_hash);
+std::vector<std::string> ends_around(double middle, const Interval& interval, bool is_whole) {
+  const double width = interval.high - interval.low;
+  if (!is_whole) return {to_text(middle - width / 2.0), to_text(middle + width / 2.0)};
+  const double low = std::max(0.0, middle - std::floor(width / 2.0));
+  return {to_text(Json(static_cast<std::int64_t>(low))),
+          to_text(Json(static_cast<std::int64_t>(low + width)))};
+}
+
+// The scenario's text with new values for ranges that do not hold: they keep their width, with the new value
+// in the middle; counts become the new ones.
+std::string with_updated_ranges(std::string text, const std::vector<Expectation>& ranges) {
+  constexpr std::string_view kContacts = "contacts/";
+  for (const Expectation& expectation : ranges) {
+    const std::string_view rule = expectation.rule;
+    const bool is_count = rule.starts_with(kContacts);
+    std::vector<std::string_view> keys = {"expect"};
+    if (is_count) keys.push_back(kContacts.substr(0, kContacts.size() - 1));
+    keys.push_back(is_count ? rule.substr(kContacts.size()) : rule);
+    text = with_elements(text, keys,
+                         ends_around(std::get<double>(expectation.measured), *expectation.range, is_count));
+  }
+  return text;
+}
+
+void update_expect(const Core& core, bool updates_ranges, Scenario& scenario, Blessing& blessing) {
+  const std::string hash = hex(blessing.summary.state_hash);
   const std::string text = read_scenario_text(blessing.path);
   std::string updated = with_value(text, {"expect", "state_hash"}, '"' + hash + '"');
   blessing.has_new_hash = updated != text;
   if (updates_ranges) {
-    const std::vector<Expectation> broken =
-        broken_expectations(core, scenario, summary, reference_model(core));
-    updated = with_updated_ranges(std::move(updated), scenario, broken);
-    for (const Expectation& expectation : broken)
-      if (is_updatable(expectation) && expectation.rule != "state_hash")
-        blessing.updated.push_back(expectation);
+    blessing.updated = broken_expectations(core, scenario, blessing.summary, reference_model(core));
+    std::erase_if(blessing.updated, std::not_fn(is_updatable_range));
+    updated = with_updated_ranges(std::move(updated), blessing.updated);
   }
   scenario = parse_scenario_file(updated, blessing.path);
   if (updated != text) blessing.scenario_text = std::move(updated);
@@ -132,11 +145,11 @@ void plan(const Core& core, Blessing& blessing, const BlessOptions& options, con
   blessing.golden = place_of(blessing.path, options.golden_folder);
   blessing.golden_folder = golden_folder_of(blessing.path, options.golden_folder);
   require_usable(*blessing.golden, guard);
-  const RunSummary summary = compare(core, scenario, blessing);
+  compare(core, scenario, blessing);
   if (options.updates_hash || options.updates_ranges)
-    update_expect(core, summary, options.updates_ranges, scenario, blessing);
+    update_expect(core, options.updates_ranges, scenario, blessing);
   if (blessing.scenario_text) require_writable(blessing.path);
-  require_expected(core, blessing.path, scenario, summary);
+  require_expected(core, scenario, blessing);
   if (blessing.writes_golden_file())
     for (const std::string& path : {blessing.golden->h5_path, blessing.golden->txt_path})
       require_writable(path);
@@ -166,15 +179,10 @@ void write_golden_file(const Core& core, const Blessing& blessing, const std::st
 // A failure of one scenario does not end the others.
 template <class Step>
 void attempt(Blessing& blessing, const Step& step) {
-  try {
-    return step();
-  } catch (const Failure& failure) {
-    blessing.error = failure.what();
-    blessing.exit_code = failure.exit_code();
-  } catch (const std::exception& error) {
-    blessing.error = blessing.path + ": internal error: " + error.what();
-    blessing.exit_code = ExitCode::program_fault;
-  }
+  const auto failure = failure_of(blessing.path, step);
+  if (!failure) return;
+  blessing.error = failure->what();
+  blessing.exit_code = failure->exit_code();
   blessing.status = BlessStatus::failed;
   print_error(blessing.error);
 }

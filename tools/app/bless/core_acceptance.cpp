@@ -40,7 +40,8 @@ struct LibraryCheck {
   std::size_t checked = 0;
 };
 
-LibraryCheck check_library(const Core& core, const Library& library, const BlessingsByPath& blessed) {
+LibraryCheck check_library(const Core& core, const Library& library, const std::string& golden_option,
+                           const BlessingsByPath& blessed) {
   LibraryCheck result;
   for (const std::string& path : list_scenarios({library.scenarios_folder})) {
     ++result.checked;
@@ -50,7 +51,7 @@ LibraryCheck check_library(const Core& core, const Library& library, const Bless
         result.cores.insert(summary_core(read_text_file(blessing.golden->txt_path)));
       continue;
     }
-    const CheckVerdict verdict = check_scenario(core, path, {.golden_folder = library.golden_option});
+    const CheckVerdict verdict = check_scenario(core, path, {.golden_folder = golden_option});
     if (verdict.status != CheckStatus::agreed)
       result.disagreeing.push_back(path);
     else if (verdict.has_golden)
@@ -66,7 +67,7 @@ std::optional<CoreAcceptance> plan(const Core& core, const Library& library, con
   if (before && before->header == accepted.header && before->step == accepted.step &&
       before->model == accepted.model)
     return std::nullopt;
-  LibraryCheck check = check_library(core, library, blessed);
+  LibraryCheck check = check_library(core, library, options.golden_folder, blessed);
   accepted.reason = options.reason;
   check.cores.erase(accepted.name());
   check.cores.erase("");

@@ -13,8 +13,6 @@
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/files/scenario_list.h"
-#include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/table_text.h"
 
@@ -46,12 +44,6 @@ NumberNames shared_names(std::string_view accepted, std::string_view program) {
       ambiguous.insert(constant.value);
   for (const double value : ambiguous) names.erase(value);
   return names;
-}
-
-std::vector<HeaderChange> header_changes_of(const CoreVerdict& verdict) {
-  std::vector<HeaderChange> changes;
-  for (const CoreChange& change : verdict.changes) changes.push_back(change.change);
-  return changes;
 }
 
 }  // namespace
@@ -104,7 +96,7 @@ void CoreCheck::compare() {
 }
 
 CauseBase CoreCheck::base() const {
-  const std::vector<HeaderChange> changes = header_changes_of(verdict_);
+  const std::vector<HeaderChange> changes(verdict_.changes.begin(), verdict_.changes.end());
   return {
       .program = core_,
       .accepted = accepted_core_ ? &*accepted_core_ : nullptr,
@@ -134,14 +126,12 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   if (!accepted_core_ || !program_step_) return;
   std::map<double, double> all;
   for (const CoreChange& change : verdict_.changes)
-    if (change.change.kind == HeaderChangeKind::constant)
-      all[change.change.from.value] = change.change.to.value;
+    if (change.kind == HeaderChangeKind::constant) all[change.from.value] = change.to.value;
   if (with_constants(*accepted_step_, all) != *program_step_)
     return;  // Something else changed, too: a constant alone proves nothing.
   for (CoreChange& change : verdict_.changes) {
-    if (change.change.kind != HeaderChangeKind::constant) continue;
-    const auto alone =
-        traced_core(with_constants(*accepted_step_, {{change.change.from.value, change.change.to.value}}));
+    if (change.kind != HeaderChangeKind::constant) continue;
+    const auto alone = traced_core(with_constants(*accepted_step_, {{change.from.value, change.to.value}}));
     change.scenarios = std::ranges::count_if(
         fresh, [&](const StoredRun* run) { return match(*alone, run->scenario, *run).rows; });
   }
@@ -151,24 +141,11 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const bool is_judged = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
   if (!is_judged || !accepted_core_ || !program_step_) return;
   const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
-  const CorePair cores{pair, *accepted_core_, core_};
-  std::vector<bool> noticed(pair.differences().size());
-  bool& is_noticed = verdict_.is_noticed;
-  std::vector<Failure> unlisted;
-  for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
-      const bool is_open = std::ranges::find(noticed, false) != noticed.end();
-      if (!is_open && (is_noticed || pair.are_setters_equal())) break;
-      const Scenario scenario = load_scenario(path);
-      notice(cores, scenario, noticed);
-      if (!pair.are_setters_equal()) is_noticed = is_noticed || differs(cores, scenario);
-    } catch (const Failure&) {  // Whoever checks it reports it.
-    }
-  verdict_.unnoticed = search_unnoticed(cores, noticed);
+  static_cast<LibraryNotice&>(verdict_) = notice(pair, *accepted_core_, core_, scenarios_folder);
   const bool is_shown = std::ranges::any_of(
       verdict_.unnoticed, [](const UnnoticedDifference& one) { return one.scenario.has_value(); });
   if (is_shown) verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);
-  is_noticed = is_noticed || std::ranges::find(noticed, true) != noticed.end();
-  if (is_shown || is_noticed) verdict_.status = CoreStatus::changed;
+  if (is_shown || verdict_.is_noticed) verdict_.status = CoreStatus::changed;
   if (verdict_.status == CoreStatus::changed)
     verdict_.why.clear();
   else if (!verdict_.unnoticed.empty())
@@ -188,7 +165,7 @@ std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
     if (scenarios.empty()) continue;
     const auto is_known = [&](const Library& library) { return library.scenarios_folder == scenarios; };
     if (std::ranges::any_of(libraries, is_known)) continue;
-    libraries.push_back({scenarios, golden_folder_of(path, golden_option), golden_option});
+    libraries.push_back({scenarios, golden_folder_of(path, golden_option)});
   }
   return libraries;
 }
@@ -213,9 +190,9 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
               : fmt::format("not proved equal to the accepted one: {}\n", verdict.why);
   if (verdict.changes.empty() && verdict.status == CoreStatus::changed)
     text += fmt::format("  {}\n", kHeaderIsSame);
-  for (const auto& [change, scenarios] : verdict.changes)
+  for (const CoreChange& change : verdict.changes)
     text += fmt::format("  {}{}\n", change_text(change),
-                        scenarios ? fmt::format("; alone reproduces {}", *scenarios) : "");
+                        change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
   std::set<std::string> printed;  // Scenarios, by their names.
   for (const UnnoticedDifference& unnoticed : verdict.unnoticed) {
     if (!unnoticed.scenario)
@@ -238,7 +215,7 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
 }
 
 Json core_json(const CoreVerdict& verdict) {
-  Table changes = changes_table(header_changes_of(verdict));
+  Table changes = changes_table({verdict.changes.begin(), verdict.changes.end()});
   changes.columns.push_back(
       column_of("scenarios", "", "that it reproduces alone", verdict.changes, [](const CoreChange& change) {
         return change.scenarios ? static_cast<double>(*change.scenarios) : kNotGiven;

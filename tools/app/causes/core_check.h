@@ -29,22 +29,17 @@ struct UnnoticedDifference {
   std::int64_t steps_tried = 0;
 };
 
-/// The accepted core, this program's, and their steps. Refers to all.
-struct CorePair {
-  const StepPair& steps;
-  const Core& accepted;
-  const Core& program;
+/// What a library's scenarios show of the differences of two cores.
+struct LibraryNotice {
+  bool is_noticed = false;  ///< A scenario shows a difference.
+  std::vector<UnnoticedDifference> unnoticed;
 };
 
-/// Whether the cores give the scenario other rows.
-[[nodiscard]] bool differs(const CorePair& cores, const Scenario& scenario);
-
-/// Marks in `noticed` (one a difference) those that a row of the scenario shows, played by the accepted core.
-void notice(const CorePair& cores, const Scenario& scenario, std::vector<bool>& noticed);
-
-/// Searches for a scenario for each difference that is not noticed: the same on every machine.
-[[nodiscard]] std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores,
-                                                                const std::vector<bool>& noticed);
+/// Plays the library by the accepted core, and searches for a scenario for each difference that no row of it
+/// shows: the same on every machine. Scenarios that cannot be read are left out: whoever checks them reports
+/// it.
+[[nodiscard]] LibraryNotice notice(const StepPair& steps, const Core& accepted, const Core& program,
+                                   const std::string& scenarios_folder);
 
 enum class CoreStatus : std::uint8_t {
   none,          ///< No accepted core, or a damaged one.
@@ -56,20 +51,17 @@ enum class CoreStatus : std::uint8_t {
 inline constexpr std::array<std::string_view, 5> kCoreStatusNames = {"none", "accepted", "proved_equal",
                                                                      "changed", "not_proved"};
 
-struct CoreChange {
-  HeaderChange change;
+struct CoreChange : HeaderChange {
   std::optional<std::int64_t> scenarios;  ///< How many differing scenarios a constant reproduces alone.
 };
 
-struct CoreVerdict {
+struct CoreVerdict : LibraryNotice {
   std::string golden_folder;
   CoreStatus status = CoreStatus::none;
   std::string why;  ///< Of none and not_proved.
   std::vector<CoreChange> changes;
   std::optional<std::int64_t> paths;   ///< Of update; nothing where the program's step is not complete.
   std::set<std::int32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
-  bool is_noticed = false;             ///< A scenario of the library shows a difference.
-  std::vector<UnnoticedDifference> unnoticed;
   CoreCommands commands;
   ExitCode exit_code = ExitCode::agreed;
 };
@@ -78,7 +70,6 @@ struct CoreVerdict {
 struct Library {
   std::string scenarios_folder;
   std::string golden_folder;
-  std::string golden_option;  ///< --golden as given; empty if it was not.
 };
 
 /// The libraries that scenarios or folders of them belong to, each once: the nearest folder named

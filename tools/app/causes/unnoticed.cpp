@@ -12,6 +12,8 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/shrink.h"
 #include "tools/app/expect/judged_run.h"
+#include "tools/files/scenario_list.h"
+#include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
 
 namespace hyrax {
@@ -41,6 +43,13 @@ std::string name_of(Scenario scenario) {
   return "unnoticed-" + hex(digest(std::as_bytes(std::span(text)))).substr(0, 8);
 }
 
+// The accepted core, this program's, and their steps.
+struct CorePair {
+  const StepPair& steps;
+  const Core& accepted;
+  const Core& program;
+};
+
 std::string consequence_of(const CorePair& cores, Scenario scenario) {
   const double dt_s = base_dt_s(scenario.clock);
   const double steps = dt_s > 0.0 ? std::ceil(kConsequence_s / dt_s) : 1.0;
@@ -57,26 +66,26 @@ std::string consequence_of(const CorePair& cores, Scenario scenario) {
                      rounded(is_of_speed ? apart_px_per_s : apart_px, 3), is_of_speed ? "px/s" : "px");
 }
 
-// By difference: whether the scenario shows it.
-std::vector<bool> shown_by(const CorePair& cores, const Scenario& scenario) {
-  std::vector<bool> shown(cores.steps.differences().size());
-  notice(cores, scenario, shown);
-  return shown;
-}
-
-}  // namespace
-
+// Whether the cores give the scenario other rows.
 bool differs(const CorePair& cores, const Scenario& scenario) {
   return play(cores.accepted, scenario).state_hash != play(cores.program, scenario).state_hash;
 }
 
-void notice(const CorePair& cores, const Scenario& scenario, std::vector<bool>& noticed) {
+// Marks in `noticed` (one a difference) those that a row of the scenario shows, played by the accepted core.
+void mark_noticed(const CorePair& cores, const Scenario& scenario, std::vector<bool>& noticed) {
   std::vector<bool> evaluated(noticed.size());
   const auto take = [&](const StepInput& input, std::span<TracedBody> bodies) {
     if (std::ranges::find(noticed, false) != noticed.end())
       cores.steps.notice(input, bodies, evaluated, noticed);
   };
   static_cast<void>(play(watched(cores.accepted, cores.steps.programs(), take), scenario));
+}
+
+// By difference: whether the scenario shows it.
+std::vector<bool> shown_by(const CorePair& cores, const Scenario& scenario) {
+  std::vector<bool> shown(cores.steps.differences().size());
+  mark_noticed(cores, scenario, shown);
+  return shown;
 }
 
 std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const std::vector<bool>& noticed) {
@@ -112,6 +121,27 @@ std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const s
     unnoticed.push_back(std::move(difference));
   }
   return unnoticed;
+}
+
+}  // namespace
+
+LibraryNotice notice(const StepPair& steps, const Core& accepted, const Core& program,
+                     const std::string& scenarios_folder) {
+  const CorePair cores{steps, accepted, program};
+  LibraryNotice found;
+  std::vector<bool> noticed(steps.differences().size());
+  std::vector<Failure> unlisted;
+  for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
+      const bool is_open = std::ranges::find(noticed, false) != noticed.end();
+      if (!is_open && (found.is_noticed || steps.are_setters_equal())) break;
+      const Scenario scenario = load_scenario(path);
+      mark_noticed(cores, scenario, noticed);
+      if (!steps.are_setters_equal()) found.is_noticed = found.is_noticed || differs(cores, scenario);
+    } catch (const Failure&) {
+    }
+  found.unnoticed = search_unnoticed(cores, noticed);
+  found.is_noticed = found.is_noticed || std::ranges::find(noticed, true) != noticed.end();
+  return found;
 }
 
 }  // namespace hyrax

@@ -11,19 +11,9 @@
 namespace hyrax {
 namespace {
 
-// Whether rows of the golden file were compared.
-bool is_compared(const CheckVerdict& verdict) {
-  return verdict.has_golden && verdict.status != CheckStatus::failed;
-}
-
 Json result_json(const CheckVerdict& verdict) {
-  const Comparison& comparison = verdict.comparison;
-  Json::Object entry{{"scenario", verdict.path},
-                     {"status", name_of(verdict.status)},
-                     {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
-                     {"max_px", is_compared(verdict) ? max_px_json(comparison) : Json()},
-                     {"contacts_moved", is_compared(verdict) ? Json(comparison.contacts.total()) : Json()},
-                     {"first_divergence", divergence_json(comparison.first)}};
+  Json::Object entry = result_of(verdict, name_of(verdict.status),
+                                 verdict.has_golden && verdict.status != CheckStatus::failed);
   if (!verdict.broken.empty()) entry.emplace_back("expect", list_of(verdict.broken, expectation_json));
   if (!verdict.error.empty()) entry.emplace_back("error", verdict.error);
   return entry;
@@ -50,24 +40,14 @@ std::string xml_text(std::string_view text) {
   return xml;
 }
 
-std::string begin_case(std::string_view name, double seconds) {
-  return fmt::format("  <testcase classname=\"hyrax-sim.check\" name=\"{}\" time=\"{:.6f}\"", xml_text(name),
-                     seconds);
-}
-
-bool is_failure(ExitCode exit_code) { return exit_code == ExitCode::disagreed; }
-
-std::string end_case(ExitCode exit_code, const std::string& message, const std::string& details) {
-  return fmt::format(">\n    <{0} message=\"{1}\">{2}</{0}>\n  </testcase>\n",
-                     is_failure(exit_code) ? "failure" : "error", xml_text(message), xml_text(details));
-}
-
-std::string test_case(const CheckReport& report, const CheckVerdict& verdict) {
-  const std::string open = begin_case(verdict.path, verdict.seconds);
-  if (verdict.status == CheckStatus::agreed) return open + "/>\n";
-  return open + end_case(verdict.exit_code,
-                         fmt::format("{}: {}", name_of(verdict.status), verdict_sentence(report, verdict)),
-                         verdict_details(report, verdict));
+std::string test_case(std::string_view name, double seconds, ExitCode exit_code, std::string_view message,
+                      std::string_view details) {
+  const std::string open = fmt::format(
+      "  <testcase classname=\"hyrax-sim.check\" name=\"{}\" time=\"{:.6f}\"", xml_text(name), seconds);
+  if (exit_code == ExitCode::agreed) return open + "/>\n";
+  return open + fmt::format(">\n    <{0} message=\"{1}\">{2}</{0}>\n  </testcase>\n",
+                            exit_code == ExitCode::disagreed ? "failure" : "error", xml_text(message),
+                            xml_text(details));
 }
 
 // Text of a workflow command; in a property `:` and `,` end it.
@@ -90,51 +70,66 @@ std::string annotation(const std::string& file, std::string_view kind, const std
       workflow_text(fmt::format("hyrax-sim check: {}", kind), true), workflow_text(message, false));
 }
 
-std::string annotation(const CheckReport& report, const CheckVerdict& verdict) {
-  return annotation(verdict.path, name_of(verdict.status), verdict_sentence(report, verdict));
+std::string annotation(const CheckVerdict& verdict) {
+  return annotation(verdict.path, name_of(verdict.status), verdict_sentence(verdict));
 }
 
 }  // namespace
 
+Json::Object result_of(const PairVerdict& scenario, std::string_view status, bool is_compared) {
+  const Comparison& comparison = scenario.comparison;
+  return {{"scenario", scenario.path},
+          {"status", status},
+          {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
+          {"max_px", is_compared ? max_px_json(comparison) : Json()},
+          {"contacts_moved", is_compared ? Json(comparison.contacts.total()) : Json()},
+          {"first_divergence", divergence_json(comparison.first)}};
+}
+
 Json check_json(const CheckReport& report) {
-  return Json::Object{{"checked", report.scenario_count()},
-                      {"agreed", report.count(CheckStatus::agreed)},
-                      {"disagreed", report.count(CheckStatus::disagreed)},
-                      {"missing", report.count(CheckStatus::missing)},
-                      {"failed", report.count(CheckStatus::failed)},
-                      {"unreferenced", report.count(CheckStatus::unreferenced)},
-                      {"results", list_of(report.verdicts(), result_json)},
-                      {"cores", list_of(report.cores(), [](const auto* core) { return core_json(*core); })},
-                      {"groups", list_of(report.groups(), group_json)}};
+  return Json::Object{
+      {"checked", report.scenario_count()},
+      {"agreed", report.count(CheckStatus::agreed)},
+      {"disagreed", report.count(CheckStatus::disagreed)},
+      {"missing", report.count(CheckStatus::missing)},
+      {"failed", report.count(CheckStatus::failed)},
+      {"unreferenced", report.count(CheckStatus::unreferenced)},
+      {"results", list_of(report.verdicts, result_json)},
+      {"cores", list_of(report.cores.verdicts(), [](const auto* core) { return core_json(*core); })},
+      {"groups", list_of(report.groups, group_json)}};
 }
 
 std::string check_junit(const CheckReport& report) {
   double seconds = 0.0;
-  for (const CheckVerdict& verdict : report.verdicts()) seconds += verdict.seconds;
-  const std::vector<OtherFailure> others = other_failures(report);
-  const auto failures = std::ranges::count_if(others, is_failure, &OtherFailure::exit_code);
-  std::string text = fmt::format(
+  std::vector<ExitCode> exit_codes;
+  std::string cases;
+  for (const CheckVerdict& verdict : report.verdicts) {
+    seconds += verdict.seconds;
+    exit_codes.push_back(verdict.exit_code);
+    cases += test_case(verdict.path, verdict.seconds, verdict.exit_code,
+                       fmt::format("{}: {}", name_of(verdict.status), verdict_sentence(verdict)),
+                       verdict_details(verdict));
+  }
+  for (const auto& [kind, file, text, exit_code] : other_failures(report)) {
+    exit_codes.push_back(exit_code);
+    cases +=
+        test_case(file.empty() ? text : file, 0.0, exit_code, text.substr(0, text.find('\n')), text + "\n");
+  }
+  const auto failures = std::ranges::count(exit_codes, ExitCode::disagreed);
+  const auto errors = std::ssize(exit_codes) - failures - std::ranges::count(exit_codes, ExitCode::agreed);
+  return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"hyrax-sim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\">\n",
-      report.verdicts().size() + others.size(),
-      report.count(CheckStatus::disagreed) + report.count(CheckStatus::unreferenced) + failures,
-      report.count(CheckStatus::missing) + report.count(CheckStatus::failed) + std::ssize(others) - failures,
-      seconds);
-  for (const CheckVerdict& verdict : report.verdicts()) text += test_case(report, verdict);
-  for (const auto& [kind, file, other, exit_code] : others)
-    text += begin_case(file.empty() ? other : file, 0.0) +
-            end_case(exit_code, other.substr(0, other.find('\n')), other + "\n");
-  return text + "</testsuite>\n";
+      "<testsuite name=\"hyrax-sim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\">\n"
+      "{}</testsuite>\n",
+      exit_codes.size(), failures, errors, seconds, cases);
 }
 
 std::string github_annotations(const CheckReport& report) {
   std::string text;
-  for (const DifferenceGroup& group : report.groups())
-    for (const PairVerdict* const scenario : group.scenarios)
-      text += annotation(report, verdict_on(*scenario));
-  for (const CheckVerdict& verdict : report.verdicts())
-    if (verdict.status != CheckStatus::agreed && report.group_of(verdict) == nullptr)
-      text += annotation(report, verdict);
+  for (const DifferenceGroup& group : report.groups)
+    for (const PairVerdict* const scenario : group.scenarios) text += annotation(verdict_on(*scenario));
+  for (const CheckVerdict& verdict : report.verdicts)
+    if (verdict.status != CheckStatus::agreed && verdict.group == nullptr) text += annotation(verdict);
   for (const OtherFailure& other : other_failures(report))
     text += annotation(other.file, other.kind, other.text);
   return text;

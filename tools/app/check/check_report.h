@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "sim/core/core.h"
@@ -15,48 +14,23 @@
 
 namespace hyrax {
 
-/// The verdicts, and the differing ones by cause. Nothing is explained where all agree.
-class CheckReport {
- public:
-  /// Refers to the core.
-  /// @param unlisted folders whose scenarios are not among the verdicts.
-  /// @param arguments the scenarios and folders as given; none: the folder `scenarios`.
-  /// @param golden_folder as given; empty if it was not.
-  CheckReport(const Core& core, std::vector<CheckVerdict> verdicts, std::vector<Failure> unlisted,
-              std::vector<std::string> arguments, std::string golden_folder);
-  CheckReport(const CheckReport&) = delete;
-  CheckReport& operator=(const CheckReport&) = delete;
-
-  [[nodiscard]] const std::vector<CheckVerdict>& verdicts() const { return verdicts_; }
-  [[nodiscard]] const std::vector<Failure>& unlisted() const { return unlisted_; }
-  [[nodiscard]] const std::vector<DifferenceGroup>& groups() const { return groups_; }
-  /// Of every golden folder that scenarios have, in order of their names.
-  [[nodiscard]] std::vector<const CoreVerdict*> cores() const { return cores_.verdicts(); }
-  [[nodiscard]] const std::vector<std::string>& arguments() const { return arguments_; }
-  [[nodiscard]] const std::string& golden_folder() const { return golden_folder_; }
-
-  /// Looks for changes of the core that none of the libraries' scenarios notices.
-  void judge_cores(const std::vector<Library>& libraries);
+/// The verdicts, and the differing ones by cause. Nothing is explained where all agree. REQUIRES: no copies:
+/// verdicts and groups refer to each other.
+struct CheckReport {
+  std::vector<CheckVerdict> verdicts;
+  std::vector<Failure> unlisted;       ///< Folders whose scenarios are not among the verdicts.
+  std::vector<std::string> arguments;  ///< Scenarios and folders as given; none: the folder `scenarios`.
+  std::string golden_folder;           ///< As given; empty if it was not.
+  CoreChecks cores;                    ///< Of every golden folder that scenarios have.
+  std::vector<DifferenceGroup> groups{};
 
   [[nodiscard]] std::int64_t count(CheckStatus status) const;
   /// Unreferenced golden files and folders are no scenarios.
   [[nodiscard]] std::int64_t scenario_count() const;
-  /// The group of a scenario whose run differs; nullptr: it is in none.
-  [[nodiscard]] const DifferenceGroup* group_of(const CheckVerdict& verdict) const;
-  /// The other half of a renamed scenario: of one whose golden file is missing the unreferenced golden file
-  /// with its run, and the other way round. nullptr: it was not renamed.
-  [[nodiscard]] const CheckVerdict* renamed(const CheckVerdict& verdict) const;
-
- private:
-  std::vector<CheckVerdict> verdicts_;
-  std::vector<Failure> unlisted_;
-  CoreChecks cores_;
-  std::vector<DifferenceGroup> groups_;
-  std::unordered_map<const PairVerdict*, const DifferenceGroup*> group_of_;
-  std::unordered_map<const CheckVerdict*, const CheckVerdict*> renamed_;
-  std::vector<std::string> arguments_;
-  std::string golden_folder_;
 };
+
+/// Finds renamed scenarios, and groups the differing ones by cause.
+void explain(CheckReport& report);
 
 [[nodiscard]] std::string counts_sentence(const CheckReport& report);
 
@@ -76,45 +50,32 @@ struct OtherFailure {
 
 /// What is wrong with one scenario, in one line without its path: the cause and how far it moves the run, or
 /// where it becomes non-finite; the expectations that do not hold; what is missing. Empty if it agrees.
-[[nodiscard]] std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict);
+[[nodiscard]] std::string verdict_sentence(const CheckVerdict& verdict);
 
 /// All that is known of one scenario, with the commands that show more. Complete lines, indented by two.
-[[nodiscard]] std::string verdict_details(const CheckReport& report, const CheckVerdict& verdict,
-                                          bool lists_all = false);
-
-/// The option of bless that accepts differences of this class, with a blank before it; empty: it needs none.
-[[nodiscard]] std::string accept_option(DifferenceClass widest);
+[[nodiscard]] std::string verdict_details(const CheckVerdict& verdict, bool lists_all = false);
 
 /// How to accept what differs: the commands that bless it, unless a run becomes non-finite, and before them
 /// what in `expect` keeps bless from doing so, and which golden file was changed since it was blessed.
 /// Complete lines, indented by two.
 /// @param paths scenarios, or folders of them, that are blessed.
-/// @param options of bless, each with a blank before it; --update-hash or --update-expect is added where it
-/// is needed.
 /// @param verdicts on all scenarios of `paths`; one of them differs.
-[[nodiscard]] std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
+[[nodiscard]] std::string acceptance_text(const std::vector<std::string>& paths,
                                           const std::vector<const CheckVerdict*>& verdicts);
 
 /// A paragraph for each cause, a line for each kind of what is wrong otherwise, the commands that show more,
 /// and the counts (verbose: every scenario first; quiet: names and counts only, failures on standard error).
 void print_check(const CheckReport& report, const Printing& printing);
 
+/// {"scenario", "status", "class", "max_px", ...}: how a run differs from its golden file, the first members
+/// of an entry of "results" of check and bless. @param is_compared else there are no distances.
+[[nodiscard]] Json::Object result_of(const PairVerdict& scenario, std::string_view status, bool is_compared);
+
 [[nodiscard]] Json check_json(const CheckReport& report);
 [[nodiscard]] std::string check_junit(const CheckReport& report);
 /// Workflow commands of GitHub Actions, "::error file=PATH,title=TITLE::MESSAGE", a line for each scenario
 /// that does not agree, of each cause the worst scenario first, and for each other failure.
 [[nodiscard]] std::string github_annotations(const CheckReport& report);
-/// What was drawn of a group: names of files beside the summary; empty: none.
-struct GroupPicture {
-  std::string svg;      ///< Both paths of the worst scenario, and their distance over time.
-  std::string html;     ///< A page that plays it.
-  std::string missing;  ///< Why something could not be drawn.
-};
-
-/// The report in Markdown.
-/// @param pictures of the first groups.
-[[nodiscard]] std::string check_markdown(const CheckReport& report,
-                                         const std::vector<GroupPicture>& pictures);
 
 /// So many causes get a picture.
 inline constexpr std::size_t kPicturesMax = 3;
@@ -123,10 +84,10 @@ inline constexpr std::size_t kPicturesMax = 3;
 /// the groups, then FILE.html.
 [[nodiscard]] std::vector<std::string> picture_paths(const std::string& path);
 
-/// Draws both paths of the worst scenario of each of the first groups, and writes the page on which the worst
-/// of all can be played, where this program has the page. What cannot be drawn changes no verdict: the text
-/// says why.
-[[nodiscard]] std::vector<GroupPicture> write_pictures(const Core& core, const CheckReport& report,
-                                                       const std::string& path);
+/// The report in Markdown, for the summary at `path`. Draws both paths of the worst scenario of each of the
+/// first groups, and writes the page on which the worst of all can be played, where this program has the
+/// page. What cannot be drawn changes no verdict: the text says why.
+[[nodiscard]] std::string check_markdown(const Core& core, const CheckReport& report,
+                                         const std::string& path);
 
 }  // namespace hyrax

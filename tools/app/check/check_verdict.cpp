@@ -1,7 +1,6 @@
 #include "tools/app/check/check_verdict.h"
 
 #include <chrono>
-#include <exception>
 #include <new>
 
 #include "sim/cause/watched_core.h"
@@ -31,25 +30,23 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
       });
   const Core& playing = options.watched_step ? watched_core : core;
   auto pair = has_golden ? compare_with_pair(core, scenario, *verdict.golden, options.reads_golden, playing)
-                         : PairComparison{.summary = play(playing, scenario)};
+                         : PairComparison{{.summary = play(playing, scenario)}};
   verdict.is_open = !pair;
   if (!pair) return;
-  verdict.comparison = std::move(pair->comparison);
-  verdict.note = std::move(pair->note);
-  verdict.runs = std::move(pair->runs);
-  verdict.broken = broken_expectations(core, scenario, pair->summary, reference_model(core));
-  if (!has_golden) verdict.state_hash = hex(pair->summary.state_hash);
-  verdict.non_finite = non_finite_text(scenario, pair->summary.final);
+  static_cast<PairComparison&>(verdict) = *std::move(pair);
+  verdict.broken = broken_expectations(core, scenario, verdict.summary, reference_model(core));
+  if (!has_golden) verdict.state_hash = hex(verdict.summary.state_hash);
+  verdict.non_finite = non_finite_text(scenario, verdict.summary.final);
   if (!has_golden && !has_state_hash_only(scenario, verdict.golden))
     verdict.status = CheckStatus::missing;
   else if (!verdict.comparison.agrees || !verdict.broken.empty() || !verdict.non_finite.empty())
     verdict.status = CheckStatus::disagreed;
 }
 
-void fail(CheckVerdict& verdict, ExitCode exit_code, const std::string& error) {
+void fail(CheckVerdict& verdict, const Failure& failure) {
   verdict.status = CheckStatus::failed;
-  verdict.error = error;
-  verdict.exit_code = exit_code;
+  verdict.error = failure.what();
+  verdict.exit_code = failure.exit_code();
 }
 
 // Empty for half a golden file, or one that cannot be read.
@@ -69,18 +66,17 @@ CheckVerdict check_scenario(const Core& core, const std::string& path, const Che
   verdict.golden_option = options.golden_folder;
   verdict.golden_folder = golden_folder_of(path, options.golden_folder);
   const auto start = std::chrono::steady_clock::now();
-  try {
+  const auto failure = failure_of(path, [&] {
     if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
-    judge_into(core, load_scenario(path), options, verdict);
-    verdict.exit_code = exit_code_of(verdict.status);
-  } catch (const Failure& failure) {
-    fail(verdict, failure.exit_code(), failure.what());
-  } catch (const std::bad_alloc&) {
-    verdict.is_open = !options.reads_golden;  // Alone it has more memory.
-    if (!verdict.is_open) fail(verdict, ExitCode::program_fault, path + ": out of memory");
-  } catch (const std::exception& error) {  // Uncaught, it would terminate the program.
-    fail(verdict, ExitCode::program_fault, path + ": internal error: " + error.what());
-  }
+    try {
+      judge_into(core, load_scenario(path), options, verdict);
+      verdict.exit_code = exit_code_of(verdict.status);
+    } catch (const std::bad_alloc&) {
+      if (options.reads_golden) throw;
+      verdict.is_open = true;  // Alone it has more memory.
+    }
+  });
+  if (failure) fail(verdict, *failure);
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return verdict;
 }
@@ -95,7 +91,7 @@ std::vector<CheckVerdict> unreferenced_verdicts(const std::vector<std::string>& 
     verdict.status = CheckStatus::unreferenced;
     verdict.exit_code = exit_code_of(verdict.status);
     verdict.state_hash = stored_state_hash({golden.path + ".h5", golden.path + ".txt"});
-    if (!golden.error.empty()) fail(verdict, ExitCode::cannot_access, golden.error);
+    if (!golden.error.empty()) fail(verdict, Failure(ExitCode::cannot_access, golden.error));
   }
   return verdicts;
 }

@@ -8,7 +8,6 @@
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/diff/difference_text.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/golden/expect_update.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/unreferenced_golden.h"
@@ -19,8 +18,6 @@ namespace {
 std::string joined(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + "; " + second;
 }
-
-bool is_hash(const Expectation& expectation) { return expectation.rule == "state_hash"; }
 
 // How to give the golden file the scenario's new name.
 std::string rename_command(const std::string& golden_path, const GoldenPlace& place) {
@@ -33,9 +30,9 @@ std::string rename_command(const std::string& golden_path, const GoldenPlace& pl
 
 }  // namespace
 
-std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verdict) {
+std::string verdict_sentence(const CheckVerdict& verdict) {
   const std::string broken = broken_sentence(verdict.broken);
-  const CheckVerdict* const renamed = report.renamed(verdict);
+  const CheckVerdict* const renamed = verdict.renamed;
   switch (verdict.status) {
     case CheckStatus::agreed:
       return "";
@@ -54,7 +51,7 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
     case CheckStatus::disagreed:
       break;
   }
-  const DifferenceGroup* const group = report.group_of(verdict);
+  const DifferenceGroup* const group = verdict.group;
   if (group == nullptr || !verdict.non_finite.empty()) return joined(verdict.non_finite, broken);
   if (!verdict.runs) return joined(verdict.comparison.shape, broken);
   return joined(fmt::format("{}{}: {}", group->cause.kind == CauseKind::unknown ? "cause unknown: " : "",
@@ -62,11 +59,7 @@ std::string verdict_sentence(const CheckReport& report, const CheckVerdict& verd
                 broken);
 }
 
-std::string accept_option(DifferenceClass widest) {
-  return widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
-}
-
-std::string verdict_details(const CheckReport& report, const CheckVerdict& verdict, bool lists_all) {
+std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
   if (verdict.status == CheckStatus::failed) return "  " + verdict.error + "\n";
   if (verdict.status == CheckStatus::unreferenced) return fmt::format("  {}\n", kUnreferencedSentence);
   if (verdict.status == CheckStatus::agreed) return "";
@@ -79,41 +72,37 @@ std::string verdict_details(const CheckReport& report, const CheckVerdict& verdi
                                        bless_command_for({verdict.path}, verdict.golden_option))
                          : "");
   if (verdict.comparison.agrees) return text;
-  const DifferenceGroup* const group = report.group_of(verdict);
-  const bool is_edit = group != nullptr && group->cause.kind == CauseKind::scenario;
   return text + difference_text(verdict.comparison, lists_all) +
-         fmt::format("  to see more     {}; {}\n",
-                     program_command({"run", as_argument(verdict.path), "-o", "now.h5"}),
-                     program_command({"diff", as_argument(verdict.golden->h5_path), "now.h5"})) +
-         acceptance_text({verdict.path}, is_edit ? "" : accept_option(*verdict.comparison.difference),
-                         {&verdict});
+         fmt::format("  to see more     {}\n", diff_commands(verdict.path, verdict.golden->h5_path)) +
+         acceptance_text({verdict.path}, {&verdict});
 }
 
-std::string acceptance_text(const std::vector<std::string>& paths, const std::string& options,
+std::string acceptance_text(const std::vector<std::string>& paths,
                             const std::vector<const CheckVerdict*>& verdicts) {
   const std::string& golden_folder = verdicts.front()->golden_option;
   std::vector<std::string> to_update;
   std::vector<std::string> to_edit;
   std::vector<std::string> damaged;
-  bool updates_ranges = false;
   std::vector<std::string> others;
-  bool blesses_all = true;  // Nothing among `paths` would make bless refuse.
+  bool updates_ranges = false;
+  DifferenceClass widest = DifferenceClass::rounding;  // Edits of the scenarios themselves are accepted.
+  bool blesses_all = true;                             // Nothing among `paths` would make bless refuse.
   // A run that is not finite, or gives other bits when it is repeated, is no result to bless.
   bool is_acceptable = true;
   for (const CheckVerdict* const verdict : verdicts) {
-    for (const Expectation& broken : verdict->broken)
-      updates_ranges |= is_updatable(broken) && !is_hash(broken);
+    updates_ranges |= std::ranges::any_of(verdict->broken, is_updatable_range);
+    const bool differs = verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees;
     const bool is_to_edit = !std::ranges::all_of(verdict->broken, is_updatable);
     blesses_all &= !is_to_edit && verdict->status != CheckStatus::failed;
     if (is_to_edit)
       to_edit.push_back(verdict->path);
     else if (!verdict->broken.empty())
       to_update.push_back(verdict->path);
-    else if (verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees)
+    else if (differs)
       others.push_back(verdict->path);
-    const bool is_changed = verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees &&
-                            (!verdict->runs || !verdict->runs->is_golden_as_blessed);
-    if (is_changed)
+    if (differs && verdict->group != nullptr && verdict->group->cause.kind != CauseKind::scenario)
+      widest = std::max(widest, *verdict->comparison.difference);
+    if (differs && (!verdict->runs || !verdict->runs->is_golden_as_blessed))
       damaged.push_back(verdict->golden->h5_path +
                         (verdict->runs ? "" : " and " + verdict->golden->txt_path));
     is_acceptable &= verdict->non_finite.empty() && (!verdict->runs || verdict->runs->is_repeated);
@@ -127,6 +116,8 @@ std::string acceptance_text(const std::vector<std::string>& paths, const std::st
     text += fmt::format(
         "  to edit         expect of {}: bless changes no boolean, error bound or one-sided limit\n",
         fmt::join(to_edit, ", "));
+  const std::string options =
+      widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
   // Of others than these, a hash would be written where there is none.
   const std::string first = to_update.empty() ? ""
                                               : bless_command_for(to_update, golden_folder) + options +

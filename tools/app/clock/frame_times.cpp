@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -163,11 +164,9 @@ class Sources {
     if (taken_.size() == 1) return;
     std::vector<std::string> options;
     for (std::size_t key = 0; key < keys_.size(); ++key)
-      for (const auto& [source, frames] : taken_)
-        if (source[key] != taken_.begin()->first[key]) {
-          options.push_back(std::string(keys_[key].option));
-          break;
-        }
+      if (std::ranges::any_of(
+              taken_, [&](const auto& each) { return each.first[key] != taken_.begin()->first[key]; }))
+        options.push_back(std::string(keys_[key].option));
     refuse_input(taken_.empty() ? fmt::format("{}: no such frame; found: {}", path, list(others_))
                                 : fmt::format("{}: frames of several sources: {}; pick one with {}", path,
                                               list(taken_), fmt::join(options, " or ")));
@@ -204,17 +203,6 @@ class Sources {
   Frames others_;
 };
 
-// Version 1 has a column for it; version 2 has no time on the display.
-struct DroppedColumn {
-  std::optional<std::size_t> column;
-  std::string_view when;
-};
-
-DroppedColumn dropped_column(const CsvReader& csv, const Record& header) {
-  if (const auto column = find_column(csv, header, "Dropped")) return {column, "1"};
-  return {find_column(csv, header, "DisplayedTime"), "na"};
-}
-
 }  // namespace
 
 FrameTimes read_frame_times(const FrameTimesRequest& request) {
@@ -227,10 +215,13 @@ FrameTimes read_frame_times(const FrameTimesRequest& request) {
   const Record header = csv.next().value_or(Record{});
   const std::size_t column = times_column(csv, header, request.column);
   const std::string place = fmt::format("column {} ({})", column + 1, header[column]);
-  const DroppedColumn dropped = dropped_column(csv, header);
+  // Version 1 of PresentMon has a column for it; version 2 has no time on the display.
+  auto dropped_column = find_column(csv, header, "Dropped");
+  const std::string_view when_dropped = dropped_column ? "1" : "na";
+  if (!dropped_column) dropped_column = find_column(csv, header, "DisplayedTime");
   Sources sources(csv, header, request);
   FrameTimes frames;
-  if (dropped.column) frames.dropped = 0;
+  if (dropped_column) frames.dropped = 0;
   bool has_frames = false;
   std::optional<Failure> bad_value;  // Reported once the frames are known to be of one source.
   while (const auto record = csv.next()) {
@@ -244,7 +235,7 @@ FrameTimes read_frame_times(const FrameTimesRequest& request) {
     } catch (const Failure& failure) {
       bad_value = failure;
     }
-    if (dropped.column && plain((*record)[*dropped.column]) == dropped.when) ++*frames.dropped;
+    if (dropped_column && plain((*record)[*dropped_column]) == when_dropped) ++*frames.dropped;
   }
   if (!has_frames) csv.refuse(": no frame after the header");
   sources.require_one(request.path);

@@ -22,6 +22,17 @@ std::optional<Number> parse_number(const std::string& text) {
   return error == std::errc() && rest == end ? std::optional(number) : std::nullopt;
 }
 
+// Reads a number `low` .. `high`.
+template <class Number>
+std::function<void(const std::string&)> reader(std::optional<Number>& into, const std::string& names,
+                                               Number low, Number high, const std::string& rule) {
+  return [=, &into](const std::string& value) {
+    into = parse_number<Number>(value);
+    if (!into || !(*into >= low && *into <= high))
+      refuse_input(fmt::format("{}: must be a {} (found {})", names, rule, value));
+  };
+}
+
 // Two columns; names too wide for the first one get a line of their own.
 std::string help_line(const std::string& names, const std::string& help) {
   constexpr std::size_t kColumn = 30;
@@ -82,29 +93,20 @@ void Options::texts(std::vector<std::string>& into, const OptionText& text) {
 }
 
 void Options::number(std::optional<double>& into, const OptionText& text, double low) {
-  add(text, Kind::once, [&into, names = text.names, low](const std::string& value) {
-    into = parse_number<double>(value);
-    if (!into || !std::isfinite(*into) || *into < low)
-      refuse_input(fmt::format("{}: must be a number of at least {} (found {})", names, low, value));
-  });
+  add(text, Kind::once,
+      reader(into, text.names, low, std::numeric_limits<double>::max(),
+             fmt::format("number of at least {}", low)));
 }
 
 void Options::integer(std::optional<std::int64_t>& into, const OptionText& text, std::int64_t low,
                       std::int64_t high) {
-  add(text, Kind::once, [&into, names = text.names, low, high](const std::string& value) {
-    into = parse_number<std::int64_t>(value);
-    if (!into || *into < low || *into > high)
-      refuse_input(fmt::format("{}: must be a whole number {} .. {} (found {})", names, low, high, value));
-  });
+  add(text, Kind::once, reader(into, text.names, low, high, fmt::format("whole number {} .. {}", low, high)));
 }
 
 void Options::seed(std::optional<std::uint64_t>& into, const OptionText& text) {
-  add(text, Kind::once, [&into, names = text.names](const std::string& value) {
-    into = parse_number<std::uint64_t>(value);
-    if (!into)
-      refuse_input(fmt::format("{}: must be a whole number 0 .. {} (found {})", names,
-                               std::numeric_limits<std::uint64_t>::max(), value));
-  });
+  constexpr std::uint64_t kHigh = std::numeric_limits<std::uint64_t>::max();
+  add(text, Kind::once,
+      reader(into, text.names, std::uint64_t{0}, kHigh, fmt::format("whole number 0 .. {}", kHigh)));
 }
 
 void Options::choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed) {

@@ -60,6 +60,11 @@ std::string program_command(std::vector<std::string> arguments) {
 
 std::string as_argument(const std::string& path) { return path.starts_with('-') ? "./" + path : path; }
 
+std::string diff_commands(const std::string& scenario_path, const std::string& h5_path) {
+  return program_command({"run", as_argument(scenario_path), "-o", "now.h5"}) + "; " +
+         program_command({"diff", as_argument(h5_path), "now.h5"});
+}
+
 std::string bless_command_for(const std::vector<std::string>& paths, const std::string& golden_folder) {
   const std::string scenario_path = is_folder(paths.front()) ? paths.front() + "/x.json" : paths.front();
   const auto by_path = golden_place(scenario_path, "");

@@ -21,6 +21,9 @@ void set_program(const std::string& as_called);
 /// The same path in a form that is not parsed as an option.
 [[nodiscard]] std::string as_argument(const std::string& path);
 
+/// The commands that play a scenario, and compare its run with its golden file.
+[[nodiscard]] std::string diff_commands(const std::string& scenario_path, const std::string& h5_path);
+
 /// The command that blesses scenarios or folders of them, with --golden if the path of the first alone does
 /// not lead to the golden file: the folder that was given, or `golden`. REQUIRES: at least one path.
 /// @param golden_folder as given; empty if it was not.

@@ -1,5 +1,7 @@
 #include "tools/app/expect/judged_run.h"
 
+#include <cmath>
+
 #include "sim/reference/drift_meter.h"
 #include "sim/scenario/schedule.h"
 
@@ -41,6 +43,14 @@ std::vector<Expectation> broken_expectations(const Core& core, const Scenario& s
   for (Expectation& expectation : judge_run(core, scenario, summary, std::nullopt, model))
     if (!expectation.holds) broken.push_back(std::move(expectation));
   return broken;
+}
+
+bool is_updatable_range(const Expectation& broken) {
+  return broken.range && std::isfinite(broken.range->low) && std::holds_alternative<double>(broken.measured);
+}
+
+bool is_updatable(const Expectation& broken) {
+  return broken.rule == "state_hash" || is_updatable_range(broken);
 }
 
 Json expectation_json(const Expectation& expectation) {

@@ -33,6 +33,13 @@ namespace hyrax {
                                                            const RunSummary& summary,
                                                            const Model& model = {});
 
+/// Whether a run can give an expectation that does not hold a new range: a count, a range with two ends. No
+/// error bound or one-sided limit, and nothing that the run does not have.
+[[nodiscard]] bool is_updatable_range(const Expectation& broken);
+
+/// The same, or the state hash; no boolean.
+[[nodiscard]] bool is_updatable(const Expectation& broken);
+
 /// A verdict of `expect`: {"rule", "holds", "measured"}.
 [[nodiscard]] Json expectation_json(const Expectation& expectation);
 /// "at_rest_since_s: wanted 3 .. 4, measured 5.25".

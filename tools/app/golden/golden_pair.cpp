@@ -97,12 +97,11 @@ PairComparison read_and_compare(const Core& core, const Scenario& scenario, cons
                                 const std::string& text, FreshRun fresh, const std::string& h5_checksum) {
   StoredRun kept = read_golden(place.h5_path);
   require_own_core(core, place.h5_path, kept.physics);
-  ComparedRun compared = compare_with(core, kept, scenario, cores_of(kept, place));
-  PairComparison pair{
-      .comparison = std::move(compared.comparison), .summary = compared.summary, .is_proved = false};
+  PairComparison pair{compare_with(core, kept, scenario, cores_of(kept, place))};
+  pair.is_proved = false;
   const std::optional<std::string> blessed_checksum = summary_file_checksum(text);
   const bool is_blessed_file = !blessed_checksum || *blessed_checksum == h5_checksum;
-  const bool is_repeated = fresh.run.state_hash == hex(compared.summary.state_hash);
+  const bool is_repeated = fresh.run.state_hash == hex(pair.summary.state_hash);
   const bool is_same_scenario = plays_the_same(kept.scenario, scenario);
   if (is_repeated && !is_blessed_file && !is_same_scenario && !gives_its_rows(core, kept)) {
     pair.gives_its_rows = false;
@@ -164,7 +163,7 @@ std::optional<PairComparison> compare_with_pair(const Core& core, const Scenario
   if (summary_state_hash(text) == fresh.run.state_hash &&
       has_checksums(text, contents_checksum(fresh.run), h5_checksum) &&
       text.starts_with("scenario: " + scenario.name + "\n"))
-    return PairComparison{.summary = fresh.summary};
+    return PairComparison{{.summary = fresh.summary}};
   if (!reads_h5) return std::nullopt;
   return read_and_compare(core, scenario, place, text, std::move(fresh), h5_checksum);
 }

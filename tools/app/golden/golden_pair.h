@@ -22,9 +22,7 @@ struct PairRuns {
   bool is_repeated = true;           ///< The run was played twice, and the bits were the same.
 };
 
-struct PairComparison {
-  Comparison comparison{};
-  RunSummary summary;     ///< Of the run.
+struct PairComparison : ComparedRun {
   bool is_proved = true;  ///< By the checksums of the summary, which say that nothing else differs.
   /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
   std::string note{};
@@ -35,13 +33,11 @@ struct PairComparison {
 };
 
 /// What a command found of a scenario and its golden pair, whatever it does with it.
-struct PairVerdict {
+struct PairVerdict : PairComparison {
   std::string path;  ///< Of the scenario as given.
   std::optional<GoldenPlace> golden;
-  std::string golden_folder;             ///< Has the accepted core; empty: no scenario, or in no library.
-  Comparison comparison;                 ///< With the golden file, if there is one.
-  std::shared_ptr<const PairRuns> runs;  ///< As PairComparison's.
-  std::string error;                     ///< Of a failed one.
+  std::string golden_folder;  ///< Has the accepted core; empty: no scenario, or in no library.
+  std::string error;          ///< Of a failed one.
   ExitCode exit_code = ExitCode::agreed;
 };
 

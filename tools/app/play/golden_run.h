@@ -13,7 +13,7 @@ namespace hyrax {
 
 /// A run by the core, compared with the stored one.
 struct ComparedRun {
-  Comparison comparison;
+  Comparison comparison{};
   RunSummary summary;
 };
 /// @param restoring cores of which one, or this one, may have played the stored run: they restore rows that

@@ -95,11 +95,8 @@ Json list_json(const std::vector<std::string>& names) { return Json::Array(names
 
 // Only a trajectory file can be compared.
 std::string diff_command_for(const ScenarioRun& run) {
-  const auto diff = [&](const std::string& output) {
-    return program_command({"diff", as_argument(run.golden_path), as_argument(output)});
-  };
-  if (file_name(run.output).extension != ".csv") return diff(run.output);
-  return program_command({"run", as_argument(run.path), "-o", "now.h5"}) + "; " + diff("now.h5");
+  if (file_name(run.output).extension == ".csv") return diff_commands(run.path, run.golden_path);
+  return program_command({"diff", as_argument(run.golden_path), as_argument(run.output)});
 }
 
 void print_motion(const Core& core, const RunSummary& summary) {
