@@ -85,9 +85,11 @@ std::vector<ObservedStep> steps_of(const Columns& rows, std::size_t first, const
   for (std::size_t index = first; index < rows.size(); ++index) {
     const Row row = rows.row(index);
     bool follows_input = false;
-    for (const Input& input : std::ranges::equal_range(inputs, row.step - 1, {}, &Input::frame)) {
-      apply(input.action, world);
-      follows_input |= sets_state(input.action);
+    const std::int64_t frame = row.step - 1;
+    for (auto input = std::ranges::lower_bound(inputs, frame, {}, &Input::frame);
+         input != inputs.end() && input->frame == frame; ++input) {
+      apply(input->action, world);
+      follows_input |= sets_state(input->action);
     }
     if (!world.is_held) steps.push_back({row.step, follows_input, world, row.dt_s, state_of(row)});
     world.state = state_of(row);

@@ -18,7 +18,8 @@ StepIndex source_of(std::string_view name, CoreFunction function, std::size_t me
     if (name == member_name(member)) return member;
   const auto& names = kArgumentNames[static_cast<std::size_t>(function)];
   const auto place = std::ranges::find(names, name);
-  return place == names.end() ? kNoIndex : static_cast<StepIndex>(kStepMembersMax + (place - names.begin()));
+  if (place == names.end()) return kNoIndex;
+  return static_cast<StepIndex>(kStepMembersMax) + static_cast<StepIndex>(place - names.begin());
 }
 
 void execute(std::span<const StepInstruction> instructions, double* values) {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <span>
 #include <utility>
@@ -17,6 +18,7 @@ constexpr std::string_view kFirstLine = "hyrax-step/1\n";
 constexpr std::array<std::string_view, 3> kConversionNames = {"to_real", "to_single", "to_whole"};
 // A step of 4,096 paths has a tenth of it.
 constexpr std::size_t kTextBytesMax = 1 << 22;
+constexpr double kSingleMax = static_cast<double>(std::numeric_limits<float>::max());
 
 // The last line, of all before it (FNV-1a, 64 bits): tells a text that was cut short or edited by hand.
 std::string checksum_line(std::string_view text) {
@@ -127,10 +129,10 @@ class Writer {
   std::string text_;
 };
 
-template <class Number>
-std::optional<Number> number_of(std::string_view digits) {
+template <class Number, class... Format>
+std::optional<Number> number_of(std::string_view digits, Format... format) {
   Number value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, format...);
   if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
   return value;
 }
@@ -243,22 +245,21 @@ class Reader {
     return constant ? constants_.emplace(std::string(word), add(*constant)).first->second : kNoIndex;
   }
 
-  // "128", "0.5{0x1p-1}", "0.5{0x1p-1}f".
+  // "128", "0.5{0x1p-1}", "0.5{0x1p-1}f". Hex digits are the same bits whatever this machine's arithmetic
+  // does.
   static std::optional<Expression> constant_of(std::string_view word) {
-    const std::string_view decimal = word.substr(0, word.find('{'));
-    if (decimal.size() == word.size()) {
+    const std::size_t brace = word.find('{');
+    if (brace == std::string_view::npos) {
       const auto whole = number_of<std::int64_t>(word);
       if (!whole || *whole < 0 || *whole > std::int64_t{1} << 31) return std::nullopt;
       return Expression{.kind = NumberKind::whole, .value = static_cast<double>(*whole)};
     }
-    if (word.ends_with('f')) {
-      const auto value = number_of<float>(decimal);
-      if (!value) return std::nullopt;
-      return Expression{.kind = NumberKind::single, .value = static_cast<double>(*value)};
-    }
-    const auto value = number_of<double>(decimal);
-    if (!value) return std::nullopt;
-    return Expression{.value = *value};
+    const bool is_single = word.ends_with('f');
+    std::string_view hex = word.substr(brace + 1, word.find('}') - brace - 1);
+    if (hex.starts_with("0x")) hex.remove_prefix(2);
+    const auto value = number_of<double>(hex, std::chars_format::hex);
+    if (!value || (is_single && std::isfinite(*value) && *value > kSingleMax)) return std::nullopt;
+    return Expression{.kind = is_single ? NumberKind::single : NumberKind::real, .value = *value};
   }
 
   bool read_comparison(Words words) {

@@ -27,7 +27,7 @@ struct CheckVerdict : PairVerdict {
   /// Of the run of one without golden file; of an unreferenced golden file, as its summary states it.
   std::string state_hash;
   std::string note;                    ///< A remark on one that agrees; may be empty.
-  std::set<std::int32_t> paths_taken;  ///< Of CheckOptions::watched_step.
+  std::set<std::uint32_t> paths_taken;  ///< Of CheckOptions::watched_step.
   bool is_open = false;                ///< Undecided: the golden file must be read.
   double seconds = 0.0;
 };
