@@ -60,7 +60,7 @@ struct ScenarioNeeds {
   MedianEstimate step_ns = {};  ///< Of the variant kernel with all parts.
   ClockProbe probe = {};        ///< When the steps were timed.
   std::vector<PartNeed> parts;
-  std::set<std::uint32_t> paths_taken;   ///< Of NeedsOptions::core_step.
+  std::set<std::uint32_t> paths_taken;  ///< Of NeedsOptions::core_step.
   PathDifference without_all_unneeded;  ///< All that are not needed, at once.
   /// The cheapest method and rate within the tolerance of the exact motion, if NeedsOptions::rates_hz has
   /// any.

@@ -66,9 +66,9 @@ struct CoreVerdict {
   CoreStatus status = CoreStatus::none;
   std::string why;  ///< Of none and not_proved.
   std::vector<CoreChange> changes;
-  std::optional<std::int64_t> paths;   ///< Of update; nothing where the program's step is not complete.
+  std::optional<std::int64_t> paths;    ///< Of update; nothing where the program's step is not complete.
   std::set<std::uint32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
-  bool is_noticed = false;             ///< A scenario of the library shows a difference.
+  bool is_noticed = false;              ///< A scenario of the library shows a difference.
   std::vector<UnnoticedDifference> unnoticed;
   CoreCommands commands;
   ExitCode exit_code = ExitCode::agreed;

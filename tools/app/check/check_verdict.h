@@ -26,9 +26,9 @@ struct CheckVerdict : PairVerdict {
   std::string non_finite;           ///< non_finite_text of the run; empty: it stays finite.
   /// Of the run of one without golden file; of an unreferenced golden file, as its summary states it.
   std::string state_hash;
-  std::string note;                    ///< A remark on one that agrees; may be empty.
+  std::string note;                     ///< A remark on one that agrees; may be empty.
   std::set<std::uint32_t> paths_taken;  ///< Of CheckOptions::watched_step.
-  bool is_open = false;                ///< Undecided: the golden file must be read.
+  bool is_open = false;                 ///< Undecided: the golden file must be read.
   double seconds = 0.0;
 };
 
