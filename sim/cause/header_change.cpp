@@ -46,13 +46,18 @@ class HeaderReader {
   explicit HeaderReader(std::string_view text) : text_(text) {}
 
   std::vector<HeaderStatement> statements() {
-    while (at_ < text_.size()) {
-      if (skip_blank_or_comment()) continue;
+    while (!text_.empty()) {
+      if (const std::size_t gap = length_of_gap(text_); gap > 0) {
+        const bool ends_directive = is_directive_ && text_.front() == '\n';
+        take(gap);
+        if (ends_directive) close();
+        continue;
+      }
       if (open_.tokens.empty()) {
         open_.line = line_;
-        is_directive_ = text_[at_] == '#';
+        is_directive_ = text_.front() == '#';
       }
-      const std::string_view token = next_token();
+      const std::string_view token = take(length_of_token(text_));
       open_.tokens.push_back(token);
       parentheses_ += token == "(" ? 1 : token == ")" ? -1 : 0;
       const bool is_label = token == ":" && open_.tokens.size() == 2;  // As `public:`.
@@ -71,40 +76,19 @@ class HeaderReader {
     is_directive_ = false;
   }
 
-  bool skip_blank_or_comment() {
-    const std::string_view rest = text_.substr(at_);
-    if (rest.front() == '\n') {
-      ++line_;
-      ++at_;
-      if (is_directive_) close();
-      return true;
-    }
-    if (rest.starts_with("\\\n")) {
-      ++line_;
-      at_ += 2;
-      return true;
-    }
-    if (rest.front() == ' ' || rest.front() == '\t' || rest.front() == '\r') {
-      ++at_;
-      return true;
-    }
-    if (rest.starts_with("//")) {
-      at_ += std::min(rest.find('\n'), rest.size());
-      return true;
-    }
-    if (!rest.starts_with("/*")) return false;
-    const std::size_t end = std::min(rest.find("*/", 2), rest.size() - 2) + 2;
-    line_ += std::ranges::count(rest.substr(0, end), '\n');
-    at_ += end;
-    return true;
+  std::string_view take(std::size_t length) {
+    const std::string_view taken = text_.substr(0, length);
+    line_ += std::ranges::count(taken, '\n');
+    text_.remove_prefix(length);
+    return taken;
   }
 
-  std::string_view next_token() {
-    const std::string_view rest = text_.substr(at_);
-    const std::size_t length = length_of_token(rest);
-    line_ += std::ranges::count(rest.substr(0, length), '\n');
-    at_ += length;
-    return rest.substr(0, length);
+  // Of a blank or a comment; 0: a token comes next.
+  static std::size_t length_of_gap(std::string_view rest) {
+    if (rest.starts_with("\\\n")) return 2;
+    if (rest.starts_with("//")) return std::min(rest.find('\n'), rest.size());
+    if (rest.starts_with("/*")) return std::min(rest.find("*/", 2), rest.size() - 2) + 2;
+    return std::string_view(" \t\r\n").find(rest.front()) == std::string_view::npos ? 0 : 1;
   }
 
   static std::size_t length_of_token(std::string_view rest) {
@@ -133,8 +117,7 @@ class HeaderReader {
     return length;
   }
 
-  std::string_view text_;
-  std::size_t at_ = 0;
+  std::string_view text_;  // That is left.
   std::int64_t line_ = 1;
   bool is_directive_ = false;
   int parentheses_ = 0;  // Open in this statement.
@@ -346,33 +329,10 @@ TracedStep with_constants(const TracedStep& step, const std::map<double, double>
   std::map<double, double> of_magnitude;
   for (const auto& [from, to] : values) of_magnitude[std::fabs(from)] = std::signbit(from) ? -to : to;
   TracedStep changed = step;
-  changed.expressions.clear();
-  std::vector<std::int32_t> moved;  // Where each expression is now.
-  const auto place_of = [&](std::int32_t index) {
-    return index < 0 ? index : moved[static_cast<std::size_t>(index)];
-  };
-  const auto add = [&](const Expression& expression) {
-    changed.expressions.push_back(expression);
-    return static_cast<std::int32_t>(changed.expressions.size()) - 1;
-  };
-  for (Expression expression : step.expressions) {
-    for (std::int32_t& operand : expression.operands) operand = place_of(operand);
-    const auto changed_to =
-        expression.op == Operator::constant ? of_magnitude.find(expression.value) : of_magnitude.end();
-    const bool is_changed = changed_to != of_magnitude.end();
-    if (is_changed) expression.value = std::fabs(changed_to->second);
-    moved.push_back(add(expression));
-    if (!is_changed || !std::signbit(changed_to->second)) continue;
-    moved.back() = add(
-        {.op = Operator::negate, .kind = expression.kind, .operands = {moved.back(), -1, -1}, .name = {}});
-  }
-  for (StepComparison& comparison : changed.comparisons) {
-    comparison.left = place_of(comparison.left);
-    comparison.right = place_of(comparison.right);
-  }
-  for (auto& paths : changed.paths)
-    for (StepPath& path : paths)
-      for (std::int32_t& member : path.members) member = place_of(member);
+  for (Expression& expression : changed.expressions)
+    if (const auto value = of_magnitude.find(expression.value);
+        expression.op == Operator::constant && value != of_magnitude.end())
+      expression.value = value->second;
   return canonical(changed);
 }
 

@@ -78,34 +78,24 @@ bool sets_state(const Action& action) {
   return !std::holds_alternative<Hitch>(action) && !std::holds_alternative<Resize>(action);
 }
 
-// `world` is that of the row before rows[0], or of rows[0] itself if `rows` begins with it.
-class StepCollector {
- public:
-  StepCollector(const std::vector<Input>& inputs, const World& world, std::int64_t step)
-      : inputs_(inputs), world_(world), step_(step) {
-    next_input_ = static_cast<std::size_t>(std::ranges::lower_bound(inputs_, step, {}, &Input::frame) -
-                                           inputs_.begin());
-  }
-
-  void take(const Row& row) {
+// What the rows from `first` on show. @param world that of the row before.
+std::vector<ObservedStep> steps_of(const Columns& rows, std::size_t first, const std::vector<Input>& inputs,
+                                   World world) {
+  std::vector<ObservedStep> steps;
+  for (std::size_t index = first; index < rows.size(); ++index) {
+    const Row row = rows.row(index);
     bool follows_input = false;
-    for (; next_input_ < inputs_.size() && inputs_[next_input_].frame == step_; ++next_input_) {
-      apply(inputs_[next_input_].action, world_);
-      follows_input |= sets_state(inputs_[next_input_].action);
+    const std::int64_t frame = row.step - 1;
+    for (auto input = std::ranges::lower_bound(inputs, frame, {}, &Input::frame);
+         input != inputs.end() && input->frame == frame; ++input) {
+      apply(input->action, world);
+      follows_input |= sets_state(input->action);
     }
-    ++step_;
-    if (!world_.is_held) steps_.push_back({step_, follows_input, world_, row.dt_s, state_of(row)});
-    world_.state = state_of(row);
+    if (!world.is_held) steps.push_back({row.step, follows_input, world, row.dt_s, state_of(row)});
+    world.state = state_of(row);
   }
-  [[nodiscard]] std::vector<ObservedStep> steps() && { return std::move(steps_); }
-
- private:
-  const std::vector<Input>& inputs_;
-  World world_;
-  std::int64_t step_;
-  std::size_t next_input_ = 0;
-  std::vector<ObservedStep> steps_;
-};
+  return steps;
+}
 
 // The number of the first block, counting repetitions, that is not the same in both.
 std::int64_t first_block_that_differs(const std::vector<StoredBlock>& a, const std::vector<StoredBlock>& b) {
@@ -145,11 +135,8 @@ std::vector<ObservedStep> steps_of_blocks(const StoredRun& run, const StoredRun&
   Replay replay(core, run.scenario, from, recorder);
   replay.play_to(std::min({run.steps, replay.steps(), from.row.step + 2 * kRows - 1}));
   static_cast<void>(replay.finish());
-  StepCollector collector(run.inputs, {state_of(from.row), from.window, from.sprite, from.is_held},
-                          from.row.step);
-  const Columns rows = recorder.take().rows;
-  for (std::size_t index = 0; index < rows.size(); ++index) collector.take(rows.row(index));
-  return std::move(collector).steps();
+  return steps_of(recorder.take().rows, 0, run.inputs,
+                  {state_of(from.row), from.window, from.sprite, from.is_held});
 }
 
 }  // namespace
@@ -181,10 +168,8 @@ RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run)
 std::vector<ObservedStep> observed_steps(const StoredRun& run, const StoredRun& other, const Core& core) {
   if (!run.blocks.empty()) return steps_of_blocks(run, other, core);
   if (run.rows.size() == 0) return {};
-  World start{state_of(run.rows.row(0)), run.scenario.window, run.scenario.sprite};
-  StepCollector collector(run.inputs, start, 0);
-  for (std::size_t index = 1; index < run.rows.size(); ++index) collector.take(run.rows.row(index));
-  return std::move(collector).steps();
+  return steps_of(run.rows, 1, run.inputs,
+                  {state_of(run.rows.row(0)), run.scenario.window, run.scenario.sprite});
 }
 
 bool gives(const Core& core, const ObservedStep& observed) {

@@ -31,14 +31,18 @@ double moved(StepNumber number, double value, int ulps) {
 // A step that is changed until it takes a path, and from there to either side of the conditions.
 class Search {
  public:
-  Search(const SearchTarget& target, std::uint64_t seed, std::int64_t steps_max)
-      : target_(target),
-        step_(target.owner->step()),
-        draw_(step_, target.other->step(), seed),
+  // @param owner plays the step that has the difference, `other` the other one.
+  Search(const StepDifference& difference, const StepProgram& owner, const StepProgram& other,
+         std::uint64_t seed, std::int64_t steps_max)
+      : difference_(difference),
+        owner_(owner),
+        other_(other),
+        step_(owner.step()),
+        draw_(step_, other.step(), seed),
         steps_max_(steps_max),
         dependencies_(dependencies_of(step_)) {
-    for (std::size_t path = 0; path < target.is_on_path.size(); ++path)
-      if (target.is_on_path[path]) paths_.push_back(path);
+    for (std::size_t path = 0; path < difference.is_on_path.size(); ++path)
+      if (difference.is_on_path[path]) paths_.push_back(path);
   }
 
   DifferenceSearch run() {
@@ -64,37 +68,18 @@ class Search {
  private:
   [[nodiscard]] bool is_done() const { return result_.found || result_.steps_tried >= steps_max_; }
 
-  // Which numbers each expression depends on, a bit each.
-  static std::vector<std::uint16_t> dependencies_of(const TracedStep& step) {
-    std::vector<std::string> names;
-    for (std::size_t member = 0; member < 4; ++member) names.push_back(member_name(member));
-    for (const std::string_view argument : kArgumentNames[static_cast<std::size_t>(CoreFunction::update)])
-      names.emplace_back(argument);
-    std::vector<std::uint16_t> dependencies;
-    for (const Expression& expression : step.expressions) {
-      std::uint16_t bits = 0;
-      for (std::size_t number = 0; number < kStepNumbers; ++number)
-        if (expression.op == Operator::argument && expression.name == names[number])
-          bits = static_cast<std::uint16_t>(1u << number);
-      for (const std::int32_t operand : expression.operands)
-        if (operand >= 0) bits |= dependencies[static_cast<std::size_t>(operand)];
-      dependencies.push_back(bits);
-    }
-    return dependencies;
-  }
-
   // Takes both steps from `now_`. Returns whether that ended the search.
   bool check() {
     const StepInput input = input_of(now_);
-    TracedBody owner(*target_.owner, input.world.state);
-    TracedBody other(*target_.other, input.world.state);
-    const bool has_further = step_.members.size() > 4 || target_.other->step().members.size() > 4;
+    TracedBody owner(owner_, input.world.state);
+    TracedBody other(other_, input.world.state);
+    const bool has_further = !owner.further_members().empty() || !other.further_members().empty();
     bool is_evaluated = false;
     for (std::int64_t frame = 1; frame <= (has_further ? kFlingFrames : 1); ++frame) {
       owner.update(input);
       other.update(input);
       ++result_.steps_tried;
-      is_evaluated |= target_.is_on_path[static_cast<std::size_t>(owner.path())];
+      is_evaluated |= difference_.is_on_path[owner.path()];
       const State a = {owner.x(), owner.y(), owner.vx(), owner.vy()};
       const State b = {other.x(), other.y(), other.vx(), other.vy()};
       if (!is_finite(a) && !is_finite(b)) break;
@@ -105,7 +90,7 @@ class Search {
       }
       is_evaluated &= !are_further_alike(owner, other);
       // It goes on from the accepted step's row, as a library is played: other differences may change rows.
-      (target_.is_in_accepted ? other : owner).set_row(target_.is_in_accepted ? a : b);
+      (difference_.is_in_accepted ? other : owner).set_row(difference_.is_in_accepted ? a : b);
     }
     return is_done();
   }
@@ -114,16 +99,13 @@ class Search {
     const StepInput input = input_of(now_);
     std::array<double, kStepMembersMax> members{};
     const State& state = input.world.state;
-    target_.owner->run(CoreFunction::construct, members,
-                       {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s, 0.0});
-    target_.owner->evaluate(members, update_arguments(input.dt_s, input.world.window, input.world.sprite),
-                            values_);
+    owner_.run(CoreFunction::construct, members,
+               {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s, 0.0});
+    owner_.evaluate(members, update_arguments(input.dt_s, input.world.window, input.world.sprite), values_);
     ++result_.steps_tried;
   }
 
-  [[nodiscard]] double value(std::int32_t expression) const {
-    return values_[static_cast<std::size_t>(expression)];
-  }
+  [[nodiscard]] double value(StepIndex expression) const { return values_[expression]; }
   [[nodiscard]] double gap(const StepComparison& comparison) const {
     return value(comparison.left) - value(comparison.right);
   }
@@ -131,7 +113,7 @@ class Search {
     return hyrax::holds(comparison.relation, value(comparison.left), value(comparison.right));
   }
   [[nodiscard]] const StepComparison& comparison_of(const StepOutcome& outcome) const {
-    return step_.comparisons[static_cast<std::size_t>(outcome.comparison)];
+    return step_.comparisons[outcome.comparison];
   }
   double& number(StepNumber which) { return now_[static_cast<std::size_t>(which)]; }
 
@@ -159,8 +141,7 @@ class Search {
 
   // One that the comparison depends on. Sizes and dt stay real where the state will do.
   std::optional<StepNumber> number_to_change(const StepComparison& comparison, bool keeps_real) {
-    const unsigned bits = dependencies_[static_cast<std::size_t>(comparison.left)] |
-                          dependencies_[static_cast<std::size_t>(comparison.right)];
+    const unsigned bits = dependencies_[comparison.left] | dependencies_[comparison.right];
     std::array<StepNumber, kStepNumbers> candidates{};
     std::size_t count = 0;
     const bool only_state = keeps_real || draw_.below(4) != 0;
@@ -257,9 +238,9 @@ class Search {
     }
     for (int turn = 0; turn < 2 && !is_done() && !path.outcomes.empty(); ++turn) {
       now_ = base;
-      const bool takes_own = turn == 0 && target_.comparison >= 0;
+      const bool takes_own = turn == 0 && difference_.comparison != kNoIndex;
       const StepComparison& comparison =
-          takes_own ? step_.comparisons[static_cast<std::size_t>(target_.comparison)]
+          takes_own ? step_.comparisons[difference_.comparison]
                     : comparison_of(path.outcomes[draw_.below(path.outcomes.size())]);
       const std::optional<StepNumber> which = number_to_change(comparison, keeps_real);
       if (!which || !solve(comparison, *which)) continue;
@@ -271,11 +252,13 @@ class Search {
     }
   }
 
-  const SearchTarget& target_;
+  const StepDifference& difference_;
+  const StepProgram& owner_;
+  const StepProgram& other_;
   const TracedStep& step_;
   StepDraw draw_;
   std::int64_t steps_max_;
-  std::vector<std::uint16_t> dependencies_;
+  std::vector<StepNumberBits> dependencies_;
   std::vector<std::size_t> paths_;
   StepNumbers now_{};
   std::vector<double> values_;
@@ -284,8 +267,11 @@ class Search {
 
 }  // namespace
 
-DifferenceSearch search_difference(const SearchTarget& target, std::uint64_t seed, std::int64_t steps_max) {
-  return Search(target, seed, steps_max).run();
+DifferenceSearch StepPair::search(std::size_t difference, std::uint64_t seed, std::int64_t steps_max) const {
+  if (!programs_[0] || !programs_[1]) return {};
+  const StepDifference& wanted = differences_[difference];
+  const std::size_t owner = wanted.is_in_accepted ? 0 : 1;
+  return Search(wanted, *programs_[owner], *programs_[1 - owner], seed, steps_max).run();
 }
 
 }  // namespace hyrax

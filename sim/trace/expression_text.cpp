@@ -2,8 +2,6 @@
 
 #include <charconv>
 
-#include "sim/trace/step_grammar.h"
-
 namespace hyrax {
 namespace {
 
@@ -17,7 +15,7 @@ class Printer {
  public:
   Printer(const TracedStep& step, const NumberNames& names) : step_(step), names_(names) {}
 
-  std::string text(std::int32_t index, Binding outside) {
+  std::string text(StepIndex index, Binding outside) {
     const Expression& e = at(index);
     if (++nodes_ > kNodesMax) return "...";
     switch (e.op) {
@@ -32,20 +30,18 @@ class Printer {
       case Operator::to_real:
         return text(e.operands[0], outside);
       case Operator::to_single:
-        return conversion("float", e);
+        return call("float", e);
       case Operator::to_whole:
-        return conversion("int", e);
+        return call("int", e);
       case Operator::call:
-        return call(e);
+        return call(e.name, e);
       default:
         return bracketed(product(e), Binding::product, outside);
     }
   }
 
  private:
-  [[nodiscard]] const Expression& at(std::int32_t index) const {
-    return step_.expressions[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] const Expression& at(StepIndex index) const { return step_.expressions[index]; }
   // What a constant is multiplied with or added to comes first.
   [[nodiscard]] bool swaps(const Expression& e) const {
     const Operator first = at(e.operands[0]).op;
@@ -61,7 +57,7 @@ class Printer {
 
   std::string sum(const Expression& e) {
     const bool is_swapped = swaps(e);
-    const std::int32_t second = e.operands[is_swapped ? 0 : 1];
+    const StepIndex second = e.operands[is_swapped ? 0 : 1];
     const std::string first = text(e.operands[is_swapped ? 1 : 0], Binding::sum);
     if (at(second).op == Operator::negate)
       return first + " - " + text(at(second).operands[0], Binding::product);
@@ -71,18 +67,15 @@ class Printer {
   std::string product(const Expression& e) {
     const bool is_swapped = e.op == Operator::multiply && swaps(e);
     const std::string first = text(e.operands[is_swapped ? 1 : 0], Binding::product);
-    return first + " " + sign_of(e.op) + " " + text(e.operands[is_swapped ? 0 : 1], Binding::sign);
+    return first + " " + std::string(sign_of(e.op)) + " " +
+           text(e.operands[is_swapped ? 0 : 1], Binding::sign);
   }
 
-  std::string call(const Expression& e) {
-    std::string written = e.name + "(";
-    for (std::size_t place = 0; place < e.operands.size() && e.operands[place] >= 0; ++place)
-      written.append(place == 0 ? "" : ", ").append(text(e.operands[place], Binding::sum));
+  std::string call(std::string written, const Expression& e) {
+    written += "(";
+    for (const StepIndex operand : e.used_operands())
+      written.append(written.back() == '(' ? "" : ", ").append(text(operand, Binding::sum));
     return written + ")";
-  }
-
-  std::string conversion(std::string written, const Expression& e) {
-    return written.append("(").append(text(e.operands[0], Binding::sum)).append(")");
   }
 
   static std::string bracketed(const std::string& written, Binding binding, Binding outside) {
@@ -102,19 +95,18 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-std::string expression_text(const TracedStep& step, std::int32_t expression, const NumberNames& names) {
+std::string expression_text(const TracedStep& step, StepIndex expression, const NumberNames& names) {
   return shortened(Printer(step, names).text(expression, Binding::sum));
 }
 
-std::string comparison_text(const TracedStep& step, std::int32_t comparison, const NumberNames& names) {
-  const StepComparison& c = step.comparisons[static_cast<std::size_t>(comparison)];
+std::string comparison_text(const TracedStep& step, StepIndex comparison, const NumberNames& names) {
+  const StepComparison& c = step.comparisons[comparison];
   const std::string left = expression_text(step, c.left, names);
   const std::string right = expression_text(step, c.right, names);
-  const Expression& first = step.expressions[static_cast<std::size_t>(c.left)];
+  const Expression& first = step.expressions[c.left];
   const bool starts_constant =
       first.op == Operator::constant ||
-      (first.op == Operator::negate &&
-       step.expressions[static_cast<std::size_t>(first.operands[0])].op == Operator::constant);
+      (first.op == Operator::negate && step.expressions[first.operands[0]].op == Operator::constant);
   if (!starts_constant) return left + " " + std::string(sign_of(c.relation)) + " " + right;
   if (c.relation == Relation::equal) return right + " == " + left;
   return right + (c.relation == Relation::less ? " > " : " >= ") + left;

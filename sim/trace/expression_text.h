@@ -13,11 +13,11 @@ namespace hyrax {
 using NumberNames = std::map<double, std::string>;
 
 /// As "vx * AIR_DRAG + dt * 1250"; a long one shortened in the middle.
-[[nodiscard]] std::string expression_text(const TracedStep& step, std::int32_t expression,
+[[nodiscard]] std::string expression_text(const TracedStep& step, StepIndex expression,
                                           const NumberNames& names = {});
 
 /// As "vx * AIR_DRAG > 9000".
-[[nodiscard]] std::string comparison_text(const TracedStep& step, std::int32_t comparison,
+[[nodiscard]] std::string comparison_text(const TracedStep& step, StepIndex comparison,
                                           const NumberNames& names = {});
 
 }  // namespace hyrax

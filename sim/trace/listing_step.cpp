@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/trace/numbered.h"
 #include "sim/trace/step_difference.h"
 #include "sim/trace/step_text.h"
 
@@ -47,12 +48,12 @@ class Listing {
   }
 
  private:
-  using Index = std::int32_t;
+  using Index = StepIndex;
   // What an axis is after its walls: where it was found so.
   struct Case {
     std::vector<StepOutcome> outcomes;
-    Index position = -1;
-    Index speed = -1;
+    Index position = kNoIndex;
+    Index speed = kNoIndex;
     bool is_ground = false;
   };
 
@@ -64,11 +65,13 @@ class Listing {
     return add({.op = Operator::argument, .kind = kind, .name = std::string(name)});
   }
   Index constant(double value) { return add({.op = Operator::constant, .value = value}); }
-  Index apply(Operator op, Index a, Index b = -1) { return add({.op = op, .operands = {a, b, -1}}); }
+  Index apply(Operator op, Index a, Index b = kNoIndex) {
+    return add({.op = op, .operands = {a, b, kNoIndex}});
+  }
   Index product(Index a, Index b) { return apply(Operator::multiply, a, b); }
   Index sum(Index a, Index b) { return apply(Operator::add, a, b); }
   Index compare(Index left, Index right) {
-    step_.comparisons.push_back({Relation::less, left, right});
+    step_.comparisons.push_back({left, right, Relation::less});
     return static_cast<Index>(step_.comparisons.size() - 1);
   }
   void add_path(CoreFunction function, std::vector<StepOutcome> outcomes, std::vector<Index> members) {
@@ -76,12 +79,11 @@ class Listing {
   }
 
   Index bound(std::string_view window, std::string_view sprite) {
-    const Index size = add({.op = Operator::negate,
-                            .kind = NumberKind::whole,
-                            .operands = {argument(sprite, NumberKind::whole), -1, -1}});
-    return apply(Operator::to_real, add({.op = Operator::add,
-                                         .kind = NumberKind::whole,
-                                         .operands = {argument(window, NumberKind::whole), size, -1}}));
+    const auto whole = [&](Operator op, Index a, Index b = kNoIndex) {
+      return add({.op = op, .kind = NumberKind::whole, .operands = {a, b, kNoIndex}});
+    };
+    const Index size = whole(Operator::negate, argument(sprite, NumberKind::whole));
+    return apply(Operator::to_real, whole(Operator::add, argument(window, NumberKind::whole), size));
   }
 
   // Free, at the near wall (0), and at the far one.
@@ -105,7 +107,8 @@ class Listing {
     std::vector<Case> y_cases =
         cases_of(sum(argument("y"), product(vy, dt)), vy, bound("window_height", "sprite_height"));
     Case rest = y_cases.back();
-    const Index size = add({.op = Operator::call, .operands = {rest.speed, -1, -1}, .name = "fabs"});
+    const Index size =
+        add({.op = Operator::call, .operands = {rest.speed, kNoIndex, kNoIndex}, .name = "fabs"});
     const Index is_slow = compare(size, threshold);
     y_cases.back().outcomes.push_back({is_slow, false});
     rest.outcomes.push_back({is_slow, true});
@@ -136,23 +139,14 @@ TracedStep without_further_members(TracedStep step) {
 // listing has. Of two signs of a constant, that which the step has leaves no operation out: it has the less
 // misfit.
 std::pair<std::int64_t, std::int64_t> misfit(const TracedStep& listing, const TracedStep& step) {
-  std::int64_t count = 0;
-  std::vector<std::int32_t> places;  // In the step; -1: it has no such expression.
-  const auto place_of = [&](std::int32_t index) {
-    return index < 0 ? index : places[static_cast<std::size_t>(index)];
-  };
-  for (const Expression& expression : listing.expressions) {
-    const bool has_operands = std::ranges::all_of(
-        expression.operands, [&](std::int32_t operand) { return operand < 0 || place_of(operand) >= 0; });
-    const auto found = std::ranges::find(step.expressions, with_operands(expression, places));
-    const bool is_common = has_operands && found != step.expressions.end();
-    places.push_back(is_common ? static_cast<std::int32_t>(found - step.expressions.begin()) : -1);
-    if (!is_common && expression.op > Operator::constant) ++count;
-  }
-  for (const StepComparison& comparison : listing.comparisons) {
-    const StepComparison placed{comparison.relation, place_of(comparison.left), place_of(comparison.right)};
-    if (std::ranges::find(step.comparisons, placed) == step.comparisons.end()) ++count;
-  }
+  SharedNumbers shared;
+  static_cast<void>(shared.of(step));  // Numbers from here on are of what only the listing has.
+  const auto [expressions, comparisons] = shared.of(listing);
+  std::int64_t count =
+      std::ranges::count_if(comparisons, [&](StepIndex number) { return number >= step.comparisons.size(); });
+  for (std::size_t index = 0; index < expressions.size(); ++index)
+    if (expressions[index] >= step.expressions.size() && listing.expressions[index].op > Operator::constant)
+      ++count;
   return {count, -std::ssize(listing.expressions)};
 }
 

@@ -1,6 +1,5 @@
 #include "sim/trace/step_program.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -19,34 +18,27 @@ double in_single(double a, double b, double c) {
   return static_cast<double>(Function()(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)));
 }
 
-struct KnownCall {
-  std::string_view name;
-  int operands = 1;
-  OperationFunction real = nullptr;
-  OperationFunction single = nullptr;
-};
-
 template <class Function>
-constexpr KnownCall known(std::string_view name, int operands, Function /*unused*/) {
-  return {name, operands, in_real<Function>, in_single<Function>};
+OperationFunction of_kind(Function /*unused*/, NumberKind kind) {
+  return kind == NumberKind::real ? in_real<Function> : in_single<Function>;
 }
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
-#define HYRAX_ONE(name, is_fixed) known(#name, 1, [](auto a, auto, auto) { return std::name(a); }),
-#define HYRAX_TWO(name, is_fixed) known(#name, 2, [](auto a, auto b, auto) { return std::name(a, b); }),
-// NOLINTEND(cppcoreguidelines-macro-usage)
-constexpr std::array kKnownCalls = {HYRAX_TRACE_FUNCTIONS(HYRAX_ONE, HYRAX_TWO) known(
-    "fma", 3, [](auto a, auto b, auto c) { return std::fma(a, b, c); })};
+OperationFunction call_of(const Expression& call) {
+  const auto is_of = [&](std::string_view name, std::size_t operands) {
+    return call.name == name && call.used_operands().size() == operands;
+  };
+  if (call.kind == NumberKind::whole) return nullptr;
+    // NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
+#define HYRAX_ONE(name, is_fixed) \
+  if (is_of(#name, 1)) return of_kind([](auto a, auto, auto) { return std::name(a); }, call.kind);
+#define HYRAX_TWO(name, is_fixed) \
+  if (is_of(#name, 2)) return of_kind([](auto a, auto b, auto) { return std::name(a, b); }, call.kind);
+  // NOLINTEND(cppcoreguidelines-macro-usage)
+  HYRAX_TRACE_FUNCTIONS(HYRAX_ONE, HYRAX_TWO)
 #undef HYRAX_ONE
 #undef HYRAX_TWO
-
-OperationFunction call_of(const Expression& call) {
-  int operands = 0;
-  for (const std::int32_t operand : call.operands) operands += operand >= 0 ? 1 : 0;
-  for (const KnownCall& candidate : kKnownCalls)
-    if (candidate.name == call.name && candidate.operands == operands && call.kind != NumberKind::whole)
-      return call.kind == NumberKind::real ? candidate.real : candidate.single;
-  return nullptr;
+  if (!is_of("fma", 3)) return nullptr;
+  return of_kind([](auto a, auto b, auto c) { return std::fma(a, b, c); }, call.kind);
 }
 
 // The int with the value's last 32 bits.
@@ -75,11 +67,6 @@ OperationFunction whole_operation(Operator op) {
     default:
       return nullptr;
   }
-}
-
-template <class Function>
-OperationFunction of_kind(Function /*unused*/, NumberKind kind) {
-  return kind == NumberKind::real ? in_real<Function> : in_single<Function>;
 }
 
 }  // namespace

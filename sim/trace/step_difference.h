@@ -18,8 +18,8 @@ namespace hyrax {
 struct StepDifference {
   bool is_in_accepted = false;  ///< Else in the current step.
   std::string text;  ///< As "vx * AIR_DRAG > 9000", "dt * 1250"; long ones shortened in the middle.
-  bool is_comparison = false;
-  std::int32_t index = -1;  ///< In comparisons or expressions of the step that has it.
+  std::vector<bool> is_on_path;     ///< By path of update of the step that has it: whether it evaluates it.
+  StepIndex comparison = kNoIndex;  ///< In that step; kNoIndex: an expression.
 };
 
 /// What was found by trying steps.
@@ -32,21 +32,8 @@ struct DifferenceSearch {
   std::int64_t steps_tried = 0;
 };
 
-/// A difference, as the search sees it.
-struct SearchTarget {
-  const StepProgram* owner = nullptr;  ///< Of the step that has it.
-  const StepProgram* other = nullptr;
-  bool is_in_accepted = false;        ///< The owner is the accepted step.
-  std::vector<bool> is_on_path = {};  ///< By path of the owner's update: whether it evaluates the difference.
-  std::int32_t comparison = -1;       ///< In the owner; -1: the difference is no comparison.
-};
-
 /// Whether the further members of both are alike; which NaN arose is no difference.
 [[nodiscard]] bool are_further_alike(TracedBody& a, TracedBody& b);
-
-/// As StepPair::search.
-[[nodiscard]] DifferenceSearch search_difference(const SearchTarget& target, std::uint64_t seed,
-                                                 std::int64_t steps_max);
 
 /// Two complete steps, made ready to be compared.
 class StepPair {
@@ -55,15 +42,14 @@ class StepPair {
   /// @param names of numbers, in the texts of differences.
   /// REQUIRES: steps as canonical() or read_step() return them.
   StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names = {});
-  ~StepPair();
 
   /// In the order of the steps' text: those of the accepted step first. Empty: proved equal in update
   /// (setters are compared by are_setters_equal).
-  [[nodiscard]] const std::vector<StepDifference>& differences() const;
-  [[nodiscard]] bool are_setters_equal() const;
+  [[nodiscard]] const std::vector<StepDifference>& differences() const { return differences_; }
+  [[nodiscard]] bool are_setters_equal() const { return are_setters_equal_; }
 
   /// What plays the accepted step and the current one; null: not playable.
-  [[nodiscard]] const std::vector<std::shared_ptr<const StepProgram>>& programs() const;
+  [[nodiscard]] const std::vector<std::shared_ptr<const StepProgram>>& programs() const { return programs_; }
 
   /// Takes both steps once; `bodies` are theirs, of one row. Marks in `evaluated` (one a difference) those
   /// that are evaluated, and if both rows differ in a bit then also in `noticed` all that were since further
@@ -78,8 +64,9 @@ class StepPair {
                                         std::int64_t steps_max) const;
 
  private:
-  struct Data;
-  std::unique_ptr<Data> data_;
+  std::vector<std::shared_ptr<const StepProgram>> programs_;
+  std::vector<StepDifference> differences_;
+  bool are_setters_equal_;
 };
 
 }  // namespace hyrax

@@ -18,6 +18,22 @@ double& of(StepNumbers& numbers, StepNumber number) { return numbers[static_cast
 
 }  // namespace
 
+std::vector<StepNumberBits> dependencies_of(const TracedStep& step) {
+  std::vector<std::string> names;
+  for (std::size_t member = 0; member < 4; ++member) names.push_back(member_name(member));
+  const auto& arguments = kArgumentNames[static_cast<std::size_t>(CoreFunction::update)];
+  names.insert(names.end(), arguments.begin(), arguments.end());
+  std::vector<StepNumberBits> dependencies;
+  for (const Expression& expression : step.expressions) {
+    StepNumberBits bits = 0;
+    if (expression.op == Operator::argument)
+      bits = bits_of(std::ranges::find(names, expression.name) - names.begin());
+    for (const StepIndex operand : expression.used_operands()) bits |= dependencies[operand];
+    dependencies.push_back(bits);
+  }
+  return dependencies;
+}
+
 StepInput input_of(const StepNumbers& numbers) {
   const auto side = [&](StepNumber number) {
     return static_cast<std::int32_t>(numbers[static_cast<std::size_t>(number)]);

@@ -30,6 +30,18 @@ using StepNumbers = std::array<double, kStepNumbers>;
 
 constexpr bool is_size(StepNumber number) { return number >= StepNumber::window_width; }
 
+/// A bit for each StepNumber, and one for every further member and argument of another function.
+using StepNumberBits = std::uint16_t;
+template <class... Number>
+constexpr StepNumberBits bits_of(Number... numbers) {
+  return static_cast<StepNumberBits>((0u | ... | (1u << static_cast<unsigned>(numbers))));
+}
+inline constexpr StepNumberBits kSizeBits = bits_of(StepNumber::window_width, StepNumber::window_height,
+                                                    StepNumber::sprite_width, StepNumber::sprite_height);
+
+/// By expression: which numbers it depends on.
+[[nodiscard]] std::vector<StepNumberBits> dependencies_of(const TracedStep& step);
+
 [[nodiscard]] StepInput input_of(const StepNumbers& numbers);
 /// The nearest value that a scenario may have.
 [[nodiscard]] double limited(StepNumber number, double value);

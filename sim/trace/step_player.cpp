@@ -17,7 +17,8 @@ void TracedBody::update(double dt_s, int window_width_px, int window_height_px, 
   path_ = program_->run(
       CoreFunction::update, members_,
       update_arguments(dt_s, {window_width_px, window_height_px}, {sprite_width_px, sprite_height_px}));
-  contact_ = program_->contact_bits(path_);
+  contact_ = 0;
+  for (const PathContact& met : program_->contacts(path_)) contact_ |= static_cast<std::uint8_t>(met.wall);
   if (touches(contact_, Wall::ground) && vy() == 0.0) contact_ |= kRestBit;
 }
 
@@ -46,18 +47,16 @@ void TracedBody::resetVelocity() { program_->run(CoreFunction::reset_velocity, m
 WallMeeting TracedBody::meeting(Wall wall, double dt_s, const Size& window, const Size& sprite) const {
   const StepArguments arguments = update_arguments(dt_s, window, sprite);
   TracedBody after = *this;
-  const std::int32_t path = program_->run(CoreFunction::update, after.members_, arguments);
+  const StepIndex path = program_->run(CoreFunction::update, after.members_, arguments);
   std::vector<double> values;
   program_->evaluate(members_, arguments, values);
-  const auto velocity = [&](std::int32_t vx, std::int32_t vy) {
-    return vx < 0 ? Velocity{this->vx(), this->vy()}
-                  : Velocity{values[static_cast<std::size_t>(vx)], values[static_cast<std::size_t>(vy)]};
+  const auto velocity = [&](const VelocityIndices& at) {
+    return at.vx == kNoIndex ? Velocity{vx(), vy()} : Velocity{values[at.vx], values[at.vy]};
   };
   for (const PathContact& contact : program_->contacts(path))
     if (contact.wall == wall)
-      return {std::fabs(values[static_cast<std::size_t>(contact.position)] -
-                        values[static_cast<std::size_t>(contact.bound)]),
-              velocity(contact.vx_before, contact.vy_before), velocity(contact.vx_after, contact.vy_after)};
+      return {std::fabs(values[contact.position] - values[contact.bound]), velocity(contact.before),
+              velocity(contact.after)};
   return {};
 }
 

@@ -48,8 +48,8 @@ class TracedBody {
   /// Sets those that a row shows; further ones stay as they are.
   void set_row(const State& row);
 
-  /// Index in paths_of(CoreFunction::update) of the last update; -1: none yet.
-  [[nodiscard]] std::int32_t path() const { return path_; }
+  /// Index in paths_of(CoreFunction::update) of the last update; kNoIndex: none yet.
+  [[nodiscard]] StepIndex path() const { return path_; }
   /// A row's contact byte of the last update, by the step's own comparisons with the walls.
   [[nodiscard]] std::uint8_t contact() const { return contact_; }
   /// What an update from here does at a wall that it meets.
@@ -58,7 +58,7 @@ class TracedBody {
  private:
   const StepProgram* program_;
   std::array<double, kStepMembersMax> members_{};  // Those of other kinds as the double of their value.
-  std::int32_t path_ = -1;
+  StepIndex path_ = kNoIndex;
   std::uint8_t contact_ = 0;
 };
 

@@ -11,11 +11,15 @@ namespace {
 // Paths that share nothing repeat operations: no step that is one has so many.
 constexpr std::size_t kInstructionsMax = 1 << 20;
 
-// Index of a member by its name; -1: none.
-std::int32_t member_of(std::string_view name, std::size_t members) {
-  for (std::size_t member = 0; member < members; ++member)
-    if (name == member_name(member)) return static_cast<std::int32_t>(member);
-  return -1;
+// Of an argument or a member: below kStepMembersMax a member, else an argument; kNoIndex: of another
+// function.
+StepIndex source_of(std::string_view name, CoreFunction function, std::size_t members) {
+  for (StepIndex member = 0; member < members && function != CoreFunction::construct; ++member)
+    if (name == member_name(member)) return member;
+  const auto& names = kArgumentNames[static_cast<std::size_t>(function)];
+  const auto place = std::ranges::find(names, name);
+  if (place == names.end()) return kNoIndex;
+  return static_cast<StepIndex>(kStepMembersMax) + static_cast<StepIndex>(place - names.begin());
 }
 
 void execute(std::span<const StepInstruction> instructions, double* values) {
@@ -42,11 +46,10 @@ void execute(std::span<const StepInstruction> instructions, double* values) {
   }
 }
 
-StepInstruction instruction_of(const TracedStep& step, std::int32_t index) {
-  const Expression& expression = step.expressions[static_cast<std::size_t>(index)];
+StepInstruction instruction_of(const TracedStep& step, StepIndex index) {
+  const Expression& expression = step.expressions[index];
   StepInstruction instruction{.function = operation_of(expression), .op = expression.op, .result = index};
-  for (std::size_t place = 0; place < expression.operands.size(); ++place)
-    instruction.operands[place] = std::max(expression.operands[place], 0);
+  std::ranges::copy(expression.used_operands(), instruction.operands.begin());
   // What is done in place is done in double.
   if (expression.kind != NumberKind::real && instruction.function != nullptr) instruction.op = Operator::call;
   return instruction;
@@ -85,15 +88,9 @@ std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step) {
       program.leaves_.push_back(expression.op == Operator::constant ? value_of(expression) : 0.0);
   for (std::size_t function = 0; function < kCoreFunctions; ++function)
     if (!program.add_function(static_cast<CoreFunction>(function))) return nullptr;
-  for (std::size_t index = 0; index < step.expressions.size(); ++index)
-    if (!is_leaf(step.expressions[index]))
-      program.all_.push_back(instruction_of(step, static_cast<std::int32_t>(index)));
+  for (StepIndex index = 0; index < step.expressions.size(); ++index)
+    if (!is_leaf(step.expressions[index])) program.all_.push_back(instruction_of(step, index));
   program.contacts_ = find_path_contacts(step);
-  for (const std::vector<PathContact>& contacts : program.contacts_) {
-    std::uint8_t bits = 0;
-    for (const PathContact& contact : contacts) bits |= static_cast<std::uint8_t>(contact.wall);
-    program.contact_bits_.push_back(bits);
-  }
   return std::make_shared<const StepProgram>(std::move(program));
 }
 
@@ -102,85 +99,66 @@ bool StepProgram::add_function(CoreFunction function) {
   const auto tree = make_decision_tree(paths);
   if (!tree) return false;
   Function& program = functions_[static_cast<std::size_t>(function)];
-  const auto& names = kArgumentNames[static_cast<std::size_t>(function)];
-  for (std::size_t index = 0; index < step_.expressions.size(); ++index) {
+  std::vector<bool> is_known(step_.expressions.size());
+  for (StepIndex index = 0; index < step_.expressions.size(); ++index) {
     const Expression& leaf = step_.expressions[index];
+    if (leaf.op == Operator::constant) is_known[index] = true;
     if (leaf.op != Operator::argument) continue;
-    const auto name = std::find(names.begin(), names.end(), leaf.name);
-    const std::int32_t member =
-        function == CoreFunction::construct ? -1 : member_of(leaf.name, step_.members.size());
-    if (member >= 0)
-      program.loads.push_back({static_cast<std::int32_t>(index), member});
-    else if (name != names.end())
-      program.loads.push_back(
-          {static_cast<std::int32_t>(index),
-           static_cast<std::int32_t>(kStepMembersMax) + static_cast<std::int32_t>(name - names.begin())});
+    const StepIndex source = source_of(leaf.name, function, step_.members.size());
+    is_known[index] = source != kNoIndex;
+    if (is_known[index]) program.loads.push_back({index, source});
   }
   // Depth first: what is known at a node is what was calculated on the way to it.
-  std::vector<bool> is_known(step_.expressions.size());
-  for (std::size_t index = 0; index < step_.expressions.size(); ++index)
-    is_known[index] = step_.expressions[index].op == Operator::constant;
-  for (const Load& load : program.loads) is_known[static_cast<std::size_t>(load.result)] = true;
   struct Visit {
-    std::int32_t node = 0;
+    StepIndex node = 0;
     bool is_done = false;
-    std::vector<std::int32_t> added = {};
+    std::vector<StepIndex> added = {};
   };
   program.nodes.resize(tree->size());
   std::vector<Visit> visits = {{}};
   while (!visits.empty()) {
     Visit& visit = visits.back();
     if (visit.is_done) {
-      for (const std::int32_t expression : visit.added)
-        is_known[static_cast<std::size_t>(expression)] = false;
+      for (const StepIndex expression : visit.added) is_known[expression] = false;
       visits.pop_back();
       continue;
     }
     visit.is_done = true;
-    Node& node = program.nodes[static_cast<std::size_t>(visit.node)];
-    node.decision = (*tree)[static_cast<std::size_t>(visit.node)];
+    const DecisionNode decision = (*tree)[visit.node];
+    const bool is_end = decision.comparison == kNoIndex;
+    Node& node = program.nodes[visit.node];
     node.begin = program.instructions.size();
-    bool is_emitted = true;
-    if (node.decision.comparison >= 0) {
-      node.comparison = step_.comparisons[static_cast<std::size_t>(node.decision.comparison)];
-      is_emitted = emit(node.comparison.left, is_known, visit.added, program) &&
-                   emit(node.comparison.right, is_known, visit.added, program);
-    } else {
-      for (const std::int32_t member : paths[static_cast<std::size_t>(node.decision.path)].members)
-        is_emitted = is_emitted && emit(member, is_known, visit.added, program);
-    }
+    node.decision = decision;
+    if (!is_end) node.comparison = step_.comparisons[decision.comparison];
+    std::vector<StepIndex> wanted = {node.comparison.left, node.comparison.right};
+    if (is_end) wanted = paths[decision.path].members;
+    const bool is_emitted = emit(std::move(wanted), is_known, visit.added, program);
     node.end = program.instructions.size();
     if (!is_emitted || node.end > kInstructionsMax) return false;
-    if (node.decision.comparison < 0) continue;
-    const DecisionNode decision = node.decision;
+    if (is_end) continue;
     visits.push_back({decision.if_false});
-    visits.push_back({decision.if_true});
+    visits.push_back({decision.if_false + 1});
   }
   return true;
 }
 
-// The operations that an expression needs and that are not done yet, operands first.
-bool StepProgram::emit(std::int32_t expression, std::vector<bool>& is_known, std::vector<std::int32_t>& added,
-                       Function& program) const {
-  std::vector<std::int32_t> open = {expression};
+bool StepProgram::emit(std::vector<StepIndex> open, std::vector<bool>& is_known,
+                       std::vector<StepIndex>& added, Function& program) const {
   while (!open.empty()) {
-    const std::int32_t now = open.back();
-    if (is_known[static_cast<std::size_t>(now)]) {
+    const StepIndex now = open.back();
+    if (is_known[now]) {
       open.pop_back();
       continue;
     }
-    const Expression& operation = step_.expressions[static_cast<std::size_t>(now)];
+    const Expression& operation = step_.expressions[now];
     if (is_leaf(operation)) return false;  // An argument of another function.
-    bool is_ready = true;
-    for (const std::int32_t operand : operation.operands)
-      if (operand >= 0 && !is_known[static_cast<std::size_t>(operand)]) {
-        open.push_back(operand);
-        is_ready = false;
-      }
-    if (!is_ready) continue;
+    const std::size_t open_before = open.size();
+    for (const StepIndex operand : operation.used_operands())
+      if (!is_known[operand]) open.push_back(operand);
+    if (open.size() > open_before) continue;
     program.instructions.push_back(instruction_of(step_, now));
     if (program.instructions.back().function == nullptr) return false;
-    is_known[static_cast<std::size_t>(now)] = true;
+    is_known[now] = true;
     added.push_back(now);
     open.pop_back();
   }
@@ -190,32 +168,27 @@ bool StepProgram::emit(std::int32_t expression, std::vector<bool>& is_known, std
 void StepProgram::load(const Function& program, std::span<const double> members,
                        const StepArguments& arguments, double* values) const {
   std::memcpy(values, leaves_.data(), leaves_.size() * sizeof(double));
-  for (const Load& load : program.loads) {
-    const auto source = static_cast<std::size_t>(load.source);
-    values[load.result] = source < kStepMembersMax ? members[source] : arguments[source - kStepMembersMax];
-  }
+  for (const auto& [result, source] : program.loads)
+    values[result] = source < kStepMembersMax ? members[source] : arguments[source - kStepMembersMax];
 }
 
-std::int32_t StepProgram::run(CoreFunction function, std::span<double> members,
-                              const StepArguments& arguments) const {
+StepIndex StepProgram::run(CoreFunction function, std::span<double> members,
+                           const StepArguments& arguments) const {
   const Function& program = functions_[static_cast<std::size_t>(function)];
   Values scratch(step_.expressions.size());
   double* const values = scratch.data();
   load(program, members, arguments, values);
-  std::size_t now = 0;
+  StepIndex now = 0;
   while (true) {
     const Node& node = program.nodes[now];
     execute(std::span(program.instructions).subspan(node.begin, node.end - node.begin), values);
-    if (node.decision.comparison < 0) {
-      const StepPath& path = step_.paths_of(function)[static_cast<std::size_t>(node.decision.path)];
-      for (std::size_t member = 0; member < path.members.size(); ++member)
-        members[member] = values[path.members[member]];
+    if (node.decision.comparison == kNoIndex) {
+      const std::vector<StepIndex>& ends = step_.paths_of(function)[node.decision.path].members;
+      for (std::size_t member = 0; member < ends.size(); ++member) members[member] = values[ends[member]];
       return node.decision.path;
     }
-    now = static_cast<std::size_t>(
-        holds(node.comparison.relation, values[node.comparison.left], values[node.comparison.right])
-            ? node.decision.if_true
-            : node.decision.if_false);
+    const auto& [left, right, relation] = node.comparison;
+    now = node.decision.if_false + (holds(relation, values[left], values[right]) ? 1 : 0);
   }
 }
 

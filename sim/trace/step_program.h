@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -40,33 +39,28 @@ using OperationFunction = double (*)(double, double, double);
 struct StepInstruction {
   OperationFunction function = nullptr;  ///< Null: one of the four that are done in place, by `op`.
   Operator op = Operator::add;
-  std::int32_t result = 0;
-  std::array<std::int32_t, 3> operands = {0, 0, 0};
+  StepIndex result = 0;
+  std::array<StepIndex, 3> operands = {};  ///< 0 where it has none.
 };
 
 class StepProgram {
  public:
   /// Calls a function: `members` become what its path makes of them. Returns the index of that path.
-  std::int32_t run(CoreFunction function, std::span<double> members, const StepArguments& arguments) const;
+  StepIndex run(CoreFunction function, std::span<double> members, const StepArguments& arguments) const;
 
   /// Calculates every expression that update may need, by index; the others are 0 or of no meaning.
   void evaluate(std::span<const double> members, const StepArguments& arguments,
                 std::vector<double>& values) const;
 
   [[nodiscard]] const TracedStep& step() const { return step_; }
-  /// The walls that a path of update meets, in the order in which it does; their bits.
-  [[nodiscard]] const std::vector<PathContact>& contacts(std::int32_t path) const {
-    return contacts_[static_cast<std::size_t>(path)];
-  }
-  [[nodiscard]] std::uint8_t contact_bits(std::int32_t path) const {
-    return contact_bits_[static_cast<std::size_t>(path)];
-  }
+  /// The walls that a path of update meets, in the order in which it does.
+  [[nodiscard]] const std::vector<PathContact>& contacts(StepIndex path) const { return contacts_[path]; }
 
  private:
   // Of an argument or a member: where its value comes from.
   struct Load {
-    std::int32_t result = 0;
-    std::int32_t source = 0;  // Below kStepMembersMax a member, else an argument.
+    StepIndex result = 0;
+    StepIndex source = 0;  // Below kStepMembersMax a member, else an argument.
   };
   struct Node {
     std::size_t begin = 0;  // Instructions done before it asks or ends.
@@ -83,8 +77,9 @@ class StepProgram {
   friend std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step);
   explicit StepProgram(const TracedStep& step) : step_(step) {}
   bool add_function(CoreFunction function);
-  [[nodiscard]] bool emit(std::int32_t expression, std::vector<bool>& is_known,
-                          std::vector<std::int32_t>& added, Function& program) const;
+  // The operations that these expressions need and that are not done yet, operands first.
+  [[nodiscard]] bool emit(std::vector<StepIndex> open, std::vector<bool>& is_known,
+                          std::vector<StepIndex>& added, Function& program) const;
   void load(const Function& program, std::span<const double> members, const StepArguments& arguments,
             double* values) const;
 
@@ -93,7 +88,6 @@ class StepProgram {
   std::array<Function, kCoreFunctions> functions_;
   std::vector<StepInstruction> all_;  // Of update, by index.
   std::vector<std::vector<PathContact>> contacts_;
-  std::vector<std::uint8_t> contact_bits_;
 };
 
 }  // namespace hyrax

@@ -1,13 +1,33 @@
 #include "sim/trace/step_text.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+#include <utility>
 
-#include "sim/trace/step_grammar.h"
+#include "sim/trace/decision_tree.h"
 
 namespace hyrax {
 namespace {
+
+constexpr std::string_view kFirstLine = "hyrax-step/1\n";
+constexpr std::array<std::string_view, 3> kConversionNames = {"to_real", "to_single", "to_whole"};
+// A step of 4,096 paths has a tenth of it.
+constexpr std::size_t kTextBytesMax = 1 << 22;
+constexpr double kSingleMax = static_cast<double>(std::numeric_limits<float>::max());
+
+// The last line, of all before it (FNV-1a, 64 bits): tells a text that was cut short or edited by hand.
+std::string checksum_line(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  std::string line = "checksum: ";
+  for (int shift = 60; shift >= 0; shift -= 4) line += "0123456789abcdef"[hash >> shift & 15];
+  return line + "\n";
+}
 
 // By the bits: what std::to_chars makes of subnormals is the library's choice.
 std::string hex_of(double value) {
@@ -35,6 +55,10 @@ std::string constant_text(const Expression& constant) {
          hex_of(constant.value) + "}" + (is_single ? "f" : "");
 }
 
+std::string_view conversion_name(Operator op) {
+  return kConversionNames[static_cast<std::size_t>(op) - static_cast<std::size_t>(Operator::to_real)];
+}
+
 class Writer {
  public:
   explicit Writer(const TracedStep& step) : step_(step) {
@@ -48,8 +72,8 @@ class Writer {
   }
 
   std::string text() {
-    text_ = kStepFirstLine;
-    text_ += "\nmembers:";
+    text_ = kFirstLine;
+    text_ += "members:";
     for (const NumberKind kind : step_.members) text_ += " " + std::string(name_of(kind));
     text_ += "\n";
     for (std::size_t index = 0; index < step_.expressions.size(); ++index) write_expression(index);
@@ -64,7 +88,7 @@ class Writer {
   }
 
  private:
-  const std::string& name(std::int32_t index) const { return names_[static_cast<std::size_t>(index)]; }
+  const std::string& name(StepIndex index) const { return names_[index]; }
 
   void write_expression(std::size_t index) {
     const Expression& expression = step_.expressions[index];
@@ -79,17 +103,15 @@ class Writer {
       return name(expression.operands[place]);
     };
     if (expression.op == Operator::negate) return "-" + operand(0);
-    if (const char sign = sign_of(expression.op); sign != '\0') {
+    if (const std::string sign(sign_of(expression.op)); !sign.empty()) {
       // A constant reads better behind what it is added to or multiplied with.
       const bool is_swapped =
-          is_commutative(expression.op) &&
-          step_.expressions[static_cast<std::size_t>(expression.operands[0])].op == Operator::constant;
+          is_commutative(expression.op) && step_.expressions[expression.operands[0]].op == Operator::constant;
       return operand(is_swapped ? 1 : 0) + " " + sign + " " + operand(is_swapped ? 0 : 1);
     }
-    std::string text(expression.op == Operator::call ? std::string_view(expression.name)
-                                                     : conversion_name(expression.op));
-    for (std::size_t place = 0; place < 3 && expression.operands[place] >= 0; ++place)
-      text += (place == 0 ? "(" : ", ") + operand(place);
+    std::string text(expression.op == Operator::call ? expression.name : conversion_name(expression.op));
+    for (const StepIndex each : expression.used_operands())
+      text.append(text.find('(') == text.npos ? "(" : ", ").append(name(each));
     return text + ")";
   }
 
@@ -98,7 +120,7 @@ class Writer {
     for (const StepOutcome& outcome : path.outcomes)
       text_ += std::string(outcome.holds ? " c" : " !c") + std::to_string(outcome.comparison);
     text_ += " =";
-    for (const std::int32_t member : path.members) text_ += " " + name(member);
+    for (const StepIndex member : path.members) text_ += " " + name(member);
     text_ += "\n";
   }
 
@@ -107,16 +129,202 @@ class Writer {
   std::string text_;
 };
 
-}  // namespace
-
-std::string checksum_line(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-  std::string line = "checksum: ";
-  for (int shift = 60; shift >= 0; shift -= 4) line += "0123456789abcdef"[hash >> shift & 15];
-  return line + "\n";
+template <class Number, class... Format>
+std::optional<Number> number_of(std::string_view digits, Format... format) {
+  Number value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, format...);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
 }
 
+template <std::size_t kSize>
+std::optional<std::size_t> index_in(const std::array<std::string_view, kSize>& words, std::string_view word) {
+  const auto place = std::ranges::find(words, word);
+  if (place == words.end()) return std::nullopt;
+  return static_cast<std::size_t>(place - words.begin());
+}
+
+bool is_name(std::string_view word) {
+  return !word.empty() && word.size() <= 64 && !(word[0] >= '0' && word[0] <= '9') &&
+         std::ranges::all_of(
+             word, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+// The step as the text has it, so that every number is one of the step. Spelling and order are not looked at:
+// whether that is the text of it in order, its caller finds out.
+class Reader {
+ public:
+  bool read(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = text.find('\n');
+      if (end == std::string_view::npos || !read_line(text.substr(0, end))) return false;
+      text.remove_prefix(end + 1);
+    }
+    return true;
+  }
+  [[nodiscard]] const TracedStep& step() const { return step_; }
+
+ private:
+  using Words = std::span<const std::string_view>;
+
+  bool read_line(std::string_view line) {
+    const std::string_view name = line.substr(0, line.find(':'));
+    std::vector<std::string_view> words;
+    for (std::size_t at = name.size() + 2, end = 0; at <= line.size(); at = end + 1) {
+      end = std::min(line.find(' ', at), line.size());
+      words.push_back(line.substr(at, end - at));
+    }
+    if (name == "members") return read_members(words);
+    if (const auto function = index_in(kCoreFunctionNames, name)) return read_path(words, *function);
+    if (name.starts_with('c') && number_of<std::size_t>(name.substr(1)) == step_.comparisons.size())
+      return read_comparison(words);
+    return read_expression(name, words);
+  }
+
+  bool read_members(Words words) {
+    for (const std::string_view word : words) {
+      const auto kind = index_in(kNumberKindNames, word);
+      if (!kind || step_.members.size() == kStepMembersMax) return false;
+      step_.members.push_back(static_cast<NumberKind>(*kind));
+    }
+    return step_.members.size() >= 4;
+  }
+
+  // "real", of an argument; "real = e1 + e2", "real = -e1", "real = fma(e1, e2, e3)".
+  bool read_expression(std::string_view name, Words words) {
+    const auto kind = words.empty() ? std::nullopt : index_in(kNumberKindNames, words[0]);
+    if (!kind || !is_name(name)) return false;
+    Expression expression{.op = Operator::argument, .kind = static_cast<NumberKind>(*kind)};
+    if (words.size() == 1)
+      expression.name = name;
+    else if (words.size() < 3 || !read_operation(words.subspan(2), expression))
+      return false;
+    return names_.try_emplace(std::string(name), add(expression)).second;
+  }
+
+  bool read_operation(Words words, Expression& expression) {
+    if (words[0].starts_with('-')) {
+      expression.op = Operator::negate;
+      return read_operand(words[0].substr(1), expression, 0) && has_one_kind(expression);
+    }
+    if (words.size() != 3 || words[1].size() != 1) return read_call(words, expression);
+    const std::size_t sign = kOperatorSigns.find(words[1]);
+    if (sign == std::string_view::npos) return false;
+    expression.op = static_cast<Operator>(static_cast<std::size_t>(Operator::add) + sign);
+    if (expression.op == Operator::remainder && expression.kind != NumberKind::whole) return false;
+    return read_operand(words[0], expression, 0) && read_operand(words[2], expression, 1) &&
+           has_one_kind(expression);
+  }
+
+  bool read_call(Words words, Expression& expression) {
+    const std::string_view name = words[0].substr(0, words[0].find('('));
+    if (!is_name(name) || name.size() == words[0].size() || words.size() > expression.operands.size())
+      return false;
+    for (std::size_t place = 0; place < words.size(); ++place) {
+      const std::string_view word = words[place].substr(place == 0 ? name.size() + 1 : 0);
+      if (word.empty() || !read_operand(word.substr(0, word.size() - 1), expression, place)) return false;
+    }
+    const auto conversion = index_in(kConversionNames, name);
+    expression.op = Operator::call;
+    if (!conversion) expression.name = name;
+    if (!conversion) return true;
+    expression.op = static_cast<Operator>(static_cast<std::size_t>(Operator::to_real) + *conversion);
+    return words.size() == 1 && static_cast<std::size_t>(expression.kind) == *conversion;  // Alike in order.
+  }
+
+  bool read_operand(std::string_view word, Expression& expression, std::size_t place) {
+    expression.operands[place] = reference(word);
+    return expression.operands[place] != kNoIndex;
+  }
+
+  // Of a name that stands above, or a constant; kNoIndex: of nothing.
+  StepIndex reference(std::string_view word) {
+    if (const auto named = names_.find(word); named != names_.end()) return named->second;
+    if (const auto known = constants_.find(word); known != constants_.end()) return known->second;
+    const std::optional<Expression> constant = constant_of(word);
+    return constant ? constants_.emplace(std::string(word), add(*constant)).first->second : kNoIndex;
+  }
+
+  // "128", "0.5{0x1p-1}", "0.5{0x1p-1}f". Hex digits are the same bits whatever this machine's arithmetic
+  // does.
+  static std::optional<Expression> constant_of(std::string_view word) {
+    const std::size_t brace = word.find('{');
+    if (brace == std::string_view::npos) {
+      const auto whole = number_of<std::int64_t>(word);
+      if (!whole || *whole < 0 || *whole > std::int64_t{1} << 31) return std::nullopt;
+      return Expression{.kind = NumberKind::whole, .value = static_cast<double>(*whole)};
+    }
+    const bool is_single = word.ends_with('f');
+    std::string_view hex = word.substr(brace + 1, word.find('}') - brace - 1);
+    if (hex.starts_with("0x")) hex.remove_prefix(2);
+    const auto value = number_of<double>(hex, std::chars_format::hex);
+    if (!value || (is_single && std::isfinite(*value) && *value > kSingleMax)) return std::nullopt;
+    return Expression{.kind = is_single ? NumberKind::single : NumberKind::real, .value = *value};
+  }
+
+  bool read_comparison(Words words) {
+    const auto relation = words.size() == 3 ? index_in(kRelationSigns, words[1]) : std::nullopt;
+    if (!relation) return false;
+    const StepComparison comparison{reference(words[0]), reference(words[2]),
+                                    static_cast<Relation>(*relation)};
+    step_.comparisons.push_back(comparison);
+    return comparison.left != kNoIndex && comparison.right != kNoIndex &&
+           kind_of(comparison.left) == kind_of(comparison.right);
+  }
+
+  bool read_path(Words words, std::size_t function) {
+    StepPath path;
+    const auto equals = std::ranges::find(words, "=");
+    for (const std::string_view word : Words(words.begin(), equals)) {
+      const bool holds = word.starts_with('c');
+      const auto comparison =
+          number_of<StepIndex>(word.substr(std::min<std::size_t>(word.size(), holds ? 1 : 2)));
+      if (!comparison || *comparison >= step_.comparisons.size()) return false;
+      path.outcomes.push_back({*comparison, holds});
+    }
+    for (const std::string_view word : Words(equals, words.end()).subspan(equals == words.end() ? 0 : 1)) {
+      const StepIndex member = reference(word);
+      const std::size_t place = path.members.size();
+      if (member == kNoIndex || place == step_.members.size() || kind_of(member) != step_.members[place])
+        return false;
+      path.members.push_back(member);
+    }
+    step_.paths[function].push_back(std::move(path));
+    return step_.paths[function].back().members.size() == step_.members.size() &&
+           step_.paths[function].size() <= kStepPathsMax;
+  }
+
+  StepIndex add(const Expression& expression) {
+    step_.expressions.push_back(expression);
+    return static_cast<StepIndex>(step_.expressions.size() - 1);
+  }
+  [[nodiscard]] NumberKind kind_of(StepIndex index) const { return step_.expressions[index].kind; }
+  [[nodiscard]] bool has_one_kind(const Expression& expression) const {
+    return std::ranges::all_of(expression.used_operands(),
+                               [&](StepIndex operand) { return kind_of(operand) == expression.kind; });
+  }
+
+  TracedStep step_;
+  std::map<std::string, StepIndex, std::less<>> names_;      // Of arguments and operations.
+  std::map<std::string, StepIndex, std::less<>> constants_;  // By their text.
+};
+
+}  // namespace
+
 std::string step_text(const TracedStep& step) { return Writer(step).text(); }
+
+std::optional<TracedStep> read_step(std::string_view text) {
+  const std::size_t end = text.rfind("checksum: ");
+  if (text.size() > kTextBytesMax || end == std::string_view::npos) return std::nullopt;
+  const std::string_view body = text.substr(0, end);
+  Reader reader;
+  if (!body.starts_with(kFirstLine) || !reader.read(body.substr(kFirstLine.size()))) return std::nullopt;
+  const TracedStep written = in_order(reader.step());
+  if (step_text(written) != text) return std::nullopt;
+  TracedStep step = canonical(written);
+  for (const std::vector<StepPath>& paths : step.paths)
+    if (!make_decision_tree(paths)) return std::nullopt;
+  return step;
+}
 
 }  // namespace hyrax

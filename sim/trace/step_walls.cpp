@@ -4,68 +4,55 @@
 #include <array>
 #include <optional>
 #include <set>
-#include <string_view>
 #include <tuple>
 
 #include "sim/trace/decision_tree.h"
+#include "sim/trace/step_draw.h"
 
 namespace hyrax {
 namespace {
 
-bool is_size(std::string_view name) { return name.starts_with("window_") || name.starts_with("sprite_"); }
 bool is_in_x(Wall wall) { return wall == Wall::left || wall == Wall::right; }
 
 // What an expression says of a position.
 struct Meaning {
-  bool has_sizes = false;           // Depends on one at least,
-  std::array<int, 2> windows = {};  // on the width, height of the window (1: grows with it, -1: falls),
-  bool has_others = false;          // and on something that is no size.
-  bool has_x = false;               // Depends on x or vx,
-  bool has_y = false;               // on y or vy,
-  bool has_dt = false;              // on dt.
+  StepNumberBits depends_on = 0;
+  std::array<int, 2> windows = {};  // The width, height of the window (1: grows with it, -1: falls).
   bool is_zero = false;
   char axis = '\0';         // 'x' or 'y' of a position.
   bool is_negated = false;  // The position grows where this falls.
 
+  template <class... Number>
+  [[nodiscard]] bool has(Number... numbers) const {
+    return (depends_on & bits_of(numbers...)) != 0;
+  }
+  [[nodiscard]] bool has_others() const { return (depends_on & ~kSizeBits) != 0; }  // That are no sizes.
   [[nodiscard]] bool has_window() const { return windows[0] != 0 || windows[1] != 0; }
-  [[nodiscard]] bool is_bound() const { return is_zero || (has_sizes && !has_others); }
+  [[nodiscard]] bool is_bound() const { return is_zero || (depends_on != 0 && !has_others()); }
 };
 
 class Meanings {
  public:
-  explicit Meanings(const TracedStep& step) {
+  explicit Meanings(const TracedStep& step) : dependencies_(dependencies_of(step)) {
     for (const StepPath& path : step.paths_of(CoreFunction::update))
       for (std::size_t member = 0; member < 2; ++member) ends_[member].insert(path.members[member]);
     for (const Expression& expression : step.expressions) add(expression);
   }
 
-  [[nodiscard]] const Meaning& of(std::int32_t expression) const {
-    return meanings_[static_cast<std::size_t>(expression)];
-  }
+  [[nodiscard]] const Meaning& of(StepIndex expression) const { return meanings_[expression]; }
 
  private:
   void add(const Expression& expression) {
-    Meaning meaning;
+    const auto index = static_cast<StepIndex>(meanings_.size());
+    Meaning meaning{.depends_on = dependencies_[index]};
     if (expression.op == Operator::argument) {
-      meaning.has_sizes = is_size(expression.name);
       meaning.windows = {expression.name == "window_width", expression.name == "window_height"};
-      meaning.has_others = !meaning.has_sizes;
-      meaning.has_x = expression.name == "x" || expression.name == "vx";
-      meaning.has_y = expression.name == "y" || expression.name == "vy";
-      meaning.has_dt = expression.name == "dt";
       if (expression.name == "x" || expression.name == "y") meaning.axis = expression.name[0];
     }
-    for (const std::int32_t operand : expression.operands) {
-      if (operand < 0) continue;
-      meaning.has_sizes |= of(operand).has_sizes;
+    for (const StepIndex operand : expression.used_operands())
       for (std::size_t size = 0; size < 2; ++size)
         if (const int window = of(operand).windows[size]; window != 0)
           meaning.windows[size] = expression.op == Operator::negate ? -window : window;
-      meaning.has_others |= of(operand).has_others;
-      meaning.has_x |= of(operand).has_x;
-      meaning.has_y |= of(operand).has_y;
-      meaning.has_dt |= of(operand).has_dt;
-    }
     const bool converts = expression.op == Operator::to_real || expression.op == Operator::to_single;
     meaning.is_zero = expression.op == Operator::constant ? expression.value == 0.0
                                                           : converts && of(expression.operands[0]).is_zero;
@@ -80,9 +67,8 @@ class Meanings {
       }
     if (is_fused && of(expression.operands[2]).is_bound()) take_clamped(meaning, meaning);
     // Where a path ends is a position, however it was calculated: a reflected one is no negated one.
-    const auto index = static_cast<std::int32_t>(meanings_.size());
     for (std::size_t member = 0; member < 2; ++member)
-      if (ends_[member].contains(index) && meaning.has_others && expression.op != Operator::argument) {
+      if (ends_[member].contains(index) && meaning.has_others() && expression.op != Operator::argument) {
         meaning.axis = "xy"[member];
         meaning.is_negated = false;
       }
@@ -98,11 +84,13 @@ class Meanings {
 
   // A move from a bound to which an earlier part of the step clamped the position.
   static void take_clamped(const Meaning& move, Meaning& meaning) {
-    if (meaning.axis == '\0' && move.has_dt && move.has_x != move.has_y)
-      meaning.axis = move.has_x ? 'x' : 'y';
+    const bool has_x = move.has(StepNumber::x, StepNumber::vx);
+    if (meaning.axis == '\0' && move.has(StepNumber::dt) && has_x != move.has(StepNumber::y, StepNumber::vy))
+      meaning.axis = has_x ? 'x' : 'y';
   }
 
-  std::array<std::set<std::int32_t>, 2> ends_;
+  std::vector<StepNumberBits> dependencies_;
+  std::array<std::set<StepIndex>, 2> ends_;
   std::vector<Meaning> meanings_;
 };
 
@@ -110,8 +98,8 @@ class Meanings {
 struct WallComparison {
   Wall wall = Wall::left;
   bool beyond = false;  // The outcome that decides so.
-  std::int32_t position = -1;
-  std::int32_t bound = -1;
+  StepIndex position = kNoIndex;
+  StepIndex bound = kNoIndex;
   bool is_for_large_sprites = false;  // An upper bound of 0.
 };
 
@@ -127,9 +115,8 @@ class WallFinder {
     }
     depths_.resize(step.expressions.size());
     for (std::size_t index = 0; index < depths_.size(); ++index)
-      for (const std::int32_t operand : step.expressions[index].operands)
-        if (operand >= 0)
-          depths_[index] = std::max(depths_[index], depths_[static_cast<std::size_t>(operand)] + 1);
+      for (const StepIndex operand : step.expressions[index].used_operands())
+        depths_[index] = std::max(depths_[index], depths_[operand] + 1);
   }
 
   std::vector<std::vector<PathContact>> find() {
@@ -140,33 +127,28 @@ class WallFinder {
       for (PathContact contact : contacts_[path]) {
         const std::optional<std::size_t> before =
             asks_once(paths[path], contact.wall) ? path_before(path, contact.wall) : std::nullopt;
-        if (before) {
-          contact.vx_before = paths[*before].members[2];
-          contact.vy_before = paths[*before].members[3];
-        }
+        if (before) contact.before = velocity_after(paths[*before]);
         ordered.emplace_back(before ? contacts_[*before].size() : 0, contact);
       }
       std::ranges::stable_sort(ordered, {}, [](const auto& entry) { return entry.first; });
-      found[path].clear();
-      for (std::size_t place = 0; place < ordered.size(); ++place) {
-        PathContact& contact = found[path].emplace_back(ordered[place].second);
-        contact.vx_after = paths[path].members[2];
-        contact.vy_after = paths[path].members[3];
-        if (place + 1 == ordered.size() || ordered[place + 1].second.vx_before < 0) continue;
-        contact.vx_after = ordered[place + 1].second.vx_before;
-        contact.vy_after = ordered[place + 1].second.vy_before;
+      VelocityIndices next;  // At the wall that follows.
+      for (std::size_t place = ordered.size(); place-- > 0; next = found[path][place].before) {
+        found[path][place] = ordered[place].second;
+        found[path][place].after = next.vx == kNoIndex ? velocity_after(paths[path]) : next;
       }
     }
     return found;
   }
 
  private:
-  [[nodiscard]] const Meaning& meaning(std::int32_t expression) const { return meanings_.of(expression); }
+  [[nodiscard]] const Meaning& meaning(StepIndex expression) const { return meanings_.of(expression); }
+
+  static VelocityIndices velocity_after(const StepPath& path) { return {path.members[2], path.members[3]}; }
 
   // Where a wall is asked for the new position, it is not met by the one before the step.
   void leave_out_old_positions() {
     const auto is_old = [&](const WallComparison& wall) {
-      return step_.expressions[static_cast<std::size_t>(wall.position)].op == Operator::argument;
+      return step_.expressions[wall.position].op == Operator::argument;
     };
     std::set<Wall> asked;
     for (const auto& wall : walls_)
@@ -177,15 +159,15 @@ class WallFinder {
 
   // Whether a position is compared with 0 as with a lower bound, by the same relation: `position < 0` beside
   // `0 < position`. Beside `0 <= position` it asks the same.
-  [[nodiscard]] bool is_left_of_zero(std::int32_t position, Relation relation) const {
+  [[nodiscard]] bool is_left_of_zero(StepIndex position, Relation relation) const {
     return std::any_of(step_.comparisons.begin(), step_.comparisons.end(), [&](const StepComparison& other) {
       return other.left == position && other.relation == relation && meaning(other.right).is_zero;
     });
   }
 
   // Whether an upper bound was taken from the position, so that it is compared with 0.
-  [[nodiscard]] bool is_measured_from_bound(std::int32_t position) const {
-    const Expression& sum = step_.expressions[static_cast<std::size_t>(position)];
+  [[nodiscard]] bool is_measured_from_bound(StepIndex position) const {
+    const Expression& sum = step_.expressions[position];
     if (sum.op != Operator::add) return false;
     const Meaning& a = meaning(sum.operands[0]);
     const Meaning& b = meaning(sum.operands[1]);
@@ -218,7 +200,7 @@ class WallFinder {
   // Whether the path has decided, by sizes in x or in y, that the window is the smaller side.
   [[nodiscard]] bool has_large_sprite(const StepPath& path, bool in_x) const {
     return std::any_of(path.outcomes.begin(), path.outcomes.end(), [&](const StepOutcome& outcome) {
-      const StepComparison& sizes = step_.comparisons[static_cast<std::size_t>(outcome.comparison)];
+      const StepComparison& sizes = step_.comparisons[outcome.comparison];
       const Meaning& left = meaning(sizes.left);
       const Meaning& right = meaning(sizes.right);
       if (sizes.relation == Relation::equal || !left.is_bound() || !right.is_bound()) return false;
@@ -230,11 +212,11 @@ class WallFinder {
   [[nodiscard]] std::vector<PathContact> contacts_of(const StepPath& path) const {
     std::vector<PathContact> contacts;
     for (const StepOutcome& outcome : path.outcomes) {
-      const std::optional<WallComparison>& wall = walls_[static_cast<std::size_t>(outcome.comparison)];
+      const std::optional<WallComparison>& wall = walls_[outcome.comparison];
       if (!wall || wall->beyond != outcome.holds || has(contacts, wall->wall)) continue;
       if (wall->is_for_large_sprites && !has_large_sprite(path, is_in_x(wall->wall))) continue;
       // A position that was set to 0 is beyond the bound at which the path ends.
-      const std::int32_t end = path.members[is_in_x(wall->wall) ? 0 : 1];
+      const StepIndex end = path.members[is_in_x(wall->wall) ? 0 : 1];
       const bool is_set = wall->is_for_large_sprites && meaning(end).is_bound() && meaning(end).has_window();
       contacts.push_back({.wall = wall->wall,
                           .position = is_set ? wall->bound : wall->position,
@@ -272,10 +254,9 @@ class WallFinder {
   // Whether the path asks for the wall of one position. Of several parts of a step the velocities are not
   // told apart.
   [[nodiscard]] bool asks_once(const StepPath& path, Wall wall) const {
-    std::set<std::int32_t> positions;
+    std::set<StepIndex> positions;
     for (const StepOutcome& outcome : path.outcomes)
-      if (const auto& asked = walls_[static_cast<std::size_t>(outcome.comparison)];
-          asked && asked->wall == wall)
+      if (const auto& asked = walls_[outcome.comparison]; asked && asked->wall == wall)
         positions.insert(asked->position);
     return positions.size() == 1;
   }
@@ -283,14 +264,14 @@ class WallFinder {
   // Whether a number is not equal to itself.
   [[nodiscard]] bool is_of_nan(const StepPath& path) const {
     return std::any_of(path.outcomes.begin(), path.outcomes.end(), [&](const StepOutcome& outcome) {
-      const StepComparison& asked = step_.comparisons[static_cast<std::size_t>(outcome.comparison)];
+      const StepComparison& asked = step_.comparisons[outcome.comparison];
       return asked.relation == Relation::equal && asked.left == asked.right && !outcome.holds;
     });
   }
 
   // Whether the velocities at the end of `other` are calculated on `path`.
   [[nodiscard]] bool leads_to(std::size_t other, std::size_t path) const {
-    const std::vector<std::int32_t>& ends = step_.paths_of(CoreFunction::update)[other].members;
+    const std::vector<StepIndex>& ends = step_.paths_of(CoreFunction::update)[other].members;
     return evaluated_[path][magnitude(ends[2])] && evaluated_[path][magnitude(ends[3])];
   }
 
@@ -306,9 +287,9 @@ class WallFinder {
   }
 
   // A sign is moved out of what is made of an expression.
-  [[nodiscard]] std::size_t magnitude(std::int32_t expression) const {
-    const Expression& signed_one = step_.expressions[static_cast<std::size_t>(expression)];
-    return static_cast<std::size_t>(signed_one.op == Operator::negate ? signed_one.operands[0] : expression);
+  [[nodiscard]] StepIndex magnitude(StepIndex expression) const {
+    const Expression& signed_one = step_.expressions[expression];
+    return signed_one.op == Operator::negate ? signed_one.operands[0] : expression;
   }
 
   // Whether the walls of `other` are some of those of `path`, without `wall`.

@@ -1,7 +1,6 @@
 // Which walls a path of a traced step meets, by its own comparisons.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "sim/motion/state.h"
@@ -9,15 +8,19 @@
 
 namespace hyrax {
 
-/// A comparison of a position with a wall's bound that decided "beyond". All are indices of expressions.
+/// The expressions of a velocity; kNoIndex: it cannot be told.
+struct VelocityIndices {
+  StepIndex vx = kNoIndex;
+  StepIndex vy = kNoIndex;
+};
+
+/// A comparison of a position with a wall's bound that decided "beyond".
 struct PathContact {
   Wall wall = Wall::left;
-  std::int32_t position = -1;
-  std::int32_t bound = -1;
-  std::int32_t vx_before = -1;  ///< At the comparison; -1: cannot be told.
-  std::int32_t vy_before = -1;
-  std::int32_t vx_after = -1;  ///< At the next wall of the path, or at its end.
-  std::int32_t vy_after = -1;
+  StepIndex position = kNoIndex;  ///< Expressions.
+  StepIndex bound = kNoIndex;
+  VelocityIndices before = {};  ///< At the comparison.
+  VelocityIndices after = {};   ///< At the next wall of the path, or at its end.
 };
 
 /// For each path of update its contacts, in the order in which it has them: each wall at most once. A bound

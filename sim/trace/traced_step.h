@@ -5,11 +5,13 @@
 // rounded IEEE-754 operation; nothing of the paper's listing is presumed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -25,9 +27,13 @@ namespace hyrax {
 struct Expression {
   Operator op = Operator::constant;
   NumberKind kind = NumberKind::real;
-  std::array<std::int32_t, 3> operands = {-1, -1, -1};  ///< Indices of expressions; -1: none.
-  double value = 0.0;                                   ///< Of a constant.
-  std::string name = {};                                ///< Of an argument or a function.
+  std::array<StepIndex, 3> operands = {kNoIndex, kNoIndex, kNoIndex};  ///< Of expressions; see used_operands.
+  double value = 0.0;                                                  ///< Of a constant.
+  std::string name = {};                                               ///< Of an argument or a function.
+
+  [[nodiscard]] std::span<const StepIndex> used_operands() const {
+    return {operands.begin(), std::ranges::find(operands, kNoIndex)};
+  }
   /// Constants by their bits, which for numbers >= 0 is their order: 0.0 is not -0.0.
   std::strong_ordering operator<=>(const Expression& other) const {
     const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
@@ -47,10 +53,9 @@ inline void order_operands(Expression& expression) {
 }
 
 /// The expression over other numbers of its operands, those of a sum or a product in their order.
-[[nodiscard]] inline Expression with_operands(Expression expression,
-                                              const std::vector<std::int32_t>& numbers) {
-  for (std::int32_t& operand : expression.operands)
-    if (operand >= 0) operand = numbers[static_cast<std::size_t>(operand)];
+[[nodiscard]] inline Expression with_operands(Expression expression, const std::vector<StepIndex>& numbers) {
+  for (StepIndex& operand : expression.operands)
+    if (operand != kNoIndex) operand = numbers[operand];
   order_operands(expression);
   return expression;
 }
@@ -58,20 +63,17 @@ inline void order_operands(Expression& expression) {
 /// left < right, left <= right or left == right. `a > b` is `b < a`; `a != b` is `a == b` of the other
 /// outcome. Both sides are of one kind.
 struct StepComparison {
+  StepIndex left = kNoIndex;  ///< Of expressions.
+  StepIndex right = kNoIndex;
   Relation relation = Relation::less;
-  std::int32_t left = -1;  ///< Indices of expressions.
-  std::int32_t right = -1;
-  bool operator==(const StepComparison&) const = default;
-  std::strong_ordering operator<=>(const StepComparison& other) const {
-    return std::tie(left, right, relation) <=> std::tie(other.left, other.right, other.relation);
-  }
+  auto operator<=>(const StepComparison&) const = default;
 };
 
 /// The comparison of expressions of other numbers, those of an equality in their order.
 [[nodiscard]] inline StepComparison with_sides(StepComparison comparison,
-                                               const std::vector<std::int32_t>& numbers) {
-  comparison.left = numbers[static_cast<std::size_t>(comparison.left)];
-  comparison.right = numbers[static_cast<std::size_t>(comparison.right)];
+                                               const std::vector<StepIndex>& numbers) {
+  comparison.left = numbers[comparison.left];
+  comparison.right = numbers[comparison.right];
   if (comparison.relation == Relation::equal && comparison.right < comparison.left)
     std::swap(comparison.left, comparison.right);
   return comparison;
@@ -79,16 +81,16 @@ struct StepComparison {
 
 /// What one comparison was found to be on a path.
 struct StepOutcome {
-  std::int32_t comparison = -1;  ///< Index in TracedStep::comparisons.
+  StepIndex comparison = kNoIndex;  ///< In TracedStep::comparisons.
   bool holds = false;
-  bool operator==(const StepOutcome&) const = default;
+  auto operator<=>(const StepOutcome&) const = default;
 };
 
 /// One way through a function: taken where all outcomes are as here.
 struct StepPath {
   std::vector<StepOutcome> outcomes;  ///< In the order in which they were made; each comparison once.
-  std::vector<std::int32_t> members;  ///< The expression of every member at the end.
-  bool operator==(const StepPath&) const = default;
+  std::vector<StepIndex> members;     ///< The expression of every member at the end.
+  auto operator<=>(const StepPath&) const = default;
 };
 
 inline constexpr std::size_t kCoreFunctions = 5;

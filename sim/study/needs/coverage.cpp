@@ -39,8 +39,8 @@ std::vector<std::string> never_exercised(const std::vector<ScenarioNeeds>& scena
   return never;
 }
 
-std::set<std::int32_t> paths_taken(const std::vector<ScenarioNeeds>& scenarios) {
-  std::set<std::int32_t> taken;
+std::set<std::uint32_t> paths_taken(const std::vector<ScenarioNeeds>& scenarios) {
+  std::set<std::uint32_t> taken;
   for (const ScenarioNeeds& needs : scenarios)
     taken.insert(needs.paths_taken.begin(), needs.paths_taken.end());
   return taken;

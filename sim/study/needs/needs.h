@@ -61,7 +61,7 @@ struct ScenarioNeeds {
   MedianEstimate step_ns = {};  ///< Of the variant kernel with all parts.
   ClockProbe probe = {};        ///< When the steps were timed.
   std::vector<PartNeed> parts;
-  std::set<std::int32_t> paths_taken;   ///< Of NeedsOptions::core_step.
+  std::set<std::uint32_t> paths_taken;  ///< Of NeedsOptions::core_step.
   PathDifference without_all_unneeded;  ///< All that are not needed, at once.
   /// The cheapest method and rate within the tolerance of the exact motion, if NeedsOptions::rates_hz has
   /// any.
@@ -118,7 +118,7 @@ struct NeedsOptions {
 [[nodiscard]] Table coverage_table(const std::vector<ScenarioNeeds>& scenarios);
 
 /// The paths of the core's step that any of them takes.
-[[nodiscard]] std::set<std::int32_t> paths_taken(const std::vector<ScenarioNeeds>& scenarios);
+[[nodiscard]] std::set<std::uint32_t> paths_taken(const std::vector<ScenarioNeeds>& scenarios);
 
 /// The verdict's text: for each column, how many scenarios exercise and need it.
 [[nodiscard]] Verdict coverage_verdict(const std::vector<ScenarioNeeds>& scenarios, double within_px);

@@ -130,7 +130,7 @@ std::size_t path_count(const StepProgram& core_step) {
   return core_step.step().paths_of(CoreFunction::update).size();
 }
 
-std::string paths_text(const std::set<std::int32_t>& taken, const StepProgram& core_step) {
+std::string paths_text(const std::set<std::uint32_t>& taken, const StepProgram& core_step) {
   return fmt::format("{} of {} paths", taken.size(), path_count(core_step));
 }
 

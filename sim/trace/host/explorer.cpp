@@ -137,8 +137,8 @@ TracedStep trace_core(const TracedCore& core) {
   TracedStep step = paths();
   // Static variables that a path changed are seen by the next one.
   if (step != paths()) stop(kMemoryOutside);
-  step.expressions = recorded().expressions;
-  step.comparisons = recorded().comparisons;
+  step.expressions = recorded_expressions();
+  step.comparisons = recorded_comparisons();
   return step;
 }
 

@@ -17,12 +17,13 @@
 namespace hyrax::trace {
 
 /// An expression of the recorder (recorder.h); kConstant: a number that is known.
-using Index = std::int32_t;
-inline constexpr Index kConstant = -1;
+using Index = StepIndex;
+inline constexpr Index kConstant = kNoIndex;
 
 [[nodiscard]] Index record_constant(NumberKind kind, double value);
-[[nodiscard]] Index record(Operator op, NumberKind kind, Index a, Index b = -1);
-[[nodiscard]] Index record_call(const char* name, NumberKind kind, Index a, Index b = -1, Index c = -1);
+[[nodiscard]] Index record(Operator op, NumberKind kind, Index a, Index b = kNoIndex);
+[[nodiscard]] Index record_call(const char* name, NumberKind kind, Index a, Index b = kNoIndex,
+                                Index c = kNoIndex);
 [[nodiscard]] bool decide(Relation relation, Index left, Index right);
 
 /// Ends the recording: the step is not complete.
@@ -65,6 +66,10 @@ concept Operand = Native<T> || Recording<T>;
 /// Operands of one of our operators: the built-in ones keep their own.
 template <class... T>
 concept Operands = (Operand<T> && ...) && (Recording<T> || ...);
+template <class T>
+concept NativeInteger = Native<T> && std::is_integral_v<T> && !std::same_as<T, bool>;
+template <class T>
+inline constexpr bool kCounts = std::same_as<T, std::size_t> || std::same_as<T, std::ptrdiff_t>;
 
 template <NumberKind kKind>
 using NativeOf = std::conditional_t<kKind == NumberKind::real, double,
@@ -132,41 +137,18 @@ struct Number {
   }
 
   // What indexes and counts in the header's own way: only a constant can be followed there.
-  template <class T>
-  requires(kKind == NumberKind::whole &&
-           (std::same_as<T, std::size_t> || std::same_as<T, std::ptrdiff_t>)) constexpr
-  operator T() const {
-    return as_integer<T>();
-  }
-  template <class T>
-  requires(Native<T>&& std::is_integral_v<T> && !std::same_as<T, bool> &&
-           !(kKind == NumberKind::whole &&
-             (std::same_as<T, std::size_t> || std::same_as<T, std::ptrdiff_t>))) constexpr explicit
-  operator T() const {
-    return as_integer<T>();
+  template <NativeInteger T>
+  constexpr explicit(kKind != NumberKind::whole || !kCounts<T>) operator T() const {
+    if (!is_constant()) stop(kBecomesInteger);
+    return static_cast<T>(native());
   }
   constexpr explicit operator bool() const { return *this != 0; }
 
-  template <Operand T>
-  constexpr Number& operator+=(const T& other) {
-    return *this = *this + other;
-  }
-  template <Operand T>
-  constexpr Number& operator-=(const T& other) {
-    return *this = *this - other;
-  }
-  template <Operand T>
-  constexpr Number& operator*=(const T& other) {
-    return *this = *this * other;
-  }
-  template <Operand T>
-  constexpr Number& operator/=(const T& other) {
-    return *this = *this / other;
-  }
-  template <Operand T>
-  constexpr Number& operator%=(const T& other) {
-    return *this = *this % other;
-  }
+  constexpr Number& operator+=(const Operand auto& other) { return *this = *this + other; }
+  constexpr Number& operator-=(const Operand auto& other) { return *this = *this - other; }
+  constexpr Number& operator*=(const Operand auto& other) { return *this = *this * other; }
+  constexpr Number& operator/=(const Operand auto& other) { return *this = *this / other; }
+  constexpr Number& operator%=(const Operand auto& other) { return *this = *this % other; }
   constexpr Number& operator++() { return *this += 1; }
   constexpr Number& operator--() { return *this -= 1; }
   constexpr Number operator++(int) {
@@ -178,13 +160,6 @@ struct Number {
     const Number before = *this;
     *this -= 1;
     return before;
-  }
-
- private:
-  template <class T>
-  constexpr T as_integer() const {
-    if (!is_constant()) stop(kBecomesInteger);
-    return static_cast<T>(native());
   }
 };
 
@@ -214,10 +189,7 @@ constexpr auto combine(const A& a, const B& b) {
   return Number<kKind>::of(record(kOp, kKind, left.index(), right.index()));
 }
 
-template <Recording N>
-constexpr N operator+(const N& a) {
-  return a;
-}
+constexpr auto operator+(const Recording auto& a) { return a; }
 template <Recording N>
 constexpr N operator-(const N& a) {
   return a.is_constant() ? N(-a.native()) : N::of(record(Operator::negate, N::kNumberKind, a.expression));
@@ -275,10 +247,7 @@ constexpr bool operator==(const A& a, const B& b) { return compare<Relation::equ
 template <class A, class B>
 requires Operands<A, B>
 constexpr bool operator!=(const A& a, const B& b) { return !compare<Relation::equal>(a, b); }
-template <Recording N>
-constexpr bool operator!(const N& a) {
-  return a == 0;
-}
+constexpr bool operator!(const Recording auto& a) { return a == 0; }
 
 /// A `bool`: as a member 0 or 1, asked for where it is used.
 struct Truth {
@@ -288,8 +257,7 @@ struct Truth {
 
   constexpr Truth() = default;
   constexpr Truth(bool constant) : value(constant ? 1.0 : 0.0) {}
-  template <Recording N>
-  constexpr Truth(const N& number) : Truth(number != 0) {}
+  constexpr Truth(const Recording auto& number) : Truth(number != 0) {}
 
   constexpr operator bool() const {
     return expression == kConstant ? value != 0.0 : Whole::of(expression) != 0;

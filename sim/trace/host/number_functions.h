@@ -22,8 +22,7 @@ constexpr auto call(const char* name, Function function, const T&... operands) {
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
 #define HYRAX_TRACE_ONE(name, is_fixed)                                                  \
-  template <class A>                                                                     \
-  requires Operands<A>                                                                   \
+  template <Recording A>                                                                 \
   constexpr auto name(const A& a) {                                                      \
     return call<is_fixed>(                                                               \
         #name, [](auto x) { return static_cast<decltype(x)>(__builtin_##name(x)); }, a); \
@@ -56,27 +55,15 @@ constexpr auto abs(const N& a) {
     return fabs(a);
 }
 
-template <Recording N>
-constexpr bool isnan(const N& a) {
-  return !(a == a);
-}
-template <Recording N>
-constexpr bool isinf(const N& a) {
-  return fabs(a) == std::numeric_limits<double>::infinity();
-}
-template <Recording N>
-constexpr bool isfinite(const N& a) {
-  return fabs(a) < std::numeric_limits<double>::infinity();
-}
+constexpr bool isnan(const Recording auto& a) { return !(a == a); }
+constexpr bool isinf(const Recording auto& a) { return fabs(a) == std::numeric_limits<double>::infinity(); }
+constexpr bool isfinite(const Recording auto& a) { return fabs(a) < std::numeric_limits<double>::infinity(); }
 /// Whether the sign is negative: that of 1 with the sign of a.
-template <Recording N>
-constexpr bool signbit(const N& a) {
-  return copysign(Real(1.0), a) < 0.0;
-}
+constexpr bool signbit(const Recording auto& a) { return copysign(Real(1.0), a) < 0.0; }
 
-/// Operands of min and max that their own templates do not take: of different types.
-template <class A, class B>
-concept Mixed = Operands<A, B> && !std::same_as<A, B>;
+/// Operands of min, max and clamp that their own templates do not take: of different types.
+template <class B, class A, class... T>
+concept MixedWith = Operands<A, T..., B> && !(std::same_as<A, B> && (std::same_as<A, T> && ...));
 
 template <Operand... T>
 using CommonNumber = Number<kCommonKind<T...>>;
@@ -96,25 +83,18 @@ using hyrax::trace::isinf;
 using hyrax::trace::isnan;
 using hyrax::trace::signbit;
 
-template <class A, class B>
-requires hyrax::trace::Mixed<A, B>
+template <class A, hyrax::trace::MixedWith<A> B>
 constexpr hyrax::trace::CommonNumber<A, B> max(const A& a, const B& b) {
   if (a < b) return b;
   return a;
 }
-template <class A, class B>
-requires hyrax::trace::Mixed<A, B>
+template <class A, hyrax::trace::MixedWith<A> B>
 constexpr hyrax::trace::CommonNumber<A, B> min(const A& a, const B& b) {
   if (b < a) return b;
   return a;
 }
-template <class T, class Low, class High>
-requires(
-    hyrax::trace::Operands<T, Low, High> &&
-    !(std::same_as<T, Low> &&
-      std::same_as<T, High>)) constexpr hyrax::trace::CommonNumber<T, Low, High> clamp(const T& value,
-                                                                                       const Low& low,
-                                                                                       const High& high) {
+template <class T, class Low, hyrax::trace::MixedWith<T, Low> High>
+constexpr hyrax::trace::CommonNumber<T, Low, High> clamp(const T& value, const Low& low, const High& high) {
   if (value < low) return low;
   if (high < value) return high;
   return value;

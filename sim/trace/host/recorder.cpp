@@ -4,47 +4,38 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace hyrax::trace {
 namespace {
 
 struct Recorder {
-  TracedStep step;
-  std::map<Expression, Index> expressions;
-  std::map<StepComparison, std::int32_t> comparisons;
+  Numbered<Expression> expressions;
+  Numbered<StepComparison> comparisons;
   std::vector<StepOutcome> planned;
   bool others_hold = false;
   std::vector<StepOutcome> outcomes;
-  std::unordered_map<std::int32_t, bool> known;  // By comparison, on this path.
+  std::map<StepComparison, bool> known;  // On this path.
 };
 
 Recorder recorder;
 StopHandler stop_handler = nullptr;
 
-Index index_of(Expression expression) {
-  const auto [entry, is_new] =
-      recorder.expressions.try_emplace(expression, static_cast<Index>(recorder.step.expressions.size()));
-  if (is_new) {
-    if (recorder.step.expressions.size() >= kExpressionsMax)
-      stop("over its limits: more than 100,000 operations");
-    recorder.step.expressions.push_back(std::move(expression));
-  }
-  return entry->second;
+Index index_of(const Expression& expression) {
+  const Index index = recorder.expressions.number_of(expression);
+  if (index >= kExpressionsMax) stop("over its limits: more than 100,000 operations");
+  return index;
 }
 
 std::optional<bool> known(Relation relation, Index left, Index right) {
-  const auto comparison = recorder.comparisons.find({relation, left, right});
-  if (comparison == recorder.comparisons.end()) return std::nullopt;
-  const auto outcome = recorder.known.find(comparison->second);
+  const auto outcome = recorder.known.find({left, right, relation});
   if (outcome == recorder.known.end()) return std::nullopt;
   return outcome->second;
 }
 
 // Never NaN.
 bool is_whole(Index index) {
-  const Expression& expression = recorder.step.expressions[static_cast<std::size_t>(index)];
+  const Expression& expression = recorder.expressions.items()[index];
   return expression.kind == NumberKind::whole ||
          (expression.op == Operator::to_real && is_whole(expression.operands[0]));
 }
@@ -78,7 +69,8 @@ std::optional<bool> implied(Relation relation, Index left, Index right) {
 
 }  // namespace
 
-const TracedStep& recorded() { return recorder.step; }
+const std::vector<Expression>& recorded_expressions() { return recorder.expressions.items(); }
+const std::vector<StepComparison>& recorded_comparisons() { return recorder.comparisons.items(); }
 
 void start_recording() { recorder = {}; }
 
@@ -101,7 +93,7 @@ Index record_constant(NumberKind kind, double value) {
 }
 
 Index record(Operator op, NumberKind kind, Index a, Index b) {
-  return index_of({.op = op, .kind = kind, .operands = {a, b, -1}});
+  return index_of({.op = op, .kind = kind, .operands = {a, b, kNoIndex}});
 }
 
 Index record_call(const char* name, NumberKind kind, Index a, Index b, Index c) {
@@ -110,13 +102,9 @@ Index record_call(const char* name, NumberKind kind, Index a, Index b, Index c) 
 
 bool decide(Relation relation, Index left, Index right) {
   if (relation == Relation::equal && right < left) std::swap(left, right);
-  const StepComparison asked{relation, left, right};
-  const auto [entry, is_new] =
-      recorder.comparisons.try_emplace(asked, static_cast<std::int32_t>(recorder.step.comparisons.size()));
-  if (is_new) recorder.step.comparisons.push_back(asked);
-  const std::int32_t comparison = entry->second;
-  if (const auto outcome = recorder.known.find(comparison); outcome != recorder.known.end())
-    return outcome->second;
+  if (const std::optional<bool> outcome = known(relation, left, right)) return *outcome;
+  const StepComparison asked{left, right, relation};
+  const StepIndex comparison = recorder.comparisons.number_of(asked);
   if (const std::optional<bool> outcome = implied(relation, left, right)) return *outcome;
   // Each of them has another path that goes the other way.
   if (recorder.outcomes.size() >= kStepPathsMax) stop(kTooManyPaths);
@@ -125,7 +113,7 @@ bool decide(Relation relation, Index left, Index right) {
   if (is_planned && recorder.planned[place].comparison != comparison) stop(kMemoryOutside);
   const bool holds = is_planned ? recorder.planned[place].holds : recorder.others_hold;
   recorder.outcomes.push_back({comparison, holds});
-  recorder.known.emplace(comparison, holds);
+  recorder.known.emplace(asked, holds);
   return holds;
 }
 

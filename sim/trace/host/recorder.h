@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "sim/trace/host/number.h"
-#include "sim/trace/traced_step.h"
+#include "sim/trace/numbered.h"
 
 namespace hyrax::trace {
 
-/// Expressions and comparisons so far, each once; its paths are left to the explorer.
-[[nodiscard]] const TracedStep& recorded();
+/// So far, each once.
+[[nodiscard]] const std::vector<Expression>& recorded_expressions();
+[[nodiscard]] const std::vector<StepComparison>& recorded_comparisons();
 
 /// Forgets all.
 void start_recording();

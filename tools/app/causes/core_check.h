@@ -60,8 +60,8 @@ struct CoreVerdict : LibraryNotice {
   CoreStatus status = CoreStatus::none;
   std::string why;  ///< Of none and not_proved.
   std::vector<CoreChange> changes;
-  std::optional<std::int64_t> paths;   ///< Of update; nothing where the program's step is not complete.
-  std::set<std::int32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
+  std::optional<std::int64_t> paths;    ///< Of update; nothing where the program's step is not complete.
+  std::set<std::uint32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
   CoreCommands commands;
   ExitCode exit_code = ExitCode::agreed;
 };
@@ -95,7 +95,7 @@ class CoreCheck {
   /// Plays the whole library by the accepted step, and looks for steps that show what it does not notice.
   void judge_differences(const std::string& scenarios_folder);
   /// A scenario took these paths of the program's step.
-  void take_paths(const std::set<std::int32_t>& paths) {
+  void take_paths(const std::set<std::uint32_t>& paths) {
     verdict_.paths_taken.insert(paths.begin(), paths.end());
   }
 

@@ -28,8 +28,8 @@ struct CheckVerdict : PairVerdict {
   std::string non_finite;           ///< non_finite_text of the run; empty: it stays finite.
   /// Of the run of one without golden file; of an unreferenced golden file, as its summary states it.
   std::string state_hash;
-  std::set<std::int32_t> paths_taken;  ///< Of CheckOptions::watched_step.
-  bool is_open = false;                ///< Undecided: the golden file must be read.
+  std::set<std::uint32_t> paths_taken;  ///< Of CheckOptions::watched_step.
+  bool is_open = false;                 ///< Undecided: the golden file must be read.
   double seconds = 0.0;
   const DifferenceGroup* group = nullptr;  ///< In which its run differs, if it does; set by `explain`.
   /// The other half of a renamed scenario: of one whose golden file is missing the unreferenced golden file

@@ -108,16 +108,16 @@ TEST(ListingStep, NamesWhatIsMissing) {
 TEST(ListingStep, AllowsFurtherMembersThatNothingReads) {
   TracedStep step = listing_step({980.0, 0.6, 0.999, 0.8, 5.0});
   step.members.push_back(NumberKind::whole);
-  const auto count = static_cast<std::int32_t>(step.expressions.size());
+  const auto count = static_cast<StepIndex>(step.expressions.size());
   step.expressions.push_back({.op = Operator::argument, .kind = NumberKind::whole, .name = "member_5"});
   for (std::vector<StepPath>& paths : step.paths)
     for (StepPath& path : paths) path.members.push_back(count);
   const StepShape shape = shape_of(canonical(step));
   EXPECT_EQ(shape.constants.value().gravity_px_per_s2, 980.0);
   // As soon as one is read, the step is another.
-  step.comparisons.push_back({Relation::equal, count, count});
+  step.comparisons.push_back({count, count, Relation::equal});
   for (StepPath& path : step.paths[static_cast<std::size_t>(CoreFunction::update)])
-    path.outcomes.push_back({static_cast<std::int32_t>(step.comparisons.size() - 1), true});
+    path.outcomes.push_back({static_cast<StepIndex>(step.comparisons.size() - 1), true});
   EXPECT_EQ(shape_of(canonical(step)).difference, "member_5 == member_5");
 }
 

@@ -201,7 +201,7 @@ TEST(CoreCheck, ShowsWhatIsUnnoticedByAScenarioThatEvaluatesItBesideAnotherDiffe
 
 TEST(WatchedCore, TakesThePathsThatFurtherMembersDecide) {
   const TracedStep step = counting(0.5);
-  std::set<std::int32_t> paths;
+  std::set<std::uint32_t> paths;
   const auto note = [&](const StepInput& input, std::span<TracedBody> bodies) {
     bodies.front().update(input);
     paths.insert(bodies.front().path());
