@@ -6,7 +6,6 @@
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/failure.h"
 #include "tools/report/page_file.h"
-#include "tools/report/result_page.h"
 
 namespace hyrax {
 namespace {
@@ -16,16 +15,15 @@ bool write_results(const Core& core, const ReportRequest& request) {
   if (!request.against.empty())
     refuse_input("hyrax-sim report: --against: allowed for trajectories only (found " +
                  request.files.front() + ")");
-  Json::Array results;
+  std::vector<ShownResult> results;
   for (const std::string& path : request.files) {
     if (!holds_results(path))
       refuse_input(path + ": is not a file of a study or a sweep, as " + request.files.front() +
                    " is; a page shows either trajectories or these");
     results.push_back(result_of_file(core, path));
   }
-  const bool replays = std::any_of(results.begin(), results.end(), has_members);
-  write_result_page(request.output, request.command, std::move(results));
-  return replays;
+  write_result_page(request.output, request.command, results);
+  return !std::ranges::all_of(results, &Json::is_null, &ShownResult::members);
 }
 
 // The page says so, too: it is written all the same. That of another core replays nothing.

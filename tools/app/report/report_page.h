@@ -7,6 +7,7 @@
 #include "sim/core/core.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/json.h"
+#include "tools/report/result_page.h"
 
 namespace hyrax {
 
@@ -28,9 +29,9 @@ struct ReportRequest {
 /// Whether the file is a study's or a sweep's. ERRORS: Failure(cannot_access) if it cannot be read.
 [[nodiscard]] bool holds_results(const std::string& path);
 
-/// A study's or a sweep's file as the page of results reads it.
+/// A study's or a sweep's file as the page of results shows it.
 /// ERRORS: as read_study_file's and EnsembleReader's.
-[[nodiscard]] Json result_of_file(const Core& core, const std::string& path);
+[[nodiscard]] ShownResult result_of_file(const Core& core, const std::string& path);
 
 /// What the page of trajectories shows without JavaScript: of each run its name, verdict and path.
 [[nodiscard]] std::string still_html(const ReportRequest& request, const Json& data);
