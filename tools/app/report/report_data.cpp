@@ -127,23 +127,17 @@ Json constants_json(const Constants& constants) {
   return Json::Array(numbers.begin(), numbers.end());
 }
 
-Json worst_json(const std::optional<Worst>& worst) {
-  if (!worst) return nullptr;
-  return Json::Object{{"value", worst->value}, {"step", worst->step}};
-}
-
 Json errors_json(const DriftSummary& summary) {
-  return Json::Object{{"implementation_px", worst_json(summary.implementation_px)},
-                      {"truncation_px", worst_json(summary.truncation_px)},
-                      {"model_px", worst_json(summary.model_px)},
-                      {"energy_drift_rel", worst_json(summary.energy_drift_rel_max)},
-                      {"arcs", summary.arcs}};
+  const auto value = [](const std::optional<Worst>& worst) { return worst ? Json(worst->value) : Json(); };
+  return Json::Object{{"implementation_px", value(summary.implementation_px)},
+                      {"truncation_px", value(summary.truncation_px)},
+                      {"model_px", value(summary.model_px)},
+                      {"energy_drift_rel", value(summary.energy_drift_rel_max)}};
 }
 
-Json comparison_json(const TrajectoryDiff& difference, const std::string& against) {
+Json comparison_json(const TrajectoryDiff& difference) {
   const Comparison& comparison = difference.comparison;
-  return Json::Object{{"file", against},
-                      {"agrees", comparison.agrees},
+  return Json::Object{{"agrees", comparison.agrees},
                       {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
                       {"shape", comparison.shape},
                       {"first_divergence", divergence_json(comparison.first)},
@@ -233,8 +227,8 @@ Json report_data(const Core& core, const ReportRequest& request) {
     Json run = run_data(core, file);
     run.get<Json::Object>()->emplace_back("cause", request.cause);
     if (against)
-      run.get<Json::Object>()->emplace_back(
-          "golden", comparison_json(diff_trajectories(*against, file, {}, nullptr), request.against));
+      run.get<Json::Object>()->emplace_back("golden",
+                                            comparison_json(diff_trajectories(*against, file, {}, nullptr)));
     runs.push_back(std::move(run));
   }
   Json::Object data{
@@ -244,7 +238,8 @@ Json report_data(const Core& core, const ReportRequest& request) {
       {"core_fingerprint", is_paper_model(core.name) ? Json(hex(fingerprint_of(core))) : Json()},
       {"command", request.command},
       {"runs", std::move(runs)}};
-  if (against) data.emplace_back("against", run_data(core, *against));
+  if (against)
+    data.emplace_back("against", Json::Object{{"rows", rows_json(evidence_of(core, *against).rows)}});
   return data;
 }
 
