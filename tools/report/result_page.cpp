@@ -5,6 +5,7 @@
 #include "tools/files/build_info.h"
 #include "tools/report/figure_svg.h"
 #include "tools/report/page_file.h"
+#include "tools/report/svg.h"
 
 namespace hyrax {
 
@@ -29,7 +30,7 @@ namespace {
 std::string still_html(const std::vector<ShownResult>& results) {
   std::string html;
   const auto add = [&html](const std::string& tag, const std::string* text) {
-    if (text != nullptr && !text->empty()) html += "<" + tag + ">" + html_text(*text) + "</" + tag + ">\n";
+    if (text != nullptr && !text->empty()) html += "<" + tag + ">" + escaped(*text, true) + "</" + tag + ">\n";
   };
   for (const ShownResult& result : results) {
     add("h1", &result.title);
@@ -39,7 +40,7 @@ std::string still_html(const std::vector<ShownResult>& results) {
         for (const Json& line : *lines) add("pre", line.get<std::string>());
     add("p", &result.judgement);
     for (const Figure& figure : result.figures)
-      html += "<h2>" + html_text(figure.title) + "</h2>\n<p>" + html_text(figure.subtitle) + "</p>\n" +
+      html += "<h2>" + escaped(figure.title) + "</h2>\n<p>" + escaped(figure.subtitle) + "</p>\n" +
               figure_html(figure);
   }
   return html;

@@ -8,7 +8,7 @@
 
 namespace hyrax {
 
-std::string escaped(std::string_view text) {
+std::string escaped(std::string_view text, bool keeps_lines) {
   std::string result;
   for (const char letter : text) {
     if (letter == '<')
@@ -17,8 +17,10 @@ std::string escaped(std::string_view text) {
       result += "&amp;";
     else if (letter == '"')
       result += "&quot;";
+    else if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f)
+      result += keeps_lines && letter == '\n' ? '\n' : ' ';
     else
-      result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f ? ' ' : letter;
+      result += letter;
   }
   return result;
 }

@@ -69,8 +69,8 @@ class Svg {
   std::string body_;
 };
 
-/// A text as XML and HTML show it. Control characters become blanks.
-[[nodiscard]] std::string escaped(std::string_view text);
+/// A text as XML and HTML show it. Control characters become blanks, but for line ends that are kept.
+[[nodiscard]] std::string escaped(std::string_view text, bool keeps_lines = false);
 
 /// What is drawn, with its size.
 struct Sheet {
