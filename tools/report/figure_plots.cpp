@@ -282,7 +282,7 @@ class PlotDrawing {
   double left_;  // Of the place.
   double axis_left_;
   PlotScale x_, y_;
-  SvgBox box_;
+  Box box_;
   bool has_names_above_ = false;
   std::vector<std::string> x_label_, y_label_;  // Their lines.
 };

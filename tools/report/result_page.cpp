@@ -30,7 +30,8 @@ namespace {
 std::string still_html(const std::vector<ShownResult>& results) {
   std::string html;
   const auto add = [&html](const std::string& tag, const std::string* text) {
-    if (text != nullptr && !text->empty()) html += "<" + tag + ">" + escaped(*text, true) + "</" + tag + ">\n";
+    if (text != nullptr && !text->empty())
+      html += "<" + tag + ">" + escaped(*text, true) + "</" + tag + ">\n";
   };
   for (const ShownResult& result : results) {
     add("h1", &result.title);
