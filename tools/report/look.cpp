@@ -82,7 +82,7 @@ const std::string& speed_colour(double part) {
 
 std::string css_name_of(Tone tone) {
   const bool is_fill = tone == Tone::good || tone == Tone::notable || tone == Tone::bad;
-  std::string name = (is_fill ? "fill-" : "") + std::string(name_of(tone));
+  std::string name = (is_fill ? "fill-" : "") + std::string(kToneNames.at(static_cast<std::size_t>(tone)));
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
 }
