@@ -10,8 +10,6 @@
 namespace hyrax {
 
 Json result_json(const ShownResult& result) {
-  Json::Object origin;
-  for (const auto& [name, value] : result.origin) origin.emplace_back(name, value);
   Json::Object json = {
       {"title", result.title},
       {"subtitle", result.subtitle},
@@ -19,7 +17,7 @@ Json result_json(const ShownResult& result) {
       {"verdict", result.verdict},
       {"tables", list_of(result.tables, [](const Table& table) { return table_json(table); })},
       {"figures", list_of(result.figures, figure_json)},
-      {"origin", std::move(origin)}};
+      {"origin", result.origin}};
   if (!result.members.is_null()) json.emplace_back("sweep", result.members);
   return json;
 }

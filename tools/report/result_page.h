@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tools/report/figure_json.h"
@@ -17,8 +16,8 @@ struct ShownResult {
   Json verdict = verdict_json({});  ///< Nothing broken: the judgement is shown as good.
   std::vector<Table> tables = {};   ///< REQUIRES: no column of tables.
   std::vector<Figure> figures = {};
-  std::vector<std::pair<std::string, std::string>> origin = {};  ///< How it was made: names and values.
-  Json members = {};  ///< A sweep's, which the page replays; null: none.
+  Json::Object origin = {};  ///< How it was made: names and values.
+  Json members = {};         ///< A sweep's, which the page replays; null: none.
 };
 
 /// A result as the page reads it.

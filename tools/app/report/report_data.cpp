@@ -115,13 +115,6 @@ Json input_json(const Input& input) {
   return object;
 }
 
-Json provenance_json(const Provenance& provenance) {
-  Json::Object object;
-  for (std::size_t index = 0; index < provenance.size(); ++index)
-    if (provenance[index]) object.emplace_back(kProvenanceNames[index], *provenance[index]);
-  return object;
-}
-
 Json constants_json(const Constants& constants) {
   const ConstantNumbers numbers = numbers_of(constants);
   return Json::Array(numbers.begin(), numbers.end());
@@ -174,6 +167,8 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
   const FileHead& head = file.head();
   const ScenarioRun run = played(core, file);
   const Evidence evidence = evidence_of(core, file);
+  Json::Object provenance;
+  add_provenance(provenance, file.provenance());
   Json::Object data{{"file", file.path()},
                     {"name", head.scenario.name},
                     {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
@@ -192,7 +187,7 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
                     {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
                     {"non_finite", non_finite_text(head.scenario, run.summary.final)},
                     {"margin", run.drift ? margin_text(run.drift->margin) : ""},
-                    {"provenance", provenance_json(file.provenance())}};
+                    {"provenance", std::move(provenance)}};
   const std::string text = scenario_file_text(head.scenario);
   if (text.size() <= kScenarioTextMax) data.emplace_back("scenario_text", text);
   return data;
@@ -213,6 +208,11 @@ Json inputs_json(const std::vector<Input>& inputs) {
     if (list.size() < kInputsShownMax || std::holds_alternative<Resize>(input.action))
       list.push_back(input_json(input));
   return list;
+}
+
+void add_provenance(Json::Object& object, const Provenance& provenance) {
+  for (std::size_t index = 0; index < provenance.size(); ++index)
+    if (provenance[index]) object.emplace_back(kProvenanceNames[index], *provenance[index]);
 }
 
 Json report_data(const Core& core, const ReportRequest& request) {

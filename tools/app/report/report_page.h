@@ -8,6 +8,7 @@
 #include "sim/scenario/schedule.h"
 #include "tools/files/json.h"
 #include "tools/report/result_page.h"
+#include "tools/store/provenance.h"
 
 namespace hyrax {
 
@@ -41,6 +42,9 @@ struct ReportRequest {
 
 /// The inputs of a run: all resizes, which the drawing needs, and the first of the others.
 [[nodiscard]] Json inputs_json(const std::vector<Input>& inputs);
+
+/// What made a file, as members by name.
+void add_provenance(Json::Object& object, const Provenance& provenance);
 
 /// Writes the page of trajectories, or of studies and sweeps if the first file is one.
 /// ERRORS: as report_data's, result_of_file's and write_page_file's; Failure(bad_input) if files of both

@@ -21,13 +21,6 @@
 namespace hyrax {
 namespace {
 
-using Origin = std::vector<std::pair<std::string, std::string>>;
-
-void add_provenance(Origin& origin, const Provenance& provenance) {
-  for (std::size_t index = 0; index < provenance.size(); ++index)
-    if (provenance[index]) origin.emplace_back(kProvenanceNames[index], *provenance[index]);
-}
-
 ShownResult study_result(const std::string& path) {
   StudyFile study = read_study_file(path);
   ShownResult result{.title = study.head.study, .subtitle = study.head.long_name, .origin = {{"file", path}}};

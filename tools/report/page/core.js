@@ -64,9 +64,7 @@ export class Core {
     return this.calls.load(this.#give(record));
   }
   /** Plays on, up to row `step`; returns the row reached. */
-  playTo(step) {
-    return this.calls.play_to(step);
-  }
+  playTo = step => this.calls.play_to(step);
   finish() {
     this.calls.finish();
     const [steps, every, firstDifference, compared, complete, nonFinite, atRestSince, implementation_px, truncation_px, model_px, energy_drift_rel, left, right, top, ground] =
@@ -105,12 +103,8 @@ export class Core {
     this.#giveStart(start);
     this.calls.live_start();
   }
-  liveGrab(x, y, ticks) {
-    this.calls.live_grab(x, y, ticks);
-  }
-  liveDrag(x, y, ticks) {
-    this.calls.live_drag(x, y, ticks);
-  }
+  liveGrab = (x, y, ticks) => this.calls.live_grab(x, y, ticks);
+  liveDrag = (x, y, ticks) => this.calls.live_drag(x, y, ticks);
   liveRelease(x, y, ticks) {
     this.calls.live_release(x, y, ticks);
     return this.#named('x', 'y', 'vx', 'vy');
