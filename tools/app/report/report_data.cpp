@@ -128,9 +128,10 @@ Json errors_json(const DriftSummary& summary) {
                       {"energy_drift_rel", value(summary.energy_drift_rel_max)}};
 }
 
-Json comparison_json(const TrajectoryDiff& difference) {
+Json comparison_json(const TrajectoryDiff& difference, const std::string& against) {
   const Comparison& comparison = difference.comparison;
-  return Json::Object{{"agrees", comparison.agrees},
+  return Json::Object{{"file", against},
+                      {"agrees", comparison.agrees},
                       {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
                       {"shape", comparison.shape},
                       {"first_divergence", divergence_json(comparison.first)},
@@ -227,8 +228,8 @@ Json report_data(const Core& core, const ReportRequest& request) {
     Json run = run_data(core, file);
     run.get<Json::Object>()->emplace_back("cause", request.cause);
     if (against)
-      run.get<Json::Object>()->emplace_back("golden",
-                                            comparison_json(diff_trajectories(*against, file, {}, nullptr)));
+      run.get<Json::Object>()->emplace_back(
+          "golden", comparison_json(diff_trajectories(*against, file, {}, nullptr), request.against));
     runs.push_back(std::move(run));
   }
   Json::Object data{
