@@ -107,32 +107,34 @@ void with_numbers(auto& column, const auto& take) {
   return table.columns.empty() ? 0 : length(table.columns.front());
 }
 
-/// What a column has of values that are given so.
-template <class Given, class Plain = std::remove_cvref_t<Given>>
-using ColumnValue = std::conditional_t<
-    std::is_integral_v<Plain> && !std::is_same_v<Plain, bool>, std::int64_t,
-    std::conditional_t<std::is_convertible_v<Plain, std::string_view>, std::string, Plain>>;
+/// A value as columns have it: of an integer a std::int64_t, of a missing number a NaN.
+template <class Value>
+[[nodiscard]] auto column_value(const Value& value) {
+  if constexpr (std::is_same_v<Value, std::optional<double>>)
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+  else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>)
+    return static_cast<std::int64_t>(value);
+  else if constexpr (std::is_convertible_v<Value, std::string_view>)
+    return std::string(value);
+  else
+    return value;
+}
 
 /// A column with a value of each record: `get` is a function of the record, or a pointer to its member.
 /// It gives a number, a bool, a text or a Table.
 template <class Records, class Get>
 [[nodiscard]] Column column_of(const std::string& name, const std::string& unit, const std::string& long_name,
                                const Records& records, const Get& get, int digits = 4) {
-  using Value = ColumnValue<decltype(std::invoke(get, *std::begin(records)))>;
-  std::vector<Value> values;
+  std::vector<decltype(column_value(std::invoke(get, *std::begin(records))))> values;
   values.reserve(std::size(records));
-  for (const auto& record : records) values.push_back(Value(std::invoke(get, record)));
+  for (const auto& record : records) values.push_back(column_value(std::invoke(get, record)));
   return {name, unit, long_name, std::move(values), digits};
 }
 
-/// A column of one row: a number, a bool, a text or a Table. A missing number is a NaN, or as in Column; an
-/// integer becomes a std::int64_t.
+/// A column of one row: a number, a bool, a text or a Table, as column_value has it.
 template <class Value>
 [[nodiscard]] Column column_of_one(const std::string& name, const std::string& unit, const Value& value) {
-  if constexpr (std::is_same_v<Value, std::optional<double>>)
-    return column_of_one(name, unit, value.value_or(std::numeric_limits<double>::quiet_NaN()));
-  else
-    return {.name = name, .unit = unit, .values = std::vector<ColumnValue<Value>>{ColumnValue<Value>(value)}};
+  return {.name = name, .unit = unit, .values = std::vector{column_value(value)}};
 }
 
 /// A column before there are records: how it is described, where a record has its value, and what else
@@ -169,30 +171,18 @@ struct ColumnOf {
 template <class Record, class Also>
 [[nodiscard]] Column column_of(const ColumnOf<Record, Also>& described,
                                std::type_identity_t<std::span<const Record>> records) {
-  const auto values = [&](const auto& get) -> decltype(Column::values) {
-    using Get = std::decay_t<decltype(get)>;
-    if constexpr (std::is_same_v<Get, typename ColumnOf<Record, Also>::Code>) {
+  const auto column = [&](const auto& get) -> Column {
+    if constexpr (std::is_same_v<std::decay_t<decltype(get)>, typename ColumnOf<Record, Also>::Code>) {
       Codes codes{.names = get.names};
       for (const Record& record : records) codes.codes.push_back(get.of(record));
-      return codes;
-    } else if constexpr (std::is_same_v<Get, std::optional<double> Record::*>) {
-      std::vector<double> numbers;
-      numbers.reserve(records.size());
-      for (const Record& record : records)
-        numbers.push_back((record.*get).value_or(std::numeric_limits<double>::quiet_NaN()));
-      return numbers;
+      return {described.name, described.unit, described.long_name, std::move(codes)};
     } else {
-      std::vector<std::decay_t<std::invoke_result_t<Get, const Record&>>> numbers;
-      numbers.reserve(records.size());
-      for (const Record& record : records) numbers.push_back(std::invoke(get, record));
-      return numbers;
+      return column_of(described.name, described.unit, described.long_name, records, get);
     }
   };
-  return {.name = described.name,
-          .unit = described.unit,
-          .long_name = described.long_name,
-          .values = std::visit(values, described.get),
-          .key = described.key};
+  Column made = std::visit(column, described.get);
+  made.key = described.key;
+  return made;
 }
 
 /// The records as columns: a table, or a chunk of one.

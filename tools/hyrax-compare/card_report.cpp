@@ -31,7 +31,7 @@ ShownResult shown_card(const Result& card, const BeforeAfter<std::string>& heade
   const std::string base = std::filesystem::path(headers.before).filename().string();
   return {.title = candidate == base ? base + ": candidate against base" : candidate + " against " + base,
           .subtitle = lines_of(card).long_name,
-          .verdict = {.text = {card.verdict.brief, lines_of(card)}},
+          .verdict = verdict_json({.text = {card.verdict.brief, lines_of(card)}}),
           .tables = card.tables,
           .figures = card.figures,
           .origin = {{"candidate", headers.after}, {"base", headers.before}}};

@@ -131,8 +131,7 @@ ExitCode print_card(const Arguments& arguments, const std::string& command) {
   print_text(in_process([&](PlayWatch& watch) {
     const ComparedCores cores{load_core(base, 0, watch), load_core(candidate, 1, watch)};
     const Result card = card_result(measure_card(cores, request));
-    if (!arguments.report.empty())
-      write_result_page(arguments.report, command, {result_json(shown_card(card, headers))});
+    if (!arguments.report.empty()) write_result_page(arguments.report, command, {shown_card(card, headers)});
     return (arguments.is_json ? card_json : card_text)(card, headers);
   }));
   return ExitCode::agreed;

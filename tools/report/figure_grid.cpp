@@ -90,7 +90,7 @@ double draw_body(Svg& svg, const Grid& grid, double width, double start) {
   for (const Cell& cell : grid.cells) {
     if (cell.tone == Tone::none && cell.text.empty()) continue;
     const double x = x_of(cell.column) + 1, y = y_of(cell.row) + 1, room = places.column - 2;
-    const SvgBox box{x + cell.left * room, y, x + cell.right * room, y + kRow - 2};
+    const Box box{x + cell.left * room, y, x + cell.right * room, y + kRow - 2};
     svg.box(box, colour_of(cell.tone));
     if (text_width(cell.text, kGridText) <= box.width() + 1)  // Else in the figure's data only.
       svg.text(box.centre(), cell.text, {.size = kGridText, .tone = Tone::ink, .side = Side::middle});
@@ -124,7 +124,7 @@ double draw_body(Svg& svg, const Listing& listing, double /*width*/, double top)
                   .tone = index == 0 ? Tone::quiet : Tone::ink,
                   .side = side});
       } else {
-        const SvgBox box{left, y - kFill, left + column.width_px - kSpace, y + kFill};
+        const Box box{left, y - kFill, left + column.width_px - kSpace, y + kFill};
         svg.box(box, colour_of(field.fill), 3.0);
         svg.text(box.centre(), text, {.size = kGridText, .tone = Tone::ink, .side = Side::middle});
       }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <concepts>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -123,14 +123,16 @@ constexpr auto names_of(const Marker*) { return std::to_array<std::string_view>(
 template <class Value>
 constexpr const Value* kA = nullptr;
 
-Json number(double value) { return std::isnan(value) ? Json() : Json(value); }
-
 template <class Value>
 Json json_of(const Value& value) {
   if constexpr (std::is_same_v<Value, double>) {
-    return number(value);
-  } else if constexpr (std::is_same_v<Value, std::size_t>) {
+    return std::isnan(value) ? Json() : Json(value);
+  } else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>) {
+    constexpr std::int64_t kExactMax = std::int64_t{1} << 53;
+    if (std::cmp_greater(value, kExactMax) || std::cmp_less(value, -kExactMax)) return std::to_string(value);
     return static_cast<std::int64_t>(value);
+  } else if constexpr (std::is_same_v<Value, std::optional<std::int64_t>>) {
+    return value ? json_of(*value) : Json();
   } else if constexpr (std::is_enum_v<Value>) {
     return names_of(kA<Value>).at(static_cast<std::size_t>(value));
   } else if constexpr (std::is_same_v<Value, decltype(Figure::body)>) {
@@ -220,28 +222,16 @@ void read(const Json& json, const std::string& place, Value& value) {
   }
 }
 
-Json value_json(double value) { return number(value); }
-Json value_json(std::string_view value) { return value; }
-Json value_json(bool value) { return value; }
-Json value_json(std::integral auto value) {
-  constexpr std::int64_t kExactMax = std::int64_t{1} << 53;
-  return std::cmp_greater(value, kExactMax) || std::cmp_less(value, -kExactMax) ? Json(std::to_string(value))
-                                                                                : Json(value);
-}
-Json value_json(const std::optional<std::int64_t>& value) { return value ? value_json(*value) : Json(); }
-Json value_json(const Table&) {
-  assert(false);
-  return {};
-}
-
 Json column_json(const Column& column, std::size_t rows_max) {
   assert(column.width == 1);
   Json::Array values;
   std::visit(
       [&](const auto& all) {
         using Value = typename std::decay_t<decltype(all)>::value_type;
-        for (std::size_t row = 0; row < std::min(rows_max, all.size()); ++row)
-          values.push_back(value_json(static_cast<const Value&>(all[row])));
+        assert((!std::is_same_v<Value, Table>));
+        if constexpr (!std::is_same_v<Value, Table>)
+          for (std::size_t row = 0; row < std::min(rows_max, all.size()); ++row)
+            values.push_back(json_of(static_cast<const Value&>(all[row])));
       },
       column.values);
   return Json::Object{{"name", column.name},

@@ -113,6 +113,12 @@ class PlotDrawing {
   [[nodiscard]] double text_end() const { return box_.right + kRight - 4; }
 
   [[nodiscard]] SvgPoint at(double x, double y) const { return {x_.at(x), y_.at(y)}; }
+  [[nodiscard]] std::vector<SvgPoint> points_of(const Series& series) const {
+    std::vector<SvgPoint> points;
+    for (std::size_t row = 0; row < series.x.size(); ++row)
+      points.push_back(at(series.x[row], series.y[row]));
+    return points;
+  }
 
   [[nodiscard]] double height_of(double width, double height) const {
     if (!plot_.y.categories.empty())
@@ -179,9 +185,7 @@ class PlotDrawing {
     svg_.begin(series.name);
     const std::string& colour = colour_of(series.look.tone);
     const Look& look = series.look;
-    std::vector<SvgPoint> points;
-    for (std::size_t row = 0; row < series.x.size(); ++row)
-      points.push_back(at(series.x[row], series.y[row]));
+    std::vector<SvgPoint> points = points_of(series);
     for (std::size_t row = 0; row < series.x_low.size(); ++row)
       svg_.line({at(series.x_low[row], series.y[row]), at(series.x_high[row], series.y[row])},
                 {colour, 1.25});
@@ -244,9 +248,7 @@ class PlotDrawing {
   }
 
   void avoid_series(LabelPlacer& placer, const Series& series) const {
-    std::vector<SvgPoint> points;
-    for (std::size_t row = 0; row < series.x.size(); ++row)
-      points.push_back(at(series.x[row], series.y[row]));
+    const std::vector<SvgPoint> points = points_of(series);
     if (series.look.form == Form::line || series.look.form == Form::line_and_points)
       placer.avoid_line(points);
     for (std::size_t row = 0; row < points.size() && series.look.form != Form::band; ++row) {
@@ -282,7 +284,7 @@ class PlotDrawing {
   double left_;  // Of the place.
   double axis_left_;
   PlotScale x_, y_;
-  SvgBox box_;
+  Box box_;
   bool has_names_above_ = false;
   std::vector<std::string> x_label_, y_label_;  // Their lines.
 };

@@ -22,7 +22,7 @@ void draw_sign(Svg& svg, const Look& look, double x, double y) {
   const std::string& colour = colour_of(look.tone);
   const SvgPoint middle{x + kLegendSign / 2, y};
   if (look.form == Form::band || look.form == Form::bars) {
-    const SvgBox box{x + 2, y - 6, x + kLegendSign - 2, y + 6};
+    const Box box{x + 2, y - 6, x + kLegendSign - 2, y + 6};
     svg.box(box, colour, 2.0, opacity_of(look));
     svg.outline(box, {colour_of(Tone::hairline), 1.0}, 2.0);
     return;

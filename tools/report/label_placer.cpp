@@ -40,7 +40,7 @@ void LabelPlacer::avoid_line(const std::vector<SvgPoint>& points) {
   for (std::size_t index = 1; index < points.size(); ++index) avoid(points[index - 1], points[index]);
 }
 
-void LabelPlacer::avoid_outline(const SvgBox& box) {
+void LabelPlacer::avoid_outline(const Box& box) {
   avoid_line({{box.left, box.top},
               {box.right, box.top},
               {box.right, box.bottom},
@@ -48,7 +48,7 @@ void LabelPlacer::avoid_outline(const SvgBox& box) {
               {box.left, box.top}});
 }
 
-SvgBox LabelPlacer::area(std::string_view text, SvgPoint centre) {
+Box LabelPlacer::area(std::string_view text, SvgPoint centre) {
   constexpr double kHalfHeight = 7.5;
   const double half = width(text) / 2;
   return {centre.x - half, centre.y - kHalfHeight, centre.x + half, centre.y + kHalfHeight};
@@ -63,17 +63,17 @@ double LabelPlacer::covered_by(SvgPoint from, SvgPoint to) const {
   }));
 }
 
-SvgPoint LabelPlacer::moved_inside(const SvgBox& label) const {
+SvgPoint LabelPlacer::moved_inside(const Box& label) const {
   const auto [x, y] = label.centre();
   const double dx = std::max(inside_.left - label.left, 0.0) - std::max(label.right - inside_.right, 0.0);
   const double dy = std::max(inside_.top - label.top, 0.0) - std::max(label.bottom - inside_.bottom, 0.0);
   return {x + dx, y + dy};
 }
 
-double LabelPlacer::cost(const SvgBox& label) const {
+double LabelPlacer::cost(const Box& label) const {
   constexpr double kOther = 1e4;  // More than any path.
   double cost = 0.0;
-  for (const SvgBox& other : labels_)
+  for (const Box& other : labels_)
     if (label.left < other.right && other.left < label.right && label.top < other.bottom &&
         other.top < label.bottom)
       cost += kOther;
@@ -102,7 +102,7 @@ SvgPoint LabelPlacer::place(std::string_view text, const std::vector<SvgPoint>& 
 void LabelPlacer::draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone tone) {
   constexpr double kBeside = 10.0;
   const SvgPoint centre = place(text, centres_around(at, text));
-  const SvgBox label = area(text, centre);
+  const Box label = area(text, centre);
   const SvgPoint edge{std::clamp(at.x, label.left, label.right), std::clamp(at.y, label.top, label.bottom)};
   avoid(at, edge);
   if (std::hypot(edge.x - at.x, edge.y - at.y) > kBeside)

@@ -13,12 +13,12 @@ class LabelPlacer {
   static constexpr double kSize = 12.0;  ///< Of the labels' letters, in px.
 
   /// @param inside where all labels are.
-  explicit LabelPlacer(const SvgBox& inside) : inside_(inside) {}
+  explicit LabelPlacer(const Box& inside) : inside_(inside) {}
 
   /// What lies between the two points should not be covered.
   void avoid(SvgPoint from, SvgPoint to);
   void avoid_line(const std::vector<SvgPoint>& points);
-  void avoid_outline(const SvgBox& box);
+  void avoid_outline(const Box& box);
   /// How much of it a line of some width would cover, between the two points.
   [[nodiscard]] double covered_by(SvgPoint from, SvgPoint to) const;
   /// The centre of a label: the best of `centres`, moved inside if need be: off other labels, and then over
@@ -33,13 +33,13 @@ class LabelPlacer {
   }
 
  private:
-  static SvgBox area(std::string_view text, SvgPoint centre);
-  [[nodiscard]] SvgPoint moved_inside(const SvgBox& label) const;
-  [[nodiscard]] double cost(const SvgBox& label) const;
+  static Box area(std::string_view text, SvgPoint centre);
+  [[nodiscard]] SvgPoint moved_inside(const Box& label) const;
+  [[nodiscard]] double cost(const Box& label) const;
 
-  SvgBox inside_;
+  Box inside_;
   std::vector<SvgPoint> avoided_;
-  std::vector<SvgBox> labels_;
+  std::vector<Box> labels_;
 };
 
 }  // namespace hyrax

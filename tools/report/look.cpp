@@ -34,24 +34,18 @@ const Values& light() {
 }
 
 std::string speed_colour(int step, double from, double to) {
-  constexpr std::array<std::array<int, 3>, 10> kViridis = {{{0x44, 0x01, 0x54},
-                                                            {0x48, 0x28, 0x78},
-                                                            {0x3e, 0x49, 0x89},
-                                                            {0x31, 0x68, 0x8e},
-                                                            {0x26, 0x82, 0x8e},
-                                                            {0x1f, 0x9e, 0x89},
-                                                            {0x35, 0xb7, 0x79},
-                                                            {0x6e, 0xce, 0x58},
-                                                            {0xb5, 0xde, 0x2b},
-                                                            {0xfd, 0xe7, 0x25}}};
+  constexpr std::array kViridis = {0x440154, 0x482878, 0x3e4989, 0x31688e, 0x26828e,
+                                   0x1f9e89, 0x35b779, 0x6ece58, 0xb5de2b, 0xfde725};
   const double place = from + (to - from) * step / (kSpeedColours - 1);
   const auto before = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
   std::string colour = "#";
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    colour += fmt::format(
-        "{:02x}",
-        static_cast<int>(std::lround(std::lerp(kViridis[before][channel], kViridis[before + 1][channel],
-                                               place - static_cast<double>(before)))));
+  for (const int shift : {16, 8, 0}) {
+    const auto channel = [&](std::size_t stop) {
+      return static_cast<double>(kViridis[stop] >> shift & 0xff);
+    };
+    colour += fmt::format("{:02x}", std::lround(std::lerp(channel(before), channel(before + 1),
+                                                          place - static_cast<double>(before))));
+  }
   return colour;
 }
 
@@ -82,7 +76,7 @@ const std::string& speed_colour(double part) {
 
 std::string css_name_of(Tone tone) {
   const bool is_fill = tone == Tone::good || tone == Tone::notable || tone == Tone::bad;
-  std::string name = (is_fill ? "fill-" : "") + std::string(name_of(tone));
+  std::string name = (is_fill ? "fill-" : "") + std::string(kToneNames.at(static_cast<std::size_t>(tone)));
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
 }

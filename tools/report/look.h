@@ -31,9 +31,6 @@ namespace hyrax {
 inline constexpr std::array<std::string_view, 16> kToneNames = {
     "ink",    "quiet",    "faint",    "hairline", "vermilion", "orange", "blue",  "green",
     "purple", "sky_blue", "lavender", "good",     "notable",   "bad",    "shade", "none"};
-[[nodiscard]] constexpr std::string_view name_of(Tone tone) {
-  return kToneNames.at(static_cast<std::size_t>(tone));
-}
 
 /// The width of UTF-8 text of that size in px, in Arial's letters or in a wider font that takes its place.
 [[nodiscard]] double text_width(std::string_view text, double size_px);

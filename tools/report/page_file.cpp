@@ -32,19 +32,6 @@ void require_page() {
                   "FILE.html, or cmake with -DHYRAX_PAGE=ON");
 }
 
-std::string html_text(std::string_view text) {
-  std::string html;
-  for (const char c : text) {
-    if (c == '<')
-      html += "&lt;";
-    else if (c == '&')
-      html += "&amp;";
-    else
-      html += c;
-  }
-  return html;
-}
-
 void write_page_file(const std::string& path, PageKind kind, const Json& data, const std::string& still) {
   require_page();
   std::string page(page_template(kind));

@@ -2,13 +2,9 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "sim/result/figure.h"
-#include "sim/result/result.h"
-#include "sim/result/table.h"
-#include "tools/files/json.h"
+#include "tools/report/figure_json.h"
 
 namespace hyrax {
 
@@ -17,23 +13,21 @@ struct ShownResult {
   std::string title = {};
   std::string subtitle = {};   ///< What it is, in a sentence.
   std::string judgement = {};  ///< In a few words, as "no rule is broken"; empty: what is broken is counted.
-  Verdict verdict = {};        ///< Nothing broken: the judgement is shown as good.
-  std::vector<Table> tables = {};  ///< REQUIRES: no column of tables.
+  Json verdict = verdict_json({});  ///< Nothing broken: the judgement is shown as good.
+  std::vector<Table> tables = {};   ///< REQUIRES: no column of tables.
   std::vector<Figure> figures = {};
-  std::vector<std::pair<std::string, std::string>> origin = {};  ///< How it was made: names and values.
+  Json::Object origin = {};  ///< How it was made: names and values.
+  Json members = {};         ///< A sweep's, which the page replays; null: none.
 };
 
 /// A result as the page reads it.
 [[nodiscard]] Json result_json(const ShownResult& result);
 
-/// Whether a result is a sweep's with members that the page replays.
-[[nodiscard]] bool has_members(const Json& result);
-
-/// Writes one HTML file with these results, each as of result_json. Without JavaScript it shows their titles,
-/// verdicts and figures. It needs no network and no other file;
-/// every text in it stays text.
+/// Writes one HTML file with these results. Without JavaScript it shows their titles, verdicts and figures.
+/// It needs no network and no other file; every text in it stays text.
 /// @param command what made the page.
 /// ERRORS: Failure(cannot_access) if this program was built without the page, or `path` cannot be written.
-void write_result_page(const std::string& path, const std::string& command, Json::Array results);
+void write_result_page(const std::string& path, const std::string& command,
+                       const std::vector<ShownResult>& results);
 
 }  // namespace hyrax

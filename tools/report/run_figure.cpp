@@ -28,11 +28,11 @@ std::string rate(const Clock& clock) {
 std::string sides(const Size& size) { return fmt::format("{} × {} px", size.width_px, size.height_px); }
 
 bool is_outside(const std::optional<Box>& sprite, const Box& view) {
-  return sprite && !view.holds(sprite->left_px, sprite->top_px);
+  return sprite && !view.holds(sprite->left, sprite->top);
 }
 
 std::string place(const Box& sprite) {
-  return fmt::format("x {}, y {} px", rounded(sprite.left_px, 7), rounded(sprite.top_px, 7));
+  return fmt::format("x {}, y {} px", rounded(sprite.left, 7), rounded(sprite.top, 7));
 }
 
 // "600 steps · 10 s · 60 Hz · window 1920 × 1080 px · sprite 128 × 128 px".
@@ -83,10 +83,10 @@ class RunDrawing {
     const Box& view = scene_.view;
     const double room = width - left - kRight;
     const double height_max = height > 0.0 ? height - top - below : kPlotHeightMax;
-    scale_ = std::min(room / view.width_px(), height_max / view.height_px());
-    const double shown = std::max(view.height_px() * scale_, height > 0.0 ? height_max : kPlotHeightMin);
+    scale_ = std::min(room / view.width(), height_max / view.height());
+    const double shown = std::max(view.height() * scale_, height > 0.0 ? height_max : kPlotHeightMin);
     room_ = {left, top, left + room, top + shown};
-    plot_ = {left, room_.bottom - view.height_px() * scale_, left + view.width_px() * scale_, room_.bottom};
+    plot_ = {left, room_.bottom - view.height() * scale_, left + view.width() * scale_, room_.bottom};
     Sheet sheet{width, height > 0.0 ? height : room_.bottom + below, std::move(head)};
     draw(sheet.svg);
     draw_legend(sheet.svg, legend(), width, room_.bottom + kBelow);
@@ -95,14 +95,13 @@ class RunDrawing {
 
  private:
   [[nodiscard]] SvgPoint at(double x_px, double y_px) const {
-    return {plot_.left + (x_px - scene_.view.left_px) * scale_,
-            plot_.top + (y_px - scene_.view.top_px) * scale_};
+    return {plot_.left + (x_px - scene_.view.left) * scale_, plot_.top + (y_px - scene_.view.top) * scale_};
   }
-  [[nodiscard]] SvgBox at(const Box& box) const {
-    const SvgPoint low = at(box.left_px, box.top_px), high = at(box.right_px, box.bottom_px);
+  [[nodiscard]] Box at(const Box& box) const {
+    const SvgPoint low = at(box.left, box.top), high = at(box.right, box.bottom);
     return {low.x, low.y, high.x, high.y};
   }
-  [[nodiscard]] SvgBox at(const Size& window) const {
+  [[nodiscard]] Box at(const Size& window) const {
     return at(Box{0.0, 0.0, static_cast<double>(window.width_px), static_cast<double>(window.height_px)});
   }
 
@@ -136,14 +135,14 @@ class RunDrawing {
       for (const Tick& tick : ticks.ticks()) draw_one(tick);
     };
     double end = -HUGE_VAL;
-    draw_ticks(scene_.view.left_px, std::min(right_px, scene_.view.right_px), 75.0, [&](const Tick& tick) {
+    draw_ticks(scene_.view.left, std::min(right_px, scene_.view.right), 75.0, [&](const Tick& tick) {
       const double x = at(tick.at, 0.0).x, half = text_width(tick.text, kTick) / 2;
       if (x - half < end + 6) return;
       end = x + half;
       svg.line({{x, plot_.bottom + 3}, {x, plot_.bottom + 7}}, {colour_of(Tone::faint), 1.0});
       svg.text({x, plot_.bottom + 16}, tick.text, {.size = kTick, .side = Side::middle});
     });
-    draw_ticks(scene_.view.top_px, std::min(bottom_px, scene_.view.bottom_px), 45.0, [&](const Tick& tick) {
+    draw_ticks(scene_.view.top, std::min(bottom_px, scene_.view.bottom), 45.0, [&](const Tick& tick) {
       const double y = at(0.0, tick.at).y;
       svg.line({{plot_.left - 7, y}, {plot_.left - 3, y}}, {colour_of(Tone::faint), 1.0});
       svg.text({plot_.left - 11, y}, tick.text, {.size = kTick, .side = Side::right});
@@ -162,7 +161,7 @@ class RunDrawing {
   }
 
   // Round corners, so that an outline is not taken for a window.
-  [[nodiscard]] static double corner_of(const SvgBox& box) {
+  [[nodiscard]] static double corner_of(const Box& box) {
     return std::min({0.18 * box.width(), 0.18 * box.height(), 12.0});
   }
 
@@ -214,8 +213,7 @@ class RunDrawing {
     for (const PathPoint& bead : is_narrow_ ? std::vector<PathPoint>() : scene_.path.beads)
       svg.sign(at(bead.x_px, bead.y_px), Marker::dot, 0.75, speed_colour(part_of(bead.speed_px_per_s)));
     if (scene_.not_finite)
-      svg.cross(at(scene_.not_finite->x_px, scene_.not_finite->y_px), kArm,
-                {colour_of(Tone::vermilion), 3.0});
+      svg.cross(at(scene_.not_finite->x, scene_.not_finite->y), kArm, {colour_of(Tone::vermilion), 3.0});
     svg.end();
   }
 
@@ -238,11 +236,11 @@ class RunDrawing {
     for (std::size_t i = 0; i < scene_.bounces.size(); ++i) {
       const Bounce& bounce = scene_.bounces[i];
       const auto has_place_of = [&](const Bounce& other) {
-        return other.wall != bounce.wall && other.sprite.left_px == bounce.sprite.left_px &&
-               other.sprite.top_px == bounce.sprite.top_px;
+        return other.wall != bounce.wall && other.sprite.left == bounce.sprite.left &&
+               other.sprite.top == bounce.sprite.top;
       };
       const bool is_corner = std::any_of(scene_.bounces.begin(), scene_.bounces.end(), has_place_of);
-      const SvgBox box = at(bounce.sprite);
+      const Box box = at(bounce.sprite);
       const bool is_level = bounce.wall == Wall::top || bounce.wall == Wall::ground;
       const double toward = bounce.wall == Wall::left || bounce.wall == Wall::top ? -1.0 : 1.0;
       const double x = toward < 0 ? box.left : box.right, y = toward < 0 ? box.top : box.bottom;
@@ -271,7 +269,7 @@ class RunDrawing {
     constexpr double kBarWidth = 10.0, kSteps = 24.0;
     const RunPath& path = scene_.path;
     if (!(path.speed_px_per_s_max > 0.0)) return;
-    const SvgBox bar{room_.right + 14, room_.top + 24, room_.right + 14 + kBarWidth, room_.bottom};
+    const Box bar{room_.right + 14, room_.top + 24, room_.right + 14 + kBarWidth, room_.bottom};
     for (double step = 0.0; step < kSteps; step += 1.0)
       svg.box({bar.left, bar.bottom - (step + 1) / kSteps * bar.height(), bar.right,
                bar.bottom - step / kSteps * bar.height() + 0.5},
@@ -289,7 +287,7 @@ class RunDrawing {
   void avoid_all(LabelPlacer& placer) const {
     for (const Stroke& stroke : scene_.path.strokes) placer.avoid_line(line_of(stroke));
     if (scene_.not_finite) {
-      const auto [x, y] = at(scene_.not_finite->x_px, scene_.not_finite->y_px);
+      const auto [x, y] = at(scene_.not_finite->x, scene_.not_finite->y);
       for (const double side : {-kArm, kArm}) placer.avoid({x - kArm, y - side}, {x + kArm, y + side});
     }
     for (const std::optional<Box>& sprite : {scene_.start, scene_.end})
@@ -332,7 +330,7 @@ class RunDrawing {
                     std::string_view label) const {
     constexpr double kLine = 9.0;
     if (!sprite || is_outside(sprite, scene_.view)) return;
-    const SvgBox box = at(*sprite);
+    const Box box = at(*sprite);
     const auto [x, y] = box.centre();
     const double half = LabelPlacer::width(label) / 2 + 2;
     std::vector<SvgPoint> centres;
@@ -352,7 +350,7 @@ class RunDrawing {
       draw_caption(svg, placer, scene_.end, "end");
     }
     if (scene_.not_finite)
-      placer.draw_beside(svg, at(scene_.not_finite->x_px, scene_.not_finite->y_px), "not finite", Tone::ink);
+      placer.draw_beside(svg, at(scene_.not_finite->x, scene_.not_finite->y), "not finite", Tone::ink);
     for (const TimedInput& input : scene_.inputs) {
       const SvgPoint place = at(input.x_px, input.y_px);
       svg.sign(place, Marker::ring, 1.0, colour_of(Tone::ink));
@@ -396,8 +394,8 @@ class RunDrawing {
   const RunScene& scene_;
   bool is_narrow_ = false;
   double scale_ = 0.0;  // px of the SVG for one px of the window, in x and in y.
-  SvgBox room_;         // For the plot and its labels.
-  SvgBox plot_;         // What shows the view.
+  Box room_;            // For the plot and its labels.
+  Box plot_;            // What shows the view.
 };
 
 }  // namespace

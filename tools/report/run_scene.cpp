@@ -17,15 +17,15 @@ Box sprite_box(double x_px, double y_px, const Size& sprite) {
 }
 
 Box around(const Box& a, const Box& b) {
-  return {std::min(a.left_px, b.left_px), std::min(a.top_px, b.top_px), std::max(a.right_px, b.right_px),
-          std::max(a.bottom_px, b.bottom_px)};
+  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+          std::max(a.bottom, b.bottom)};
 }
 
 Box grown(const Box& box, double by_px) {
-  return {box.left_px - by_px, box.top_px - by_px, box.right_px + by_px, box.bottom_px + by_px};
+  return {box.left - by_px, box.top - by_px, box.right + by_px, box.bottom + by_px};
 }
 
-double longer_side_px(const Box& box) { return std::max(box.width_px(), box.height_px()); }
+double longer_side_px(const Box& box) { return std::max(box.width(), box.height()); }
 
 std::vector<Size> windows_of(const SizesInForce& sizes) {
   std::vector<Size> windows;
@@ -46,16 +46,16 @@ std::vector<Size> shown(const std::vector<Size>& windows) {
 // Of a view that is much longer than wide only what is visited along its longer side, and some space.
 Box cropped(const Box& view, const Box& visited) {
   constexpr double kOdd = 4.0;
-  const double shorter_px = std::min(view.width_px(), view.height_px());
-  if (longer_side_px(view) < kOdd * shorter_px || !(visited.left_px <= visited.right_px)) return view;
+  const double shorter_px = std::min(view.width(), view.height());
+  if (longer_side_px(view) < kOdd * shorter_px || !(visited.left <= visited.right)) return view;
   const Box part = grown(visited, 0.5 * shorter_px);
   Box kept = view;
-  if (view.width_px() > view.height_px()) {
-    kept.left_px = std::max(view.left_px, part.left_px);
-    kept.right_px = std::min(view.right_px, part.right_px);
+  if (view.width() > view.height()) {
+    kept.left = std::max(view.left, part.left);
+    kept.right = std::min(view.right, part.right);
   } else {
-    kept.top_px = std::max(view.top_px, part.top_px);
-    kept.bottom_px = std::min(view.bottom_px, part.bottom_px);
+    kept.top = std::max(view.top, part.top);
+    kept.bottom = std::min(view.bottom, part.bottom);
   }
   return kept;
 }
@@ -73,10 +73,10 @@ Box view_of(const std::vector<Size>& windows, const Columns& rows, const SizesIn
   Box view = room, visited = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Box outline = sprite_box(rows.x_px[i], rows.y_px[i], sizes.at(rows.step[i]).sprite);
-    if (near.holds(outline.left_px, outline.top_px) && near.holds(outline.right_px, outline.bottom_px))
+    if (near.holds(outline.left, outline.top) && near.holds(outline.right, outline.bottom))
       visited = around(visited, outline);
   }
-  view = around(view, visited.left_px <= visited.right_px ? visited : view);
+  view = around(view, visited.left <= visited.right ? visited : view);
   return grown(cropped(view, visited), 0.015 * std::max(longer_side_px(view), 1.0));
 }
 
@@ -87,37 +87,27 @@ std::optional<Row> row_at(const Columns& rows, std::int64_t step) {
   return rows.row(static_cast<std::size_t>(std::distance(rows.step.begin(), found)));
 }
 
-// The body that the events of a frame are applied to.
-struct Thrown {
-  void setPos(double x_px, double y_px) { position = Position{x_px, y_px}; }
-  void setVelocity(double vx_px_per_s, double vy_px_per_s) { velocity = Velocity{vx_px_per_s, vy_px_per_s}; }
-  void resetVelocity() { velocity.reset(); }
-
-  Size window;
-  Size sprite;
-  bool is_held = false;
-  std::optional<Position> position;
-  std::optional<Velocity> velocity;
-};
-
-Throw thrown_from(const Position& corner, const Size& sprite, const Velocity& velocity) {
-  return {corner.x_px + sprite.width_px / 2.0, corner.y_px + sprite.height_px / 2.0, velocity};
+Throw thrown_from(const State& state, const Size& sprite) {
+  return {state.x_px + sprite.width_px / 2.0, state.y_px + sprite.height_px / 2.0, velocity_of(state)};
 }
 
 // In order of time; those in rows that are not recorded are left out. `frames` are those of the events.
 std::vector<Throw> throws_of(const Scenario& scenario, const std::vector<std::int64_t>& frames,
                              const Columns& rows, const SizesInForce& sizes) {
-  std::vector<Throw> throws = {thrown_from(scenario.start, scenario.sprite, scenario.start_velocity)};
-  Thrown thrown;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    apply(scenario.events[i].action, thrown);
-    if (i + 1 < frames.size() && frames[i + 1] == frames[i]) continue;
-    const auto row = row_at(rows, frames[i]);
-    if (thrown.velocity && !thrown.is_held && row)
-      throws.push_back(thrown_from(thrown.position.value_or(Position{row->x_px, row->y_px}),
-                                   sizes.at(frames[i]).sprite, *thrown.velocity));
-    thrown.position.reset();
-    thrown.velocity.reset();
+  std::vector<Throw> throws = {thrown_from(start_state(scenario), scenario.sprite)};
+  World world;
+  for (std::size_t i = 0; i < frames.size();) {
+    const std::int64_t frame = frames[i];
+    const auto row = row_at(rows, frame);
+    if (row) world.state = state_of(*row);
+    bool is_thrown = false;
+    for (; i < frames.size() && frames[i] == frame; ++i) {
+      const Action& action = scenario.events[i].action;
+      apply(action, world);
+      is_thrown |= std::holds_alternative<Fling>(action) || std::holds_alternative<Release>(action);
+    }
+    if (is_thrown && !world.is_held && row)
+      throws.push_back(thrown_from(world.state, sizes.at(frame).sprite));
   }
   return throws;
 }
@@ -187,13 +177,13 @@ std::optional<Box> outline_at(const Columns& rows, std::size_t index, const Size
 }
 
 // Nothing where the run stays finite.
-std::optional<PathPoint> last_finite(const Columns& rows, const SizesInForce& sizes, const Box& view) {
+std::optional<SvgPoint> last_finite(const Columns& rows, const SizesInForce& sizes, const Box& view) {
   std::size_t index = rows.size() - 1;
   while (index > 0 && !outline_at(rows, index, sizes)) --index;
   const std::optional<Box> box = outline_at(rows, index, sizes);
   if (!box || index + 1 == rows.size()) return std::nullopt;
-  const PathPoint centre{(box->left_px + box->right_px) / 2, (box->top_px + box->bottom_px) / 2, 0.0};
-  return view.holds(centre.x_px, centre.y_px) ? std::optional(centre) : std::nullopt;
+  const SvgPoint centre = box->centre();
+  return view.holds(centre.x, centre.y) ? std::optional(centre) : std::nullopt;
 }
 
 }  // namespace
@@ -216,9 +206,9 @@ const SizesInForce::Change& SizesInForce::at(std::int64_t step) const {
 }
 
 bool nearly_cover(const Box& a, const Box& b, double tolerance) {
-  const double dx_px = std::max(std::fabs(a.left_px - b.left_px), std::fabs(a.right_px - b.right_px));
-  const double dy_px = std::max(std::fabs(a.top_px - b.top_px), std::fabs(a.bottom_px - b.bottom_px));
-  return dx_px < tolerance * a.width_px() && dy_px < tolerance * a.height_px();
+  const double dx_px = std::max(std::fabs(a.left - b.left), std::fabs(a.right - b.right));
+  const double dy_px = std::max(std::fabs(a.top - b.top), std::fabs(a.bottom - b.bottom));
+  return dx_px < tolerance * a.width() && dy_px < tolerance * a.height();
 }
 
 RunScene make_run_scene(const Scenario& scenario, const Columns& rows, const std::vector<Contact>& contacts,

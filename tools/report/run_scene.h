@@ -11,6 +11,7 @@
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/row.h"
+#include "tools/report/svg.h"
 
 namespace hyrax {
 
@@ -87,17 +88,6 @@ struct TimedInput {
   double y_px = 0.0;  ///< and half its height.
 };
 
-struct Box {
-  double left_px = 0.0, top_px = 0.0, right_px = 0.0, bottom_px = 0.0;
-
-  [[nodiscard]] double width_px() const { return right_px - left_px; }
-  [[nodiscard]] double height_px() const { return bottom_px - top_px; }
-  /// Whether the point is inside; false if it is not finite.
-  [[nodiscard]] bool holds(double x_px, double y_px) const {
-    return x_px >= left_px && x_px <= right_px && y_px >= top_px && y_px <= bottom_px;
-  }
-};
-
 /// Whether two outlines differ by less than `tolerance` times the sides of the first.
 [[nodiscard]] bool nearly_cover(const Box& a, const Box& b, double tolerance);
 
@@ -109,12 +99,12 @@ struct Bounce {
 struct RunScene {
   std::vector<Size> windows;  ///< Each once, in order; of many some, with the first and the last.
   std::optional<Box> start, end;
-  std::optional<PathPoint> not_finite;  ///< Centre before the row that is not finite, if that is in view.
-  std::vector<Bounce> bounces;          ///< The first kBouncesShownMax.
-  std::vector<Box> ghosts;              ///< Their outlines, without those that nearly cover one another.
-  WallCounts contacts{};                ///< How many there are, drawn or not.
-  std::vector<Throw> throws;            ///< The first kThrowsShownMax.
-  std::vector<TimedInput> inputs;       ///< The first kInputsLabelledMax.
+  std::optional<SvgPoint> not_finite;  ///< Centre before the row that is not finite, if that is in view.
+  std::vector<Bounce> bounces;         ///< The first kBouncesShownMax.
+  std::vector<Box> ghosts;             ///< Their outlines, without those that nearly cover one another.
+  WallCounts contacts{};               ///< How many there are, drawn or not.
+  std::vector<Throw> throws;           ///< The first kThrowsShownMax.
+  std::vector<TimedInput> inputs;      ///< The first kInputsLabelledMax.
   RunPath path;
   /// Contains the windows, and the sprite while it is near them; of a window that is much longer than wide,
   /// the part that the sprite visits.

@@ -8,7 +8,7 @@
 
 namespace hyrax {
 
-std::string escaped(std::string_view text) {
+std::string escaped(std::string_view text, bool keeps_lines) {
   std::string result;
   for (const char letter : text) {
     if (letter == '<')
@@ -17,8 +17,10 @@ std::string escaped(std::string_view text) {
       result += "&amp;";
     else if (letter == '"')
       result += "&quot;";
+    else if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f)
+      result += keeps_lines && letter == '\n' ? '\n' : ' ';
     else
-      result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f ? ' ' : letter;
+      result += letter;
   }
   return result;
 }
@@ -63,7 +65,7 @@ std::string stroke_of(const Pen& pen) {
                      dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dashes));
 }
 
-std::string place_of(const SvgBox& box) {
+std::string place_of(const Box& box) {
   return fmt::format("x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"", px(box.left), px(box.top),
                      px(std::max(0.0, box.width())), px(std::max(0.0, box.height())));
 }
@@ -83,12 +85,12 @@ void Svg::area(const std::vector<SvgPoint>& corners, std::string_view colour, do
       fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"{:g}\"/>\n", path_of(corners), colour, opacity);
 }
 
-void Svg::box(const SvgBox& box, std::string_view colour, double corner, double opacity) {
+void Svg::box(const Box& box, std::string_view colour, double corner, double opacity) {
   body_ += fmt::format("<rect {}{} fill=\"{}\"{}/>\n", place_of(box), rounded_by(corner), colour,
                        opacity < 1.0 ? fmt::format(" fill-opacity=\"{:g}\"", opacity) : std::string());
 }
 
-void Svg::outline(const SvgBox& box, const Pen& pen, double corner) {
+void Svg::outline(const Box& box, const Pen& pen, double corner) {
   body_ += fmt::format("<rect {}{} {}/>\n", place_of(box), rounded_by(corner), stroke_of(pen));
 }
 
@@ -147,7 +149,7 @@ void Svg::begin(std::string_view name) {
   body_ += fmt::format("<g data-series=\"{0}\"><title>{0}</title>\n", escaped(name));
 }
 
-void Svg::begin_clip(const SvgBox& box) {
+void Svg::begin_clip(const Box& box) {
   body_ += fmt::format("<svg {} viewBox=\"{} {} {} {}\">\n", place_of(box), px(box.left), px(box.top),
                        px(box.width()), px(box.height()));
 }

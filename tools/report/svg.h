@@ -15,12 +15,17 @@ struct SvgPoint {
   double y = 0.0;
 };
 
-struct SvgBox {
+/// In px of the picture, or of the window that it shows.
+struct Box {
   double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
 
   [[nodiscard]] double width() const { return right - left; }
   [[nodiscard]] double height() const { return bottom - top; }
   [[nodiscard]] SvgPoint centre() const { return {(left + right) / 2, (top + bottom) / 2}; }
+  /// Whether the point is inside; false if it is not finite.
+  [[nodiscard]] bool holds(double x, double y) const {
+    return x >= left && x <= right && y >= top && y <= bottom;
+  }
 };
 
 struct Pen {
@@ -45,8 +50,8 @@ class Svg {
   /// A point that is not finite interrupts the line.
   void line(const std::vector<SvgPoint>& points, const Pen& pen);
   void area(const std::vector<SvgPoint>& corners, std::string_view colour, double opacity = 1.0);
-  void box(const SvgBox& box, std::string_view colour, double corner = 0.0, double opacity = 1.0);
-  void outline(const SvgBox& box, const Pen& pen, double corner = 0.0);
+  void box(const Box& box, std::string_view colour, double corner = 0.0, double opacity = 1.0);
+  void outline(const Box& box, const Pen& pen, double corner = 0.0);
   /// @param tip what a viewer shows of it under the pointer; may be empty.
   void sign(SvgPoint at, Marker marker, double size, std::string_view colour, std::string_view tip = {});
   void cross(SvgPoint at, double arm, const Pen& pen);
@@ -60,7 +65,7 @@ class Svg {
   void begin(std::string_view name);
   void end() { body_ += "</g>\n"; }
   /// What follows is drawn inside the box only, until `end_clip`.
-  void begin_clip(const SvgBox& box);
+  void begin_clip(const Box& box);
   void end_clip() { body_ += "</svg>\n"; }
 
   [[nodiscard]] const std::string& body() const { return body_; }
@@ -69,8 +74,8 @@ class Svg {
   std::string body_;
 };
 
-/// A text as XML and HTML show it. Control characters become blanks.
-[[nodiscard]] std::string escaped(std::string_view text);
+/// A text as XML and HTML show it. Control characters become blanks, but for line ends that are kept.
+[[nodiscard]] std::string escaped(std::string_view text, bool keeps_lines = false);
 
 /// What is drawn, with its size.
 struct Sheet {

@@ -115,29 +115,17 @@ Json input_json(const Input& input) {
   return object;
 }
 
-Json provenance_json(const Provenance& provenance) {
-  Json::Object object;
-  for (std::size_t index = 0; index < provenance.size(); ++index)
-    if (provenance[index]) object.emplace_back(kProvenanceNames[index], *provenance[index]);
-  return object;
-}
-
 Json constants_json(const Constants& constants) {
   const ConstantNumbers numbers = numbers_of(constants);
   return Json::Array(numbers.begin(), numbers.end());
 }
 
-Json worst_json(const std::optional<Worst>& worst) {
-  if (!worst) return nullptr;
-  return Json::Object{{"value", worst->value}, {"step", worst->step}};
-}
-
 Json errors_json(const DriftSummary& summary) {
-  return Json::Object{{"implementation_px", worst_json(summary.implementation_px)},
-                      {"truncation_px", worst_json(summary.truncation_px)},
-                      {"model_px", worst_json(summary.model_px)},
-                      {"energy_drift_rel", worst_json(summary.energy_drift_rel_max)},
-                      {"arcs", summary.arcs}};
+  const auto value = [](const std::optional<Worst>& worst) { return worst ? Json(worst->value) : Json(); };
+  return Json::Object{{"implementation_px", value(summary.implementation_px)},
+                      {"truncation_px", value(summary.truncation_px)},
+                      {"model_px", value(summary.model_px)},
+                      {"energy_drift_rel", value(summary.energy_drift_rel_max)}};
 }
 
 Json comparison_json(const TrajectoryDiff& difference, const std::string& against) {
@@ -179,6 +167,8 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
   const FileHead& head = file.head();
   const ScenarioRun run = played(core, file);
   const Evidence evidence = evidence_of(core, file);
+  Json::Object provenance;
+  add_provenance(provenance, file.provenance());
   Json::Object data{{"file", file.path()},
                     {"name", head.scenario.name},
                     {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
@@ -197,7 +187,7 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
                     {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
                     {"non_finite", non_finite_text(head.scenario, run.summary.final)},
                     {"margin", run.drift ? margin_text(run.drift->margin) : ""},
-                    {"provenance", provenance_json(file.provenance())}};
+                    {"provenance", std::move(provenance)}};
   const std::string text = scenario_file_text(head.scenario);
   if (text.size() <= kScenarioTextMax) data.emplace_back("scenario_text", text);
   return data;
@@ -218,6 +208,11 @@ Json inputs_json(const std::vector<Input>& inputs) {
     if (list.size() < kInputsShownMax || std::holds_alternative<Resize>(input.action))
       list.push_back(input_json(input));
   return list;
+}
+
+void add_provenance(Json::Object& object, const Provenance& provenance) {
+  for (std::size_t index = 0; index < provenance.size(); ++index)
+    if (provenance[index]) object.emplace_back(kProvenanceNames[index], *provenance[index]);
 }
 
 Json report_data(const Core& core, const ReportRequest& request) {
@@ -243,7 +238,8 @@ Json report_data(const Core& core, const ReportRequest& request) {
       {"core_fingerprint", is_paper_model(core.name) ? Json(hex(fingerprint_of(core))) : Json()},
       {"command", request.command},
       {"runs", std::move(runs)}};
-  if (against) data.emplace_back("against", run_data(core, *against));
+  if (against)
+    data.emplace_back("against", Json::Object{{"rows", rows_json(evidence_of(core, *against).rows)}});
   return data;
 }
 

@@ -7,6 +7,8 @@
 #include "sim/core/core.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/json.h"
+#include "tools/report/result_page.h"
+#include "tools/store/provenance.h"
 
 namespace hyrax {
 
@@ -28,9 +30,9 @@ struct ReportRequest {
 /// Whether the file is a study's or a sweep's. ERRORS: Failure(cannot_access) if it cannot be read.
 [[nodiscard]] bool holds_results(const std::string& path);
 
-/// A study's or a sweep's file as the page of results reads it.
+/// A study's or a sweep's file as the page of results shows it.
 /// ERRORS: as read_study_file's and EnsembleReader's.
-[[nodiscard]] Json result_of_file(const Core& core, const std::string& path);
+[[nodiscard]] ShownResult result_of_file(const Core& core, const std::string& path);
 
 /// What the page of trajectories shows without JavaScript: of each run its name, verdict and path.
 [[nodiscard]] std::string still_html(const ReportRequest& request, const Json& data);
@@ -40,6 +42,9 @@ struct ReportRequest {
 
 /// The inputs of a run: all resizes, which the drawing needs, and the first of the others.
 [[nodiscard]] Json inputs_json(const std::vector<Input>& inputs);
+
+/// What made a file, as members by name.
+void add_provenance(Json::Object& object, const Provenance& provenance);
 
 /// Writes the page of trajectories, or of studies and sweeps if the first file is one.
 /// ERRORS: as report_data's, result_of_file's and write_page_file's; Failure(bad_input) if files of both

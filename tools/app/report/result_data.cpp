@@ -13,7 +13,6 @@
 #include "tools/app/report/report_page.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_writer.h"
-#include "tools/report/figure_json.h"
 #include "tools/report/result_page.h"
 #include "tools/report/wasm/scenario_record.h"
 #include "tools/store/ensemble_file.h"
@@ -22,45 +21,27 @@
 namespace hyrax {
 namespace {
 
-using Origin = std::vector<std::pair<std::string, std::string>>;
-
-void add_provenance(Origin& origin, const Provenance& provenance) {
-  for (std::size_t index = 0; index < provenance.size(); ++index)
-    if (provenance[index]) origin.emplace_back(kProvenanceNames[index], *provenance[index]);
-}
-
-void set_member(Json& object, std::string_view key, Json value) {
-  for (auto& [name, member] : *object.get<Json::Object>())
-    if (name == key) member = std::move(value);
-}
-
-Json study_result(const std::string& path) {
+ShownResult study_result(const std::string& path) {
   StudyFile study = read_study_file(path);
   ShownResult result{.title = study.head.study, .subtitle = study.head.long_name, .origin = {{"file", path}}};
   add_provenance(result.origin, study.provenance);
   const auto report = std::find_if(study.tables.begin(), study.tables.end(),
                                    [](const Table& table) { return table.name == kReportTable; });
-  std::vector<std::pair<std::string, Json>> parts;
   if (report != study.tables.end()) {
     for (const Column& column : report->columns) {
       const auto* const texts = std::get_if<std::vector<std::string>>(&column.values);
       const std::string place = path + ": " + report->name + "/" + column.name;
       if (texts == nullptr || texts->size() != 1) refuse_input(place + ": must be one text");
-      parts.emplace_back(column.name, parse_json(texts->front(), place));
-      if (column.name == "figures") result.figures = figures_of(parts.back().second, place);
+      Json part = parse_json(texts->front(), place);
+      if (column.name == "figures") result.figures = figures_of(part, place);
+      if (column.name == "verdict") result.verdict = std::move(part);
     }
+    const auto* const broken = result.verdict.get<Json::Array>("broken");
+    if (broken != nullptr && broken->empty()) result.judgement = "no rule of the study is broken";
     study.tables.erase(report);
   }
   result.tables = std::move(study.tables);
-  Json json = result_json(result);
-  for (const auto& [key, value] : parts) {
-    const auto* const broken = value.get<Json::Array>("broken");
-    if (key == "verdict" && broken != nullptr && broken->empty())
-      set_member(json, "judgement", "no rule of the study is broken");
-  }
-  for (auto& [key, value] : parts)
-    if (key != "figures") set_member(json, key, std::move(value));
-  return json;
+  return result;
 }
 
 // Every row is read, or of a very long file every K-th.
@@ -160,7 +141,7 @@ std::string constants_text(const std::vector<MemberNumbers>& numbers) {
 
 std::string count_text(std::int64_t count) { return with_decimals(static_cast<double>(count), 0); }
 
-Json sweep_result(const Core& core, const std::string& path) {
+ShownResult sweep_result(const Core& core, const std::string& path) {
   const EnsembleReader reader(path);
   const Sweep& sweep = reader.sweep();
   std::vector<MemberNumbers> numbers;
@@ -175,26 +156,23 @@ Json sweep_result(const Core& core, const std::string& path) {
       .tables = {member_table(numbers)},
       .figures = member_figures(numbers, reader.rows()),
       .origin = {{"file", path}, {"seed of the draws", std::to_string(sweep.seed)}}};
+  decltype(Verdict::text) text;
   if (reader.head().is_part)
-    result.verdict.text.emplace_back(fmt::format("Part {} of {} of the sweep: {} members.",
-                                                 reader.head().part.index, reader.head().part.count,
-                                                 count_text(reader.rows())));
+    text.emplace_back(fmt::format("Part {} of {} of the sweep: {} members.", reader.head().part.index,
+                                  reader.head().part.count, count_text(reader.rows())));
   if (const std::int64_t between = rows_between_read(reader); between > 1)
-    result.verdict.text.emplace_back(
-        fmt::format("All numbers are those of a sample: 1 of every {} of {} members.", between,
-                    count_text(reader.rows())));
+    text.emplace_back(fmt::format("All numbers are those of a sample: 1 of every {} of {} members.", between,
+                                  count_text(reader.rows())));
   for (const MemberNumbers& each : numbers)
     if (each.name() == "at_rest_since")
-      result.verdict.text.emplace_back(fmt::format("{} of {} members have settled by the end.",
-                                                   count_text(each.known()),
-                                                   count_text(each.known() + each.missing())));
+      text.emplace_back(fmt::format("{} of {} members have settled by the end.", count_text(each.known()),
+                                    count_text(each.known() + each.missing())));
   if (const std::string constants = constants_text(numbers); !constants.empty())
-    result.verdict.text.emplace_back("The same in all members: " + constants + ".");
+    text.emplace_back("The same in all members: " + constants + ".");
   result.origin.emplace_back("sweep", reader.head().sweep_text);
-  Json json = result_json(result);
-  if (is_paper_model(core.name))
-    json.get<Json::Object>()->emplace_back("sweep", members_json(core, reader, numbers));
-  return json;
+  result.verdict = verdict_json({.text = std::move(text)});
+  if (is_paper_model(core.name)) result.members = members_json(core, reader, numbers);
+  return result;
 }
 
 }  // namespace
@@ -204,7 +182,7 @@ bool holds_results(const std::string& path) {
   return format == kStudyFormat || format == kEnsembleFormat;
 }
 
-Json result_of_file(const Core& core, const std::string& path) {
+ShownResult result_of_file(const Core& core, const std::string& path) {
   return format_of_file(path) == kStudyFormat ? study_result(path) : sweep_result(core, path);
 }
 

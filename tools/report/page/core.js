@@ -30,6 +30,10 @@ export class Core {
   #output() {
     return new Float64Array(this.calls.memory.buffer, this.calls.output(), this.calls.output_count()).slice();
   }
+  #named(...names) {
+    const values = this.#output();
+    return Object.fromEntries(names.map((name, i) => [name, values[i]]));
+  }
   #text() {
     const text = new Uint8Array(this.calls.memory.buffer, this.calls.text(), this.calls.text_length());
     return String.fromCharCode(...text);
@@ -60,16 +64,13 @@ export class Core {
     return this.calls.load(this.#give(record));
   }
   /** Plays on, up to row `step`; returns the row reached. */
-  playTo(step) {
-    return this.calls.play_to(step);
-  }
+  playTo = step => this.calls.play_to(step);
   finish() {
     this.calls.finish();
-    const [steps, every, firstDifference, compared, complete, nonFinite, atRestSince, ...rest] = Array.from(this.#output(), value => (Number.isNaN(value) ? null : value));
-    const worst = value => value === null ? null : { value };
-    const [implementation, truncation, model, drift, left, right, top, ground] = rest;
+    const [steps, every, firstDifference, compared, complete, nonFinite, atRestSince, implementation_px, truncation_px, model_px, energy_drift_rel, left, right, top, ground] =
+      Array.from(this.#output(), value => (Number.isNaN(value) ? null : value));
     return { steps, every, compared, firstDifference, isComplete: complete === 1, nonFinite, stateHash: this.#text(), atRestSince, contacts: { left, right, top, ground },
-      errors: { implementation_px: worst(implementation), truncation_px: worst(truncation), model_px: worst(model), energy_drift_rel: worst(drift) } };
+      errors: { implementation_px, truncation_px, model_px, energy_drift_rel } };
   }
 
   #columns(call) {
@@ -102,27 +103,20 @@ export class Core {
     this.#giveStart(start);
     this.calls.live_start();
   }
-  liveGrab(x, y, ticks) {
-    this.calls.live_grab(x, y, ticks);
-  }
-  liveDrag(x, y, ticks) {
-    this.calls.live_drag(x, y, ticks);
-  }
+  liveGrab = (x, y, ticks) => this.calls.live_grab(x, y, ticks);
+  liveDrag = (x, y, ticks) => this.calls.live_drag(x, y, ticks);
   liveRelease(x, y, ticks) {
     this.calls.live_release(x, y, ticks);
-    const [atX, atY, vx, vy] = this.#output();
-    return { x: atX, y: atY, vx, vy };
+    return this.#named('x', 'y', 'vx', 'vy');
   }
   /** What it would fly with if it were let go now. */
   liveVelocity(ticks) {
     this.calls.live_velocity(ticks);
-    const [vx, vy] = this.#output();
-    return { vx, vy };
+    return this.#named('vx', 'vy');
   }
   liveFrame(dt) {
     this.calls.live_frame(dt);
-    const [t, x, y, vx, vy, contact, frames] = this.#output();
-    return { t, x, y, vx, vy, contact, frames };
+    return this.#named('t', 'x', 'y', 'vx', 'vy', 'contact', 'frames');
   }
   liveScenario() {
     this.calls.live_scenario();

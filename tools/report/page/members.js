@@ -78,30 +78,28 @@ class Explorer {
 
   #paint({ ctx, bbox, valToPos }) {
     const tintOf = value => (Number.isFinite(value) ? viridis((value - this.low) / (this.high - this.low || 1)) : color('rule'));
+    // A cell, or a disc of that radius around a point.
+    const outline = (item, radius) => {
+      ctx.beginPath();
+      if (!this.edges) return ctx.arc(valToPos(item.x, 'x', true), valToPos(item.y, 'y', true), radius * devicePixelRatio, 0, 2 * Math.PI);
+      const [left, right] = [0, 1].map(side => Math.round(valToPos(this.edges[0][item.column + side], 'x', true)));
+      const [bottom, top] = [0, 1].map(side => Math.round(valToPos(this.edges[1][item.line + side], 'y', true)));
+      return ctx.rect(left, top, right - left, bottom - top);
+    };
     ctx.save();
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
     for (const item of this.items) {
       ctx.fillStyle = tintOf(item.value);
-      ctx.beginPath();
-      if (this.edges) {
-        const [left, right] = [0, 1].map(side => Math.round(valToPos(this.edges[0][item.column + side], 'x', true)));
-        const [bottom, top] = [0, 1].map(side => Math.round(valToPos(this.edges[1][item.line + side], 'y', true)));
-        ctx.rect(left, top, right - left, bottom - top);
-        item.box = [left, top, right - left, bottom - top];
-      } else {
-        ctx.arc(valToPos(item.x, 'x', true), valToPos(item.y, 'y', true), (this.items.length > 800 ? 2.2 : 3.5) * devicePixelRatio, 0, 2 * Math.PI);
-      }
+      outline(item, this.items.length > 800 ? 2.2 : 3.5);
       ctx.fill();
     }
     const chosen = this.items.find(({ row }) => row === this.row);
     if (chosen) {
       ctx.strokeStyle = color('ink');
       ctx.lineWidth = 2.5 * devicePixelRatio;
-      ctx.beginPath();
-      if (this.edges) ctx.rect(...chosen.box);
-      else ctx.arc(valToPos(chosen.x, 'x', true), valToPos(chosen.y, 'y', true), 7 * devicePixelRatio, 0, 2 * Math.PI);
+      outline(chosen, 7);
       ctx.stroke();
     }
     ctx.restore();

@@ -65,14 +65,12 @@ export class Painter {
     const [width, height] = this.extent;
     const room = this.canvas.parentElement.clientWidth;
     const most = Math.max(180, Math.min(innerHeight * 0.46, 600));
-    const cssWidth = Math.min(room, (most * width) / height);
-    this.canvas.style.width = `${cssWidth}px`;
-    this.canvas.style.height = `${Math.max(40, (cssWidth * height) / width)}px`;
-    const ratio = devicePixelRatio || 1;
-    this.canvas.width = Math.max(1, Math.round(cssWidth * ratio));
-    this.canvas.height = Math.round(Math.max(40, (cssWidth * height) / width) * ratio);
+    const cssWidth = Math.min(room, (most * width) / height), cssHeight = Math.max(40, (cssWidth * height) / width);
+    Object.assign(this.canvas.style, { width: `${cssWidth}px`, height: `${cssHeight}px` });
+    this.ratio = devicePixelRatio || 1;
+    this.canvas.width = Math.max(1, Math.round(cssWidth * this.ratio));
+    this.canvas.height = Math.round(cssHeight * this.ratio);
     this.scale = this.canvas.width / width;
-    this.ratio = ratio;
     this.#paintLayer();
   }
 
@@ -82,14 +80,28 @@ export class Painter {
     return [((event.clientX - box.left) * this.extent[0]) / box.width, ((event.clientY - box.top) * this.extent[1]) / box.height];
   }
 
-  #path(context, rows, end) {
-    const { sizes } = this.scene;
-    const scale = this.scale;
+  // How lines and texts are drawn from now on; a width in points of the display.
+  #pen(context, tint, width, isDashed = false) {
+    context.strokeStyle = context.fillStyle = color(tint);
+    context.lineWidth = width * this.ratio;
+    context.setLineDash(isDashed ? [5 * this.ratio, 4 * this.ratio] : []);
+  }
+  #line(context, [from, ...points]) {
+    context.beginPath();
+    context.moveTo(...from);
+    for (const point of points) context.lineTo(...point);
+    context.stroke();
+  }
+  // Of a sprite there, on the canvas.
+  #middle(x, y, sprite) {
+    return [(x + sprite[0] / 2) * this.scale, (y + sprite[1] / 2) * this.scale];
+  }
+
+  #path(context, rows) {
     const flown = new Path2D(), jumps = new Path2D();
     let x = NaN, y = NaN;
-    for (let i = 0; i < end; ++i) {
-      const { sprite } = sizesAt(sizes, rows.step?.[i] ?? 0);
-      const nextX = (rows.x[i] + sprite[0] / 2) * scale, nextY = (rows.y[i] + sprite[1] / 2) * scale;
+    for (let i = 0; i < rows.x.length; ++i) {
+      const [nextX, nextY] = this.#middle(rows.x[i], rows.y[i], sizesAt(this.scene.sizes, rows.step?.[i] ?? 0).sprite);
       if (!Number.isFinite(nextX + nextY)) break;
       if (Math.abs(nextX - x) < 0.7 && Math.abs(nextY - y) < 0.7) continue;
       if (!Number.isNaN(x) && !isFlown(rows, i)) {
@@ -108,51 +120,39 @@ export class Painter {
     context.restore();
   }
 
-  #paintWindow(context, { window }) {
-    context.fillStyle = color('screen');
-    context.fillRect(0, 0, window[0] * this.scale, window[1] * this.scale);
-  }
-
   // All that does not change with the moment.
   #paintLayer() {
-    const { canvas, scene, ratio } = this;
+    const { canvas, scene } = this;
     this.#layer.width = canvas.width;
     this.#layer.height = canvas.height;
     const context = this.#layer.getContext('2d');
     context.lineJoin = 'round';
     if (scene.other) {
-      context.setLineDash([5 * ratio, 4 * ratio]);
-      context.strokeStyle = color('bad');
-      context.lineWidth = 1.5 * ratio;
-      this.#path(context, scene.other, scene.other.step.length);
-      context.setLineDash([]);
+      this.#pen(context, 'bad', 1.5, true);
+      this.#path(context, scene.other);
     }
     if (!scene.rows) return;
-    context.strokeStyle = color('path');
-    context.lineWidth = 1.5 * ratio;
-    this.#path(context, scene.rows, scene.rows.step.length);
+    this.#pen(context, 'path', 1.5);
+    this.#path(context, scene.rows);
     if (scene.contacts) this.#paintContacts(context, scene.contacts);
     this.#paintInputs(context, scene);
-    for (const { rows } of [scene, { rows: scene.other }]) if (rows) this.#paintNonFinite(context, rows, scene.sizes);
+    for (const rows of [scene.rows, scene.other]) if (rows) this.#paintNonFinite(context, rows, scene.sizes);
   }
 
   // A cross before the row that is not finite, with which a run ends.
   #paintNonFinite(context, rows, sizes) {
-    const { scale, ratio } = this;
     const row = rows.step.length - 2;
     if (row < 0 || [rows.x, rows.y, rows.vx, rows.vy].every(values => Number.isFinite(values[row + 1]))) return;
-    const { sprite } = sizesAt(sizes, rows.step[row]);
-    const [x, y] = [(rows.x[row] + sprite[0] / 2) * scale, (rows.y[row] + sprite[1] / 2) * scale];
-    const arm = 7 * ratio;
-    context.strokeStyle = context.fillStyle = color('bad');
-    context.lineWidth = 3 * ratio;
+    const [x, y] = this.#middle(rows.x[row], rows.y[row], sizesAt(sizes, rows.step[row]).sprite);
+    const arm = 7 * this.ratio;
+    this.#pen(context, 'bad', 3);
     context.beginPath();
     for (const side of [-1, 1]) {
       context.moveTo(x - arm, y - side * arm);
       context.lineTo(x + arm, y + side * arm);
     }
     context.stroke();
-    context.font = `${12 * ratio}px system-ui, sans-serif`;
+    context.font = `${12 * this.ratio}px system-ui, sans-serif`;
     context.textAlign = x > this.canvas.width / 2 ? 'right' : 'left';
     context.fillText('not finite', x + (context.textAlign === 'right' ? -1.6 : 1.6) * arm, y - 1.2 * arm);
     context.textAlign = 'left';
@@ -160,15 +160,13 @@ export class Painter {
 
   // A ring where the hand or the script met the sprite, with its name; where a hand led it, dots.
   #paintInputs(context, { inputs, rows, sizes }) {
-    const { scale, ratio } = this;
+    const { ratio } = this;
     const named = [];
     context.font = `${11 * ratio}px system-ui, sans-serif`;
-    context.strokeStyle = context.fillStyle = color('ink');
-    context.lineWidth = 1.5 * ratio;
+    this.#pen(context, 'ink', 1.5);
     for (const { frame, kind } of inputs.slice(0, 500)) {
       const row = firstAtLeast(rows.step, kind === 'place' ? frame + 1 : frame);
-      const { sprite } = sizesAt(sizes, frame);
-      const [x, y] = [(rows.x[row] + sprite[0] / 2) * scale, (rows.y[row] + sprite[1] / 2) * scale];
+      const [x, y] = this.#middle(rows.x[row], rows.y[row], sizesAt(sizes, frame).sprite);
       if (!Number.isFinite(x + y)) continue;
       context.beginPath();
       context.arc(x, y, (kind === 'place' ? 1.5 : 4) * ratio, 0, 2 * Math.PI);
@@ -182,45 +180,27 @@ export class Painter {
 
   // A stroke along the wall, as long as the sprite's side.
   #paintContacts(context, contacts) {
-    const { scale, ratio } = this;
-    context.lineWidth = 3 * ratio;
-    const shown = Math.min(contacts.step.length, 500);
-    for (let i = 0; i < shown; ++i) {
+    const inset = 1.5 * this.ratio;
+    for (let i = 0; i < Math.min(contacts.step.length, 500); ++i) {
       const { window, sprite } = sizesAt(this.scene.sizes, contacts.step[i]);
-      const wall = contacts.wall[i];
-      const [x, y] = [contacts.x[i] * scale, contacts.y[i] * scale];
-      const [width, height] = [sprite[0] * scale, sprite[1] * scale];
-      const inset = context.lineWidth / 2;
-      context.strokeStyle = color(wallColors[wall]);
-      context.beginPath();
-      if (wall < 4) {
-        const at = wall === 1 ? inset : window[0] * scale - inset;
-        context.moveTo(at, y + height * 0.3);
-        context.lineTo(at, y + height * 0.7);
-      } else {
-        const at = wall === 4 ? inset : window[1] * scale - inset;
-        context.moveTo(x + width * 0.3, at);
-        context.lineTo(x + width * 0.7, at);
-      }
-      context.stroke();
+      const wall = contacts.wall[i], isInX = wall < 4, across = isInX ? 0 : 1, along = 1 - across;
+      const at = wall === 1 || wall === 4 ? inset : window[across] * this.scale - inset;
+      const ends = [0.3, 0.7].map(part => ([contacts.x, contacts.y][along][i] + sprite[along] * part) * this.scale);
+      this.#pen(context, wallColors[wall], 3);
+      this.#line(context, ends.map(end => (isInX ? [at, end] : [end, at])));
     }
   }
 
   #paintArrow(context, { x, y, vx, vy }, sprite) {
-    const { scale, ratio } = this;
     const speed = Math.hypot(vx, vy);
     if (!(speed > 20)) return;
-    const length = Math.min(0.12 * speed * scale, 90 * ratio);
+    const length = Math.min(0.12 * speed * this.scale, 90 * this.ratio);
     const [ux, uy] = [vx / speed, vy / speed];
-    const [fromX, fromY] = [(x + sprite[0] / 2) * scale, (y + sprite[1] / 2) * scale];
+    const [fromX, fromY] = this.#middle(x, y, sprite);
     const [toX, toY] = [fromX + ux * length, fromY + uy * length];
-    const head = 6 * ratio;
-    context.strokeStyle = context.fillStyle = color('ink');
-    context.lineWidth = 1.5 * ratio;
-    context.beginPath();
-    context.moveTo(fromX, fromY);
-    context.lineTo(toX, toY);
-    context.stroke();
+    const head = 6 * this.ratio;
+    this.#pen(context, 'ink', 1.5);
+    this.#line(context, [[fromX, fromY], [toX, toY]]);
     context.beginPath();
     context.moveTo(toX + ux * head, toY + uy * head);
     context.lineTo(toX - uy * head * 0.6, toY + ux * head * 0.6);
@@ -245,9 +225,8 @@ export class Painter {
     const [width, height] = [sprite[0] * this.scale, sprite[1] * this.scale];
     const side = Math.max(2 * this.ratio, Math.min(width, height));
     context.save();
-    context.translate(body.x * this.scale + width / 2, body.y * this.scale + height / 2);
-    context.strokeStyle = color(tint);
-    context.lineWidth = this.ratio;
+    context.translate(...this.#middle(body.x, body.y, sprite));
+    this.#pen(context, tint, 1);
     context.strokeRect(-width / 2, -height / 2, width, height);
     if (body.vx < 0) context.scale(-1, 1);
     const stamp = this.#stamp(pose, Math.round(side));
@@ -257,17 +236,15 @@ export class Painter {
 
   // Long paths are drawn once.
   #flightsLayer(flights) {
-    const { canvas, ratio } = this, key = [flights, canvas.width, color('ink')];
+    const { canvas } = this, key = [flights, canvas.width, color('ink')];
     if (key.every((part, i) => part === this.#layerOf[i])) return this.#flights;
     this.#layerOf = key;
     this.#flights.width = canvas.width;
     this.#flights.height = canvas.height;
     const context = this.#flights.getContext('2d');
-    context.lineWidth = ratio;
     for (const { rows, tint } of flights) {
-      context.strokeStyle = color(tint);
-      context.setLineDash(tint === 'ink' ? [5 * ratio, 4 * ratio] : []);
-      this.#path(context, rows, rows.t.length);
+      this.#pen(context, tint, 1, tint === 'ink');
+      this.#path(context, rows);
     }
     return this.#flights;
   }
@@ -277,11 +254,10 @@ export class Painter {
     const { scale, ratio } = this;
     context.font = `600 ${13 * ratio}px system-ui, sans-serif`;
     const half = context.measureText(label).width / 2, height = 20 * ratio;
-    const middle = Math.min(Math.max((x + sprite[0] / 2) * scale, half), window[0] * scale - half);
+    const middle = Math.min(Math.max(this.#middle(x, y, sprite)[0], half), window[0] * scale - half);
     const at = y * scale > height ? y * scale - 6 * ratio : (y + sprite[1]) * scale + height;
     context.textAlign = 'center';
-    context.strokeStyle = color('screen');
-    context.lineWidth = 4 * ratio;
+    this.#pen(context, 'screen', 4);
     context.strokeText(label, middle, at);
     context.fillStyle = color('ink');
     context.fillText(label, middle, at);
@@ -296,13 +272,13 @@ export class Painter {
     const context = this.canvas.getContext('2d');
     const size = sizesAt(this.scene.sizes, body.step);
     context.clearRect(0, 0, this.canvas.width, this.canvas.height);
-    this.#paintWindow(context, size);
+    context.fillStyle = color('screen');
+    context.fillRect(0, 0, size.window[0] * this.scale, size.window[1] * this.scale);
     if (flights.length) context.drawImage(this.#flightsLayer(flights), 0, 0);
     if (trail) {
-      context.strokeStyle = color('path');
-      context.lineWidth = 1.5 * this.ratio;
+      this.#pen(context, 'path', 1.5);
       context.lineJoin = 'round';
-      this.#path(context, trail, trail.step.length);
+      this.#path(context, trail);
     } else {
       context.drawImage(this.#layer, 0, 0);
     }

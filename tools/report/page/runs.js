@@ -88,10 +88,7 @@ function otherOf(result) {
   return outcome === 'differs' && file.step.length > 1 ? { label: 'file', name: 'file', rows: file } : null;
 }
 
-function divergenceOf(result) {
-  if (result.check?.firstDifference !== null && result.check) return result.check.firstDifference;
-  return result.run.golden?.first_divergence?.step ?? null;
-}
+const divergenceOf = ({ check, run }) => check?.firstDifference ?? run.golden?.first_divergence?.step ?? null;
 
 class View {
   constructor(core, painter, result) {

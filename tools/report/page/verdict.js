@@ -38,8 +38,8 @@ function replayTile(result) {
   return tile(label, 'differs', where, 'bad');
 }
 
-function errorTile(label, worst, unit, meaning) {
-  return tile(label, worst ? `${rounded(worst.value, 3)}${unit}` : '–', worst ? meaning : 'no flight arc');
+function errorTile(label, worst, meaning) {
+  return tile(label, worst === null ? '–' : `${rounded(worst, 3)} px`, worst === null ? 'no flight arc' : meaning);
 }
 
 function contactsTile(contacts) {
@@ -57,12 +57,12 @@ function restTile({ result: { final, at_rest_since_s: since }, non_finite: nonFi
 // The largest cause first; small ones are in the chart.
 function driftTile({ errors, causes }) {
   const worst = errors.energy_drift_rel;
-  if (!worst) return tile('Energy drift', '–', 'no flight arc');
+  if (worst === null) return tile('Energy drift', '–', 'no flight arc');
   const at = causes ? causes.step.length - 1 : -1;
   const parts = at < 0 ? [] : [['gravity', causes.gravity[at]], ['drag', causes.drag[at]], ['lift', causes.lift[at]], ['late bounce', causes.bounce[at]]]
     .sort(([, a], [, b]) => Math.abs(b) - Math.abs(a)).filter(([, value], _, [[, most]]) => Math.abs(value) > 0.01 * Math.abs(most));
   const sums = parts.map(([name, value]) => `${name} ${value > 0 ? '+' : ''}${rounded(value, 3)}`).join(', ');
-  return tile('Energy drift', `${rounded(100 * worst.value, 3)} %`, sums ? `largest of an arc; in all ${sums} px` : 'largest of a flight arc');
+  return tile('Energy drift', `${rounded(100 * worst, 3)} %`, sums ? `largest of an arc; in all ${sums} px` : 'largest of a flight arc');
 }
 
 /** The judgement on a result; rules that do not hold come first. */
@@ -80,9 +80,9 @@ export function verdictOf(result) {
     figures: [
       contactsTile(run.result.contacts),
       restTile(run),
-      ...(errors ? [errorTile('Implementation error', errors.implementation_px, ' px', 'from the exact solution of its step'),
-        errorTile('Truncation error', errors.truncation_px, ' px', 'from the ODE at this frame rate'),
-        errorTile('Model error', errors.model_px, ' px', 'from the ODE with the drag of 60 Hz'),
+      ...(errors ? [errorTile('Implementation error', errors.implementation_px, 'from the exact solution of its step'),
+        errorTile('Truncation error', errors.truncation_px, 'from the ODE at this frame rate'),
+        errorTile('Model error', errors.model_px, 'from the ODE with the drag of 60 Hz'),
         driftTile({ errors, causes: result.causes })] : []),
     ],
   };

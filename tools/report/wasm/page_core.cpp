@@ -150,7 +150,7 @@ HYRAX_EXPORT(load) double load(std::int32_t count) {
   const auto scenario = scenario_of(input(count));
   if (!scenario) return -1.0;
   page().run = std::make_unique<ShownRun>(shipped_core(), *scenario, std::exchange(page().evidence, {}));
-  return static_cast<double>(page().run->steps());
+  return static_cast<double>(page().run->replay.steps());
 }
 HYRAX_EXPORT(play_to) double play_to(double step) {
   return static_cast<double>(page().run->play_to(static_cast<std::int64_t>(step)));
@@ -158,23 +158,20 @@ HYRAX_EXPORT(play_to) double play_to(double step) {
 HYRAX_EXPORT(finish) void finish() {
   ShownRun& run = *page().run;
   run.finish();
-  const RunSummary& summary = run.summary();
-  const DriftSummary& errors = run.errors();
-  const EvidenceCheck& check = run.check();
-  page().text = hex(summary.state_hash);
-  page().output = {static_cast<double>(summary.steps), static_cast<double>(run.shown().every()),
-                   or_nan(check.first_difference()),   static_cast<double>(check.rows_compared()),
-                   check.is_complete() ? 1.0 : 0.0,    or_nan(summary.non_finite_step),
-                   or_nan(summary.at_rest_since_s),    or_nan(errors.implementation_px),
-                   or_nan(errors.truncation_px),       or_nan(errors.model_px),
-                   or_nan(errors.energy_drift_rel_max)};
-  for (const Wall wall : kWalls) page().output.push_back(static_cast<double>(summary.contacts[wall]));
+  page().text = hex(run.summary.state_hash);
+  page().output = {static_cast<double>(run.summary.steps), static_cast<double>(run.shown.every()),
+                   or_nan(run.check.first_difference()),   static_cast<double>(run.check.rows_compared()),
+                   run.check.is_complete() ? 1.0 : 0.0,    or_nan(run.summary.non_finite_step),
+                   or_nan(run.summary.at_rest_since_s),    or_nan(run.errors.implementation_px),
+                   or_nan(run.errors.truncation_px),       or_nan(run.errors.model_px),
+                   or_nan(run.errors.energy_drift_rel_max)};
+  for (const Wall wall : kWalls) page().output.push_back(static_cast<double>(run.summary.contacts[wall]));
 }
 
 /// Column `index` of what is drawn: rows, contacts, errors of rows and of contacts, and causes of energy
 /// drift up to a step, in px of height. Its name is the text; 0 after the last. NaN: no value.
 HYRAX_EXPORT(row_column) std::int32_t row_column(std::size_t index) {
-  const Columns& rows = page().run->shown().columns();
+  const Columns& rows = page().run->shown.columns();
   if (index > kRowColumns.size() + 1) return 0;
   const bool is_step = index == 0, is_number = index <= kRowColumns.size();
   page().text = is_step ? "step" : is_number ? kRowColumns[index - 1].name : "contact";
@@ -187,16 +184,16 @@ HYRAX_EXPORT(row_column) std::int32_t row_column(std::size_t index) {
   return 1;
 }
 HYRAX_EXPORT(contact_column) std::int32_t contact_column(std::size_t index) {
-  return output_described(kContactColumns, page().run->shown().contacts(), index);
+  return output_described(kContactColumns, page().run->shown.contacts(), index);
 }
 HYRAX_EXPORT(error_column) std::int32_t error_column(std::size_t index) {
-  return output_described(kErrorColumns, page().run->drift().rows(), index);
+  return output_described(kErrorColumns, page().run->drift.rows, index);
 }
 HYRAX_EXPORT(contact_error_column) std::int32_t contact_error_column(std::size_t index) {
-  return output_described(kImpactColumns, page().run->drift().contacts(), index);
+  return output_described(kImpactColumns, page().run->drift.contacts, index);
 }
 HYRAX_EXPORT(cause_column) std::int32_t cause_column(std::size_t index) {
-  return output_described(kCauseColumns, page().run->drift().causes(), index);
+  return output_described(kCauseColumns, page().run->drift.causes, index);
 }
 
 /// A playground that begins with the start in the input.

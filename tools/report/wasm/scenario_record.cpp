@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <iterator>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -12,32 +11,6 @@
 
 namespace hyrax {
 namespace {
-
-// The two directions of a record: a number is appended to it, or replaced by the next one of it.
-struct Appending {
-  std::vector<double> record = {};
-
-  double operator()(double value) { return record.emplace_back(value); }
-  [[nodiscard]] double items_max() const { return std::numeric_limits<double>::infinity(); }
-  void fail() {}
-};
-
-struct Reading {
-  std::span<const double> rest;
-  bool is_good = true;
-
-  /// Zeros after the end, or after anything else that no record holds.
-  double operator()(double) {
-    is_good = is_good && !rest.empty();
-    if (!is_good) return 0.0;
-    const double value = rest.front();
-    rest = rest.subspan(1);
-    return value;
-  }
-  /// Each item of a list has at least one number.
-  [[nodiscard]] double items_max() const { return static_cast<double>(rest.size()); }
-  void fail() { is_good = false; }
-};
 
 // A resize has numbers for both sizes, -1 for those of one that stays.
 void give_both_sizes(Action& action) {
@@ -51,11 +24,15 @@ void take_unchanged_sizes(Action& action) {
       if ((*size)->width_px < 0) size->reset();
 }
 
-// The layout: every part of a scenario in its place, whatever the direction.
-template <class Direction>
-class Layout {
+// The layout: every part of a scenario in its place. A record is written, or read from its begin.
+class Record {
  public:
-  explicit Layout(Direction& direction) : direction_(direction) {}
+  Record() = default;
+  explicit Record(std::span<const double> read) : numbers_(read.begin(), read.end()), is_read_(true) {}
+
+  /// Whether each number was read, and all were those of a scenario.
+  [[nodiscard]] bool is_whole() const { return is_good_ && next_ == numbers_.size(); }
+  [[nodiscard]] std::vector<double> numbers() && { return std::move(numbers_); }
 
   void part(Scenario& scenario) {
     part(scenario.window);
@@ -71,11 +48,18 @@ class Layout {
   }
 
  private:
+  // Appends the number, or takes the next one for it: zeros after the end, or after what no record holds.
+  double pass(double number) {
+    if (!is_read_) return numbers_.emplace_back(number);
+    is_good_ = is_good_ && next_ < numbers_.size();
+    return is_good_ ? numbers_[next_++] : 0.0;
+  }
+
   template <class Number>
   void part(Number& number) {
-    number = static_cast<Number>(direction_(static_cast<double>(number)));
+    number = static_cast<Number>(pass(static_cast<double>(number)));
   }
-  void part(std::monostate&) { direction_(0.0); }
+  void part(std::monostate&) { pass(0.0); }
   void part(Size& size) {
     part(size.width_px);
     part(size.height_px);
@@ -85,14 +69,14 @@ class Layout {
   void part(RecordedSteps& trace) { list(trace.dt_s); }
 
   void part(std::optional<Jitter>& jitter) {
-    if (direction_(jitter ? 1.0 : 0.0) == 0.0) return;
+    if (pass(jitter ? 1.0 : 0.0) == 0.0) return;
     if (!jitter) jitter.emplace();
     part(jitter->kind);
     part(jitter->amount);
     constexpr double kHalf = 4294967296.0;
-    const double high = direction_(static_cast<double>(jitter->seed >> 32));
-    const double low = direction_(static_cast<double>(jitter->seed & 0xFFFFFFFFu));
-    if (!(high >= 0.0 && high < kHalf && low >= 0.0 && low < kHalf)) return direction_.fail();
+    const double high = pass(static_cast<double>(jitter->seed >> 32));
+    const double low = pass(static_cast<double>(jitter->seed & 0xFFFFFFFFu));
+    if (!(high >= 0.0 && high < kHalf && low >= 0.0 && low < kHalf)) return fail();
     jitter->seed = static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint64_t>(low);
   }
 
@@ -111,22 +95,23 @@ class Layout {
 
   template <class Item>
   void list(std::vector<Item>& items) {
-    const double count = direction_(static_cast<double>(items.size()));
-    if (!(count >= 0.0 && count <= direction_.items_max())) return direction_.fail();
+    const double count = pass(static_cast<double>(items.size()));
+    // Each item has at least one number.
+    if (is_read_ && !(count >= 0.0 && count <= static_cast<double>(numbers_.size() - next_))) return fail();
     items.resize(static_cast<std::size_t>(count));
     for (Item& item : items) part(item);
   }
 
   template <class... Kinds>
   void kind(std::variant<Kinds...>& value) {
-    const double given = direction_(static_cast<double>(value.index()));
+    const double given = pass(static_cast<double>(value.index()));
     double index = 0.0;
     const auto is_it = [&]<class Kind>(Kind kind) {
       if (index++ != given) return false;
       if (!std::holds_alternative<Kind>(value)) value = std::move(kind);
       return true;
     };
-    if (!(is_it(Kinds{}) || ...)) direction_.fail();
+    if (!(is_it(Kinds{}) || ...)) fail();
   }
   template <class Variant>
   void one_of(Variant& value) {
@@ -134,23 +119,28 @@ class Layout {
     std::visit([&](auto& held) { part(held); }, value);
   }
 
-  Direction& direction_;
+  void fail() { is_good_ = false; }
+
+  std::vector<double> numbers_ = {};
+  bool is_read_ = false;
+  std::size_t next_ = 0;
+  bool is_good_ = true;
 };
 
 }  // namespace
 
 std::vector<double> record_of(const Scenario& scenario) {
-  Appending appending;
+  Record writing;
   Scenario unchanged = scenario;
-  Layout(appending).part(unchanged);
-  return std::move(appending.record);
+  writing.part(unchanged);
+  return std::move(writing).numbers();
 }
 
 std::optional<Scenario> scenario_of(std::span<const double> record) {
-  Reading reading{record};
+  Record reading(record);
   Scenario scenario;
-  Layout(reading).part(scenario);
-  return reading.is_good && reading.rest.empty() ? std::optional(scenario) : std::nullopt;
+  reading.part(scenario);
+  return reading.is_whole() ? std::optional(scenario) : std::nullopt;
 }
 
 std::size_t place_in_record(const Scenario& scenario, std::string_view pointer) {

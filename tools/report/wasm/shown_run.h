@@ -94,84 +94,66 @@ class EvidenceCheck final : public RowSink {
 
 /// What the reference says of the run: errors of every row of an arc and of contacts, and the causes of
 /// energy drift at the ends of arcs and at contacts, in order of steps.
-class ShownDrift final : public DriftSink {
- public:
+struct ShownDrift final : DriftSink {
   struct CausePoint {
     std::int64_t step = 0;
     EnergyCauses causes;
   };
 
   [[nodiscard]] bool wants_rows() const override { return true; }
-  void row(const RowErrors& row) override { rows_.push_back(row); }
+  void row(const RowErrors& row) override { rows.push_back(row); }
   void arc(const ArcErrors& arc) override {
-    causes_.push_back({arc.first_step, sum_.now()});
-    sum_.add(arc);
-    causes_.push_back({arc.last_step, sum_.now()});
+    causes.push_back({arc.first_step, sum.now()});
+    sum.add(arc);
+    causes.push_back({arc.last_step, sum.now()});
   }
   void contact(const ImpactErrors& contact) override {
-    contacts_.push_back(contact);
-    sum_.add(contact);
-    causes_.push_back({contact.step, sum_.now()});
+    contacts.push_back(contact);
+    sum.add(contact);
+    causes.push_back({contact.step, sum.now()});
   }
 
-  [[nodiscard]] const std::vector<RowErrors>& rows() const { return rows_; }
-  [[nodiscard]] const std::vector<ImpactErrors>& contacts() const { return contacts_; }
-  [[nodiscard]] const std::vector<CausePoint>& causes() const { return causes_; }
-
- private:
-  EnergyCauseSum sum_{Model{}.gravity_px_per_s2};
-  std::vector<RowErrors> rows_;
-  std::vector<ImpactErrors> contacts_;
-  std::vector<CausePoint> causes_;
+  EnergyCauseSum sum{Model{}.gravity_px_per_s2};
+  std::vector<RowErrors> rows = {};
+  std::vector<ImpactErrors> contacts = {};
+  std::vector<CausePoint> causes = {};
 };
 
-class ShownRun {
- public:
+struct ShownRun {
   /// Longer runs are not measured against the reference.
   static constexpr std::int64_t kStepsMeasuredMax = 200'000;
 
-  ShownRun(const Core& core, const Scenario& scenario, FileEvidence evidence)
-      : scenario_(scenario),
-        shown_(step_count(scenario_)),
-        check_(std::move(evidence)),
-        replay_(core, scenario_, sinks()) {}
+  ShownRun(const Core& core, const Scenario& played, FileEvidence evidence)
+      : scenario(played),
+        shown(step_count(scenario)),
+        check(std::move(evidence)),
+        replay(core, scenario, sinks()) {}
 
-  [[nodiscard]] std::int64_t steps() const { return replay_.steps(); }
   /// Plays up to row `step`; returns the row reached, which is less if the state became non-finite.
   std::int64_t play_to(std::int64_t step) {
-    replay_.play_to(std::min(step, steps()));
-    return replay_.keyframe().row.step;
+    replay.play_to(std::min(step, replay.steps()));
+    return replay.keyframe().row.step;
   }
   void finish() {
-    summary_ = replay_.finish();
-    if (meter_) errors_ = meter_->finish();
+    summary = replay.finish();
+    if (meter) errors = meter->finish();
   }
-
-  [[nodiscard]] const ShownRows& shown() const { return shown_; }
-  [[nodiscard]] const EvidenceCheck& check() const { return check_; }
-  [[nodiscard]] const ShownDrift& drift() const { return drift_; }
-  /// REQUIRES: finish() was called.
-  [[nodiscard]] const RunSummary& summary() const { return summary_; }
-  /// Nothing in it of a run that is not measured. REQUIRES: finish() was called.
-  [[nodiscard]] const DriftSummary& errors() const { return errors_; }
-
- private:
   [[nodiscard]] std::vector<RowSink*> sinks() {
-    std::vector<RowSink*> sinks = {&shown_, &check_};
-    const std::int64_t steps = step_count(scenario_);
+    std::vector<RowSink*> all = {&shown, &check};
+    const std::int64_t steps = step_count(scenario);
     if (steps <= kStepsMeasuredMax)
-      sinks.push_back(&meter_.emplace(scenario_, inputs_of(scenario_, steps), drift_));
-    return sinks;
+      all.push_back(&meter.emplace(scenario, inputs_of(scenario, steps), drift));
+    return all;
   }
 
-  Scenario scenario_;
-  ShownRows shown_;
-  EvidenceCheck check_;
-  ShownDrift drift_;
-  std::optional<DriftMeter> meter_;
-  Replay replay_;
-  RunSummary summary_;
-  DriftSummary errors_;
+  Scenario scenario;
+  ShownRows shown;
+  EvidenceCheck check;
+  ShownDrift drift;
+  std::optional<DriftMeter> meter;
+  Replay replay;
+  RunSummary summary;   ///< Once it is finished.
+  DriftSummary errors;  ///< Once it is finished; empty of a run that is not measured.
 };
 
 }  // namespace hyrax

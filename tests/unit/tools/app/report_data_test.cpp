@@ -88,7 +88,7 @@ std::string sweep_shown(const TempFolder& folder) {
                .output = folder.at("sweep.h5")};
   job.head.physics = shipped_core().name;
   static_cast<void>(compute_sweep(shipped_core(), file.sweep, job));
-  return shown(result_of_file(shipped_core(), job.output), folder);
+  return shown(result_json(result_of_file(shipped_core(), job.output)), folder);
 }
 
 std::string study_shown(const TempFolder& folder, const std::string& broken) {
@@ -104,7 +104,7 @@ std::string study_shown(const TempFolder& folder, const std::string& broken) {
                      .columns = {text("verdict", R"({"text": ["a sentence"], "broken": [)" + broken + "]}"),
                                  text("figures", "[]")}};
   write_study_file(folder.at("study.h5"), {"a-study", "what it is about"}, {table, report});
-  return shown(result_of_file(shipped_core(), folder.at("study.h5")), folder);
+  return shown(result_json(result_of_file(shipped_core(), folder.at("study.h5"))), folder);
 }
 
 TEST(ReportData, IsWhatWasApproved) {

@@ -255,13 +255,13 @@ test('the figures of a run have their units, the largest cause first', () => {
   assert.deepEqual(figures(), ['Contacts: 6; left 1, right 2, top 3', `Ends: not settled; ${place}`]);
   assert.deepEqual(figures({ run: { result: ended(0) } }), ['Contacts: 0; it met no wall', `Comes to rest: after 0 s; ${place}`]);
   assert.deepEqual(figures({ run: { result: ended(5, { ground: 4 }), non_finite: 'x is NaN' } }), ['Contacts: 4; ground 4', 'Ends: not finite; x is NaN; bad']);
-  const run = { errors: { implementation_px: { value: 1e-9 }, truncation_px: { value: 2.5 }, model_px: { value: 3.5 }, energy_drift_rel: { value: 0.0125 } } };
+  const run = { errors: { implementation_px: 1e-9, truncation_px: 2.5, model_px: 3.5, energy_drift_rel: 0.0125 } };
   assert.deepEqual(figures({ run, causes }).slice(2), ['Implementation error: 1e−9 px; from the exact solution of its step',
     'Truncation error: 2.5 px; from the ODE at this frame rate', 'Model error: 3.5 px; from the ODE with the drag of 60 Hz',
     `${drift} an arc; in all drag −20, late bounce +7, lift +4, gravity +2 px`]);
   assert.equal(figures({ run, causes: { step: [0], gravity: [0], drag: [-2], lift: [9], bounce: [1000] } })[5], `${drift} an arc; in all late bounce +1,000 px`);
   assert.equal(figures({ run })[5], `${drift} a flight arc`);
-  assert.deepEqual(figures({ run: { errors: {} } }).slice(2), ['Implementation error', 'Truncation error', 'Model error', 'Energy drift'].map(label => `${label}: –; no flight arc`));
+  assert.deepEqual(figures({ run: { errors: { implementation_px: null, truncation_px: null, model_px: null, energy_drift_rel: null } } }).slice(2), ['Implementation error', 'Truncation error', 'Model error', 'Energy drift'].map(label => `${label}: –; no flight arc`));
 });
 
 test('contacts have the speeds of their wall and the errors of their arc; a hand’s way is one line, and each size is written out', () => {

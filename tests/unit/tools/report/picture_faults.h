@@ -19,7 +19,7 @@ namespace hyrax {
 struct ShownText {
   std::string text = {};
   std::string colour = {};
-  SvgBox box = {};
+  Box box = {};
   bool is_turned = false;
 };
 
@@ -64,11 +64,11 @@ inline std::string dark_of(const std::string& light) {
   return light;
 }
 
-inline void add_faults(std::vector<std::string>& faults, const std::string& sheet, const SvgBox& whole) {
+inline void add_faults(std::vector<std::string>& faults, const std::string& sheet, const Box& whole) {
   constexpr double kContrast = 4.5;
   const std::vector<ShownText> texts = texts_in(sheet);
   for (const ShownText& text : texts) {
-    const SvgBox& box = text.box;
+    const Box& box = text.box;
     if (!text.is_turned && (box.left < whole.left || box.top < whole.top || box.right > whole.right ||
                             box.bottom > whole.bottom))
       faults.push_back("cut: " + text.text);

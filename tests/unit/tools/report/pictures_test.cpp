@@ -86,20 +86,19 @@ TEST(ResultPage, OfTwoResultsIsTheOneApproved) {
                      {"is", "", "", std::vector<bool>{true, false, true}},
                      {"at", "", "", std::vector<std::optional<std::int64_t>>{{}, kExact + 1, 2}},
                      {"word", "", "", std::vector<std::string>{"a", "b", "c"}}}};
-  const ShownResult bad{.title = "<b> & more",
-                        .subtitle = "what it is",
-                        .judgement = "a rule is broken",
-                        .verdict = {.text = {"first", table, "last"}, .broken = {"one <rule>", "another"}},
-                        .tables = {table},
-                        .figures = {{.title = "figure & <co>", .subtitle = "<of> it"}},
-                        .origin = {{"core", "paper"}, {"built_by", "g++"}}};
-  const Json good = result_json({.title = "good"});
-  EXPECT_FALSE(has_members(good));
+  const ShownResult bad{
+      .title = "<b> & more",
+      .subtitle = "what it is",
+      .judgement = "a rule is broken",
+      .verdict = verdict_json({.text = {"first", table, "last"}, .broken = {"one <rule>", "another"}}),
+      .tables = {table},
+      .figures = {{.title = "figure & <co>", .subtitle = "<of> it"}},
+      .origin = {{"core", "paper"}, {"built_by", "g++"}}};
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/page.html";
-  write_result_page(path, "report a.h5", {result_json(bad), good});
+  write_result_page(path, "report a.h5", {bad, {.title = "good"}});
   std::string page = read_text_file(path);
-  write_result_page(path, "report b.h5", {Json::Object{{"title", "swept"}, {"sweep", Json::Object{}}}});
+  write_result_page(path, "report b.h5", {{.title = "swept", .members = Json::Object{}}});
   page += "\n" + read_text_file(path);
   expect_approved("tests/unit/tools/report/pictures/results.txt",
                   std::regex_replace(page, std::regex("hyrax-sim [0-9.]+"), "hyrax-sim VERSION"));
