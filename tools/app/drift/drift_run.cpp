@@ -85,7 +85,7 @@ void read_into(const TrajectoryFile& file, const std::vector<RowSink*>& sinks) {
 
 struct DriftRecorder::Sinks {
   Sinks(const Scenario& scenario, const DriftOptions& options)
-      : solver(options.gsl ? std::make_unique<GslFlight>(*options.gsl, options.model) : nullptr),
+      : solver(options.gsl ? gsl_flight(*options.gsl, options.model) : nullptr),
         recorder(run, options),
         meter(scenario, inputs_of(scenario, step_count(scenario)), recorder, solver.get(), options.model),
         margin(scenario, inputs_of(scenario, step_count(scenario)), options.model),
