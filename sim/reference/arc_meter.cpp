@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/reference/drift_columns.h"
 #include "sim/result/estimate.h"
@@ -62,56 +63,52 @@ void ArcMeter::open(const ArcStart& start, bool tells_rows) {
   start_ = start;
   last_ = start.row;
   const Velocity velocity{start.row.vx_px_per_s, start.row.vy_px_per_s};
-  const bool solves_x = velocity.vx_px_per_s != 0.0;
-  solution_.start(velocity, solves_x);
-  walls_.start(start);
   first_ = seen_from_start(start.row);
   gathered_ = {};
-  gathered_.energy_largest = energy(first_);
-  gathered_.coordinate_largest_px = largest(0.0, start.row.x_px, start.row.y_px);
   gathered_.drift_fit.add(0.0, 0.0);
-  if (check_) check_->start(start, solves_x, gathered_.energy_largest);
-  if (tells_rows_) tell_row(first_, {first_, first_, {}}, gathered_.energy_largest, 0.0);
+  arc_ = {.first_step = start.row.step,
+          .solves_x = velocity.vx_px_per_s != 0.0,
+          .energy_largest_px2_per_s2 = energy(first_),
+          .coordinate_largest_px = largest(0.0, start.row.x_px, start.row.y_px)};
+  solution_.start(velocity, arc_.solves_x);
+  walls_.start(start);
+  if (check_) check_->start(start, arc_.solves_x, arc_.energy_largest_px2_per_s2);
+  if (tells_rows_) tell_row(first_, first_, first_, {});
 }
 
 void ArcMeter::fly(const Row& row) {
   solution_.advance(row.dt_s);
-  const Flight run = seen_from_start(row);
-  const Flight discrete = solution_.discrete();
-  const Flight matched = solution_.matched();
-  const Flight law = solution_.exact_law();
+  const State run = seen_from_start(row);
+  const State discrete = solution_.discrete();
+  const State matched = solution_.matched();
+  const State law = solution_.exact_law();
   const Position model = solution_.model();
   const double elapsed_s = solution_.elapsed_s();
   Gathered& g = gathered_;
-  g.implementation.add(run.dx_px - discrete.dx_px, run.dy_px - discrete.dy_px);
+  g.implementation.add(run.x_px - discrete.x_px, run.y_px - discrete.y_px);
   g.implementation_speed.add(run.vx_px_per_s - discrete.vx_px_per_s, run.vy_px_per_s - discrete.vy_px_per_s);
-  g.truncation.add(run.dx_px - matched.dx_px, run.dy_px - matched.dy_px);
+  g.truncation.add(run.x_px - matched.x_px, run.y_px - matched.y_px);
   g.truncation_speed.add(run.vx_px_per_s - matched.vx_px_per_s, run.vy_px_per_s - matched.vy_px_per_s);
-  g.exact_law.add(run.dx_px - law.dx_px, run.dy_px - law.dy_px);
+  g.exact_law.add(run.x_px - law.x_px, run.y_px - law.y_px);
   g.exact_law_speed.add(run.vx_px_per_s - law.vx_px_per_s, run.vy_px_per_s - law.vy_px_per_s);
-  g.model.add(run.dx_px - model.x_px, run.dy_px - model.y_px);
-  g.coordinate_largest_px = largest(g.coordinate_largest_px, row.x_px, row.y_px);
-  g.coordinate_largest_px =
-      largest(g.coordinate_largest_px, start_.row.x_px + matched.dx_px, start_.row.y_px + matched.dy_px);
+  g.model.add(run.x_px - model.x_px, run.y_px - model.y_px);
   const double energy_now = energy(matched);
-  g.energy_largest = larger(g.energy_largest, energy_now);
-  g.drift_last = energy_gain(matched, run);
-  g.drift_largest = larger(g.drift_largest, std::fabs(g.drift_last));
-  g.drift_fit.add(elapsed_s, g.drift_last);
+  const double drift = gain(matched, run);
+  g.drift_fit.add(elapsed_s, drift);
+  arc_.coordinate_largest_px = largest(largest(arc_.coordinate_largest_px, row.x_px, row.y_px),
+                                       start_.row.x_px + matched.x_px, start_.row.y_px + matched.y_px);
+  arc_.energy_largest_px2_per_s2 = larger(arc_.energy_largest_px2_per_s2, energy_now);
+  arc_.energy_drift_end_px2_per_s2 = drift;
+  arc_.energy_drift_max_px2_per_s2 = larger(arc_.energy_drift_max_px2_per_s2, std::fabs(drift));
   walls_.add(matched, row.dt_s, elapsed_s);
-  if (differs_from_listing(row)) ++g.differing_steps;
-  if (check_) check_->check_row({matched, energy_now, energy_gain(first_, matched)}, row.dt_s, elapsed_s);
+  if (differs_from_listing(row)) ++arc_.differing_steps;
+  if (check_) check_->check_row({matched, energy_now, gain(first_, matched)}, row.dt_s, elapsed_s);
   last_ = row;
-  if (tells_rows_) tell_row(run, {discrete, matched, model}, energy_now, g.drift_last);
+  if (tells_rows_) tell_row(run, discrete, matched, model);
 }
 
 void ArcMeter::end(ArcEnd ended_by, const Row* clamped) {
-  ArcErrors arc = arc_errors(ended_by);
-  const std::vector<ImpactErrors> met = contacts(clamped != nullptr ? clamped->contact : 0, clamped, arc);
-  verify(arc);
-  add_to_summary(arc);
-  sink_.arc(arc);
-  report_contacts(met, clamped != nullptr && (clamped->contact & kRestBit) != 0);
+  close(ended_by, clamped != nullptr ? clamped->contact : std::uint8_t{0}, clamped, true);
 }
 
 // Walls that clamped the row before as well go on with a contact that is listed already.
@@ -122,50 +119,36 @@ void ArcMeter::short_arc(const ArcStart& start, const Row* flown, const Row* cla
   if (flown == nullptr && begun == 0) {
     start_ = start;
     last_ = start.row;
-    const Flight from = seen_from_start(start.row);
-    summary_.unlisted_energy_px2_per_s2 += energy_gain(from, seen_from_start(*clamped));
+    summary_.unlisted_energy_px2_per_s2 += gain(seen_from_start(start.row), seen_from_start(*clamped));
     return;
   }
   open(start, false);
   if (flown != nullptr) {
     fly(*flown);
-    summary_.unlisted_energy_px2_per_s2 += energy_gain(first_, seen_from_start(*flown));
+    summary_.unlisted_energy_px2_per_s2 += gain(first_, seen_from_start(*flown));
   }
-  ArcErrors arc = arc_errors(ArcEnd::end);
-  const std::vector<ImpactErrors> met = contacts(begun, clamped, arc);
-  verify(arc);
-  count_fault(arc);
-  report_contacts(met, clamped != nullptr && (clamped->contact & kRestBit) != 0);
+  close(ArcEnd::end, begun, clamped, false);
 }
 
-// In a corner x before y.
-std::vector<ImpactErrors> ArcMeter::contacts(std::uint8_t walls, const Row* clamped, const ArcErrors& arc) {
-  std::vector<ImpactErrors> met;
+// @param walls whose contacts begin: in a corner x before y. @param is_listed whether the arc is, too.
+void ArcMeter::close(ArcEnd ended_by, std::uint8_t walls, const Row* clamped, bool is_listed) {
+  finish_errors(ended_by);
+  std::vector<ImpactErrors> contacts;
   for (const Wall wall : kWalls)
-    if (clamped != nullptr && touches(walls, wall)) met.push_back(impact_errors(wall, *clamped, arc));
-  return met;
-}
-
-void ArcMeter::report_contacts(const std::vector<ImpactErrors>& contacts, bool is_stopped) {
+    if (touches(walls, wall)) contacts.push_back(impact_errors(wall, *clamped));
+  verify();
+  count_fault();
+  if (is_listed) report_arc();
   if (!contacts.empty()) summary_.contact_energy += contacts.front().energy_parts;
-  for (const ImpactErrors& contact : contacts) {
-    add_to_summary(contact, is_stopped && contact.wall == Wall::ground);
-    sink_.contact(contact);
-  }
+  for (const ImpactErrors& contact : contacts)
+    report_contact(contact, contact.wall == Wall::ground && (clamped->contact & kRestBit) != 0);
 }
 
 // e = (vx^2 + vy^2) / 2 + g (bottom - y), specific energy in px^2/s^2, 0 at rest on the floor.
-double ArcMeter::energy(const Flight& flight) const {
+double ArcMeter::energy(const State& flight) const {
   const double kinetic =
       0.5 * (flight.vx_px_per_s * flight.vx_px_per_s + flight.vy_px_per_s * flight.vy_px_per_s);
-  return kinetic + model_.gravity_px_per_s2 * ((start_.bounds.bottom_px - start_.row.y_px) - flight.dy_px);
-}
-
-// e(to) - e(from) as (v - w)(v + w) / 2 - g (y - z): two large energies are never subtracted.
-double ArcMeter::energy_gain(const Flight& from, const Flight& to) const {
-  const double kinetic_x = (to.vx_px_per_s - from.vx_px_per_s) * (to.vx_px_per_s + from.vx_px_per_s);
-  const double kinetic_y = (to.vy_px_per_s - from.vy_px_per_s) * (to.vy_px_per_s + from.vy_px_per_s);
-  return 0.5 * (kinetic_x + kinetic_y) - model_.gravity_px_per_s2 * (to.dy_px - from.dy_px);
+  return kinetic + model_.gravity_px_per_s2 * ((start_.bounds.bottom_px - start_.row.y_px) - flight.y_px);
 }
 
 // The paper's step from the arc's last row, before any clamp: each operation rounded.
@@ -185,80 +168,74 @@ bool ArcMeter::differs_from_listing(const Row& row) const {
 }
 
 // Called once last_ is the row.
-void ArcMeter::tell_row(const Flight& run, const ExactFlights& exact, double energy, double drift) {
-  const auto& [discrete, matched, model] = exact;
+void ArcMeter::tell_row(const State& run, const State& discrete, const State& matched,
+                        const Position& model) {
   sink_.row({.step = last_.step,
              .t_s = last_.t_s,
-             .x_px = start_.row.x_px + matched.dx_px,
-             .y_px = start_.row.y_px + matched.dy_px,
+             .x_px = start_.row.x_px + matched.x_px,
+             .y_px = start_.row.y_px + matched.y_px,
              .vx_px_per_s = matched.vx_px_per_s,
              .vy_px_per_s = matched.vy_px_per_s,
-             .implementation_px = distance(run.dx_px - discrete.dx_px, run.dy_px - discrete.dy_px),
-             .truncation_px = distance(run.dx_px - matched.dx_px, run.dy_px - matched.dy_px),
-             .model_px = distance(run.dx_px - model.x_px, run.dy_px - model.y_px),
-             .energy_px2_per_s2 = energy,
-             .energy_drift_px2_per_s2 = drift});
+             .implementation_px = distance(run.x_px - discrete.x_px, run.y_px - discrete.y_px),
+             .truncation_px = distance(run.x_px - matched.x_px, run.y_px - matched.y_px),
+             .model_px = distance(run.x_px - model.x_px, run.y_px - model.y_px),
+             .energy_px2_per_s2 = energy(matched),
+             .energy_drift_px2_per_s2 = arc_.energy_drift_end_px2_per_s2});
 }
 
-ArcErrors ArcMeter::arc_errors(ArcEnd ended_by) const {
+// Once its last row was flown.
+void ArcMeter::finish_errors(ArcEnd ended_by) {
   const Gathered& g = gathered_;
-  ArcErrors arc;
-  arc.first_step = start_.row.step;
-  arc.last_step = last_.step;
-  arc.t_s = last_.t_s;
-  arc.duration_s = solution_.elapsed_s();
-  arc.ended_by = ended_by;
-  arc.solves_x = solution_.solves_x();
-  arc.implementation_px = g.implementation.value();
-  arc.truncation_px = g.truncation.value();
-  arc.model_px = g.model.value();
-  arc.implementation_px_per_s = g.implementation_speed.value();
-  arc.truncation_px_per_s = g.truncation_speed.value();
-  arc.exact_law_px = g.exact_law.value();
-  arc.exact_law_px_per_s = g.exact_law_speed.value();
-  arc.differing_steps = g.differing_steps;
-  arc.energy_largest_px2_per_s2 = g.energy_largest;
+  arc_.last_step = last_.step;
+  arc_.t_s = last_.t_s;
+  arc_.duration_s = solution_.elapsed_s();
+  arc_.ended_by = ended_by;
+  arc_.implementation_px = g.implementation.value();
+  arc_.truncation_px = g.truncation.value();
+  arc_.model_px = g.model.value();
+  arc_.implementation_px_per_s = g.implementation_speed.value();
+  arc_.truncation_px_per_s = g.truncation_speed.value();
+  arc_.exact_law_px = g.exact_law.value();
+  arc_.exact_law_px_per_s = g.exact_law_speed.value();
   const double of_one_px = model_.gravity_px_per_s2;
-  double& scale = arc.energy_scale_px2_per_s2;
-  if (const double largest = std::max(g.energy_largest, of_one_px); largest != 0.0) scale = largest;
-  arc.energy_drift_max_px2_per_s2 = g.drift_largest;
-  arc.energy_drift_end_px2_per_s2 = g.drift_last;
-  arc.energy_drift_rel_max = g.drift_largest / scale;
-  arc.energy_drift_rel_end = g.drift_last / scale;
+  double& scale = arc_.energy_scale_px2_per_s2;
+  if (const double largest = std::max(arc_.energy_largest_px2_per_s2, of_one_px); largest != 0.0)
+    scale = largest;
+  arc_.energy_drift_rel_max = arc_.energy_drift_max_px2_per_s2 / scale;
+  arc_.energy_drift_rel_end = arc_.energy_drift_end_px2_per_s2 / scale;
   if (const auto slope = g.drift_fit.slope_per_s()) {
-    arc.energy_drift_slope_per_s = *slope / scale;
-    if (model_.gravity_px_per_s2 > 0.0) arc.energy_drift_slope_px_per_s = *slope / model_.gravity_px_per_s2;
+    arc_.energy_drift_slope_per_s = *slope / scale;
+    if (of_one_px > 0.0) arc_.energy_drift_slope_px_per_s = *slope / of_one_px;
   }
   const double by_gravity = solution_.gravity_energy_px2_per_s2();
-  arc.energy_parts = {by_gravity, g.drift_last - by_gravity};
-  arc.coordinate_largest_px = g.coordinate_largest_px;
-  return arc;
+  arc_.energy_parts = {by_gravity, arc_.energy_drift_end_px2_per_s2 - by_gravity};
 }
 
 // Once the arc and its contacts are measured.
-void ArcMeter::verify(ArcErrors& arc) {
+void ArcMeter::verify() {
   if (check_) {
     check_->check_model(solution_.model(), solution_.elapsed_s());
-    arc.gsl_vs_closed_px = check_->apart_px();
-    arc.reference_fault = check_->fault(arc.coordinate_largest_px);
+    arc_.gsl_vs_closed_px = check_->apart_px();
+    arc_.reference_fault = check_->fault(arc_.coordinate_largest_px);
   }
   // The rows are finite; so is all that is measured of them.
-  const double sum = arc.implementation_px + arc.truncation_px + arc.model_px + arc.implementation_px_per_s +
-                     arc.truncation_px_per_s + arc.exact_law_px + arc.exact_law_px_per_s +
-                     arc.energy_largest_px2_per_s2 + arc.energy_drift_rel_max +
-                     arc.energy_drift_slope_per_s.value_or(0.0);
-  if (!std::isfinite(sum)) arc.reference_fault = "a value is not finite";
+  const double sum = arc_.implementation_px + arc_.truncation_px + arc_.model_px +
+                     arc_.implementation_px_per_s + arc_.truncation_px_per_s + arc_.exact_law_px +
+                     arc_.exact_law_px_per_s + arc_.energy_largest_px2_per_s2 + arc_.energy_drift_rel_max +
+                     arc_.energy_drift_slope_per_s.value_or(0.0);
+  if (!std::isfinite(sum)) arc_.reference_fault = "a value is not finite";
 }
 
-ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc) {
-  ImpactErrors contact;
-  contact.step = clamped.step;
-  contact.t_s = clamped.t_s;
-  contact.wall = wall;
-  contact.overshoot_px = overshoot_px(wall, clamped.dt_s);
-  contact.energy_jump_px2_per_s2 = energy_gain(seen_from_start(last_), seen_from_start(clamped));
-  contact.energy_jump_rel = contact.energy_jump_px2_per_s2 / arc.energy_scale_px2_per_s2;
-  contact.energy_parts = contact_energy(clamped);
+ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped) {
+  const State unclamped = state_of(step_from_last(clamped.dt_s));
+  const double past_px = approach_to(wall, place_px(wall, start_.bounds), unclamped, 0.0, 0.0).position_px;
+  ImpactErrors contact{.step = clamped.step,
+                       .t_s = clamped.t_s,
+                       .wall = wall,
+                       .overshoot_px = larger(0.0, past_px),
+                       .energy_jump_px2_per_s2 = gain(seen_from_start(last_), seen_from_start(clamped)),
+                       .energy_parts = contact_energy(clamped)};
+  contact.energy_jump_rel = contact.energy_jump_px2_per_s2 / arc_.energy_scale_px2_per_s2;
   std::optional<Impact> impact = walls_.impact(wall, clamped.dt_s);
   if (impact) {
     contact.time_error_s = clamped.dt_s - impact->t_s;
@@ -274,16 +251,12 @@ ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped, const ArcErr
 // Each operation of the paper's step from the arc's last row, and what it does to the energy.
 ContactEnergyParts ArcMeter::contact_energy(const Row& clamped) const {
   const auto hits = [&](Wall wall) { return touches(clamped.contact, wall); };
-  Flight now = seen_from_start(last_);
-  const auto gain_to = [&](const Flight& next) {
-    const double gain = energy_gain(now, next);
-    now = next;
-    return gain;
-  };
+  State now = seen_from_start(last_);
+  const auto gain_to = [&](const State& next) { return gain(std::exchange(now, next), next); };
   ContactEnergyParts parts;
-  Flight next = seen_from_start(step_from_last(clamped.dt_s));
+  State next = seen_from_start(step_from_last(clamped.dt_s));
   parts.flight = gain_to(next);
-  next.dy_px = clamped.y_px - start_.row.y_px;
+  next.y_px = clamped.y_px - start_.row.y_px;
   parts.lift = gain_to(next);
   if (hits(Wall::left) || hits(Wall::right)) next.vx_px_per_s *= -model_.restitution;
   if (hits(Wall::top) || hits(Wall::ground)) next.vy_px_per_s *= -model_.restitution;
@@ -297,68 +270,53 @@ ContactEnergyParts ArcMeter::contact_energy(const Row& clamped) const {
 
 double ArcMeter::late_bounce(Wall wall, double dt_s, double impact_speed_px_per_s) const {
   const Row unclamped = step_from_last(dt_s);
-  const bool is_x = wall == Wall::left || wall == Wall::right;
-  const double speed = std::fabs(is_x ? unclamped.vx_px_per_s : unclamped.vy_px_per_s);
+  const double speed = std::fabs(is_at_side(wall) ? unclamped.vx_px_per_s : unclamped.vy_px_per_s);
   return 0.5 * model_.restitution * model_.restitution *
          ((speed - impact_speed_px_per_s) * (speed + impact_speed_px_per_s));
 }
 
 // In a corner the floor's friction acts on vx after the wall in x has turned it.
 double ArcMeter::speed_after(Wall wall, const Row& clamped) const {
-  if (wall == Wall::top || wall == Wall::ground) return std::fabs(clamped.vy_px_per_s);
+  if (!is_at_side(wall)) return std::fabs(clamped.vy_px_per_s);
   const double speed = std::fabs(clamped.vx_px_per_s);
   return touches(clamped.contact, Wall::ground) ? speed / model_.ground_friction : speed;
 }
 
-double ArcMeter::overshoot_px(Wall wall, double dt_s) const {
-  const Row unclamped = step_from_last(dt_s);
-  switch (wall) {
-    case Wall::left:
-      return larger(0.0, 0.0 - unclamped.x_px);
-    case Wall::right:
-      return larger(0.0, unclamped.x_px - start_.bounds.right_px);
-    case Wall::top:
-      return larger(0.0, 0.0 - unclamped.y_px);
-    case Wall::ground:
-      return larger(0.0, unclamped.y_px - start_.bounds.bottom_px);
-  }
-  return 0.0;
-}
-
 // Differences of coordinates that lie near each other are exact.
-Flight ArcMeter::seen_from_start(const Row& row) const {
+State ArcMeter::seen_from_start(const Row& row) const {
   return {row.x_px - start_.row.x_px, row.y_px - start_.row.y_px, row.vx_px_per_s, row.vy_px_per_s};
 }
 
-void ArcMeter::count_fault(const ArcErrors& arc) {
+void ArcMeter::count_fault() {
   DriftSummary& s = summary_;
-  if (arc.reference_fault.empty() || s.reference_faults++ > 0) return;
-  s.first_reference_fault_step = arc.first_step;
-  s.first_reference_fault = arc.reference_fault;
+  if (arc_.reference_fault.empty() || s.reference_faults++ > 0) return;
+  s.first_reference_fault_step = arc_.first_step;
+  s.first_reference_fault = arc_.reference_fault;
 }
 
-void ArcMeter::add_to_summary(const ArcErrors& arc) {
+void ArcMeter::report_arc() {
   DriftSummary& s = summary_;
   ++s.arcs;
-  if (!arc.solves_x) ++s.arcs_without_x;
-  s.differing_steps += arc.differing_steps;
-  count_fault(arc);
-  s.arc_energy += arc.energy_parts;
-  s.reference_energy_px2_per_s2 += energy_gain(first_, solution_.matched());
+  if (!arc_.solves_x) ++s.arcs_without_x;
+  s.differing_steps += arc_.differing_steps;
+  s.arc_energy += arc_.energy_parts;
+  s.reference_energy_px2_per_s2 += gain(first_, solution_.matched());
   drift_of_all_arcs_.add_line(gathered_.drift_fit);
   if (const auto slope = drift_of_all_arcs_.slope_per_s(); slope && model_.gravity_px_per_s2 > 0.0)
     s.secular_px_per_s = *slope / model_.gravity_px_per_s2;
-  include_all_worst(s, kArcColumns, arc, arc.first_step);
-  include_all_worst(s, kReferenceArcColumns, arc, arc.first_step);
+  include_all_worst(s, kArcColumns, arc_, arc_.first_step);
+  include_all_worst(s, kReferenceArcColumns, arc_, arc_.first_step);
+  sink_.arc(arc_);
 }
 
-void ArcMeter::add_to_summary(const ImpactErrors& contact, bool is_stopped) {
+void ArcMeter::report_contact(const ImpactErrors& contact, bool is_stopped) {
   DriftSummary& s = summary_;
   ++s.contacts;
   s.late_bounces_px2_per_s2 += contact.late_bounce_px2_per_s2.value_or(0.0);
   include_all_worst(s, kImpactColumns, contact, contact.step);
   if (contact.effective_restitution && !is_stopped)
     s.effective_restitution.add(*contact.effective_restitution);
+  sink_.contact(contact);
 }
 
 }  // namespace hyrax

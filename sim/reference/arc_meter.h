@@ -33,7 +33,7 @@ class WallWatch {
 
   void start(const ArcStart& start);
   /// The matched ODE came to `now` in a frame of dt.
-  void add(const Flight& now, double dt_s, double elapsed_s) {
+  void add(const State& now, double dt_s, double elapsed_s) {
     if (dt_s > 0.0) {
       if (is_any_outside_ || is_out(now) || may_touch_top(now, dt_s)) look(now, dt_s);
       rate_dt_s_ = dt_s;
@@ -52,29 +52,27 @@ class WallWatch {
   }
 
  private:
-  [[nodiscard]] bool is_out(const Flight& at) const {
-    return at.dy_px > bottom_px_ || at.dy_px < top_px_ || at.dx_px > right_px_ || at.dx_px < left_px_;
+  [[nodiscard]] bool is_out(const State& at) const {
+    const auto& [left_px, right_px, top_px, bottom_px] = at_px_;
+    return at.y_px > bottom_px || at.y_px < top_px || at.x_px > right_px || at.x_px < left_px;
   }
   // In the frame in which it turns downwards it can reach the top between two rows.
-  [[nodiscard]] bool may_touch_top(const Flight& now, double dt_s) const {
+  [[nodiscard]] bool may_touch_top(const State& now, double dt_s) const {
     return last_.vy_px_per_s < 0.0 && now.vy_px_per_s >= 0.0 &&
-           last_.dy_px + last_.vy_px_per_s * dt_s < top_px_;
+           last_.y_px + last_.vy_px_per_s * dt_s < at_px_[wall_index(Wall::top)];
   }
   [[nodiscard]] double rate_dt_s(double clamped_dt_s) const {
     return rate_dt_s_ > 0.0 ? rate_dt_s_ : clamped_dt_s;
   }
-  void look(const Flight& now, double dt_s);
-  [[nodiscard]] Approach approach(Wall wall, const Flight& from, double dt_s) const;
+  void look(const State& now, double dt_s);
+  [[nodiscard]] Approach approach(Wall wall, const State& from, double dt_s) const;
   [[nodiscard]] std::optional<Impact> find(Wall wall, double dt_s, double t_max_s) const;
 
   double gravity_;
   double log_air_drag_;
   ImpactFinder find_;
-  double left_px_ = 0.0;  // Bounds, seen from the arc's first position.
-  double right_px_ = 0.0;
-  double top_px_ = 0.0;
-  double bottom_px_ = 0.0;
-  Flight last_;
+  std::array<double, 4> at_px_{};  // Seen from the arc's first position.
+  State last_;
   double last_elapsed_s_ = 0.0;
   double rate_dt_s_ = 0.0;            // Of the last frame in which time passed.
   std::array<bool, 4> is_outside_{};  // At the end of that frame.
@@ -88,7 +86,7 @@ class ReferenceCheck {
  public:
   /// The matched ODE at a row, by the closed form.
   struct Closed {
-    const Flight& flight;
+    const State& flight;
     double energy_px2_per_s2 = 0.0;
     double energy_gain_px2_per_s2 = 0.0;  ///< Since the arc's first row.
   };
@@ -184,39 +182,27 @@ class ArcMeter final : public ArcVisitor {
     LargestDistance implementation, truncation, model, exact_law;
     LargestDistance implementation_speed, truncation_speed, exact_law_speed;
     LineFit drift_fit;
-    double energy_largest = 0.0;
-    double drift_largest = 0.0;
-    double drift_last = 0.0;
-    double coordinate_largest_px = 0.0;
-    std::int64_t differing_steps = 0;
   };
 
-  struct ExactFlights {
-    const Flight& discrete;
-    const Flight& matched;
-    const Position& model;
-  };
-
-  [[nodiscard]] double energy(const Flight& flight) const;
-  [[nodiscard]] double energy_gain(const Flight& from, const Flight& to) const;
+  [[nodiscard]] double energy(const State& flight) const;
+  [[nodiscard]] double gain(const State& from, const State& to) const {
+    return energy_gain(from, to, model_.gravity_px_per_s2);
+  }
   [[nodiscard]] Row step_from_last(double dt_s) const;
   [[nodiscard]] bool differs_from_listing(const Row& row) const;
-  void tell_row(const Flight& run, const ExactFlights& exact, double energy, double drift);
+  void tell_row(const State& run, const State& discrete, const State& matched, const Position& model);
   void open(const ArcStart& start, bool tells_rows);
-  void verify(ArcErrors& arc);
-  [[nodiscard]] ArcErrors arc_errors(ArcEnd ended_by) const;
-  [[nodiscard]] std::vector<ImpactErrors> contacts(std::uint8_t walls, const Row* clamped,
-                                                   const ArcErrors& arc);
-  [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped, const ArcErrors& arc);
+  void close(ArcEnd ended_by, std::uint8_t walls, const Row* clamped, bool is_listed);
+  void finish_errors(ArcEnd ended_by);
+  void verify();
+  [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped);
   [[nodiscard]] ContactEnergyParts contact_energy(const Row& clamped) const;
   [[nodiscard]] double late_bounce(Wall wall, double dt_s, double impact_speed_px_per_s) const;
   [[nodiscard]] double speed_after(Wall wall, const Row& clamped) const;
-  [[nodiscard]] double overshoot_px(Wall wall, double dt_s) const;
-  [[nodiscard]] Flight seen_from_start(const Row& row) const;
-  void count_fault(const ArcErrors& arc);
-  void add_to_summary(const ArcErrors& arc);
-  void add_to_summary(const ImpactErrors& contact, bool is_stopped);
-  void report_contacts(const std::vector<ImpactErrors>& contacts, bool is_stopped);
+  [[nodiscard]] State seen_from_start(const Row& row) const;
+  void count_fault();
+  void report_arc();
+  void report_contact(const ImpactErrors& contact, bool is_stopped);
 
   Model model_;
   DriftSink& sink_;
@@ -226,8 +212,9 @@ class ArcMeter final : public ArcVisitor {
   ArcSolution solution_;
   WallWatch walls_;
   ArcStart start_;
-  Flight first_;
+  State first_;
   Row last_;
+  ArcErrors arc_;  // Of the arc so far.
   Gathered gathered_;
   LineFit drift_of_all_arcs_;
   DriftSummary summary_;

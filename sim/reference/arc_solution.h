@@ -104,11 +104,9 @@ class ArcSolution {
   [[nodiscard]] double elapsed_s() const { return start_.t.hi + (frames() * dt_s_ + start_.t.lo); }
   [[nodiscard]] bool solves_x() const { return solves_x_; }
 
-  [[nodiscard]] Flight discrete() const {
-    return flight(powers_->rounded(frames_).discrete, start_.discrete);
-  }
-  [[nodiscard]] Flight matched() const { return flight(powers_->rounded(frames_).matched, start_.matched); }
-  [[nodiscard]] Flight exact_law() const {
+  [[nodiscard]] State discrete() const { return flight(powers_->rounded(frames_).discrete, start_.discrete); }
+  [[nodiscard]] State matched() const { return flight(powers_->rounded(frames_).matched, start_.matched); }
+  [[nodiscard]] State exact_law() const {
     return flight(powers_->rounded(frames_).exact_law, start_.exact_law);
   }
   /// What the discretisation of gravity did to the energy since the arc's first row, px^2/s^2: along the
@@ -121,8 +119,8 @@ class ArcSolution {
   /// the model's rate.
   [[nodiscard]] Position model() const {
     if (!was_at_model_rate_ || !is_at_model_rate()) return model_at_other_rates();
-    const Flight same = matched();
-    return {same.dx_px, same.dy_px};
+    const State same = matched();
+    return {same.x_px, same.y_px};
   }
 
   /// ln(a); the matched drag rate of a frame is -ln(a) / dt.
@@ -153,13 +151,13 @@ class ArcSolution {
   [[nodiscard]] Position model_at_other_rates() const;
   void move_on(WideFlight& flight, const FramePower<DoubleDouble>& power) const;
 
-  [[nodiscard]] Flight flight(const FramePower<double>& power, const WideFlight& from) const {
-    Flight now;
+  [[nodiscard]] State flight(const FramePower<double>& power, const WideFlight& from) const {
+    State now;
     const double gain = gravity_ * dt_s_;
-    now.dy_px = from.y.displacement.hi + dt_s_ * (power.sum * from.y.speed.hi + gain * power.sum_of_sums);
+    now.y_px = from.y.displacement.hi + dt_s_ * (power.sum * from.y.speed.hi + gain * power.sum_of_sums);
     now.vy_px_per_s = power.power * from.y.speed.hi + gain * power.sum;
     if (!solves_x_) return now;
-    now.dx_px = from.x.displacement.hi + dt_s_ * (power.sum * from.x.speed.hi);
+    now.x_px = from.x.displacement.hi + dt_s_ * (power.sum * from.x.speed.hi);
     now.vx_px_per_s = power.power * from.x.speed.hi;
     return now;
   }

@@ -95,16 +95,16 @@ struct ArcErrors {
   /// Least-squares slope with intercept of the signed drift, none where no time passes: as height (divided by
   /// gravity; none without it), the same for every arc of a clock, and relative, which says how low an arc
   /// is.
-  std::optional<double> energy_drift_slope_px_per_s;
-  std::optional<double> energy_drift_slope_per_s;
-  ArcEnergyParts energy_parts;
+  std::optional<double> energy_drift_slope_px_per_s = {};
+  std::optional<double> energy_drift_slope_per_s = {};
+  ArcEnergyParts energy_parts = {};
 
-  double coordinate_largest_px = 0.0;      ///< Of the run and the matched ODE.
-  std::optional<double> gsl_vs_closed_px;  ///< None without a second solver, or where it failed.
+  double coordinate_largest_px = 0.0;           ///< Of the run and the matched ODE.
+  std::optional<double> gsl_vs_closed_px = {};  ///< None without a second solver, or where it failed.
   /// What is wrong with the reference; empty: nothing. "position differs", of the two solutions, or
   /// "velocity", "energy", "model error", or "time of impact" of the contact that ended the arc; "the
   /// second solver failed"; "a value is not finite".
-  std::string_view reference_fault;
+  std::string_view reference_fault = {};
 };
 
 /// A contact that ended an arc, of no step too, against the true impact: the first time t* at which the
@@ -115,15 +115,15 @@ struct ImpactErrors {
   std::int64_t step = 0;  ///< Of the clamped row.
   double t_s = 0.0;
   Wall wall = Wall::ground;
-  std::optional<double> time_error_s;           ///< t of the clamped row minus t*.
-  double overshoot_px = 0.0;                    ///< How far past the wall the unclamped position was, >= 0.
-  double energy_jump_px2_per_s2 = 0.0;          ///< Energy change over the clamped step,
-  double energy_jump_rel = 0.0;                 ///< and that / the arc's scale.
-  std::optional<double> effective_restitution;  ///< Normal speed after that wall / normal speed at t*.
-  ContactEnergyParts energy_parts;              ///< In a corner the same for both walls.
+  std::optional<double> time_error_s = {};  ///< t of the clamped row minus t*.
+  double overshoot_px = 0.0;                ///< How far past the wall the unclamped position was, >= 0.
+  double energy_jump_px2_per_s2 = 0.0;      ///< Energy change over the clamped step,
+  double energy_jump_rel = 0.0;             ///< and that / the arc's scale.
+  std::optional<double> effective_restitution = {};  ///< Normal speed after that wall / normal speed at t*.
+  ContactEnergyParts energy_parts = {};              ///< In a corner the same for both walls.
   /// What restitution at the end of the step, early or late, adds over restitution at t*, px^2/s^2: with r
   /// the ratio of speeds, r^2 / 2 (speed^2 at the step's end - speed^2 at t*), of the normal speed.
-  std::optional<double> late_bounce_px2_per_s2;
+  std::optional<double> late_bounce_px2_per_s2 = {};
 };
 
 /// A row of an arc against the exact flights. Rows of an arc come in order, its first row included.

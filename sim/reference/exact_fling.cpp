@@ -3,8 +3,6 @@
 #include <cassert>
 #include <limits>
 
-#include "sim/reference/flight.h"
-
 namespace hyrax {
 
 bool slides_on(const State& motion, const Bounds& bounds) {
@@ -20,19 +18,13 @@ void ExactFling::start(const State& motion, const Bounds& bounds, bool slides, d
   slides_ = slides && slides_on(motion, bounds);
   until_s_ = until_s;
   impacts_.clear();
-  put_inside();
+  for (const Wall wall : kWalls)
+    if (seen_from(wall).position_px > 0.0) bounce(wall);
   find_next();
 }
 
-void ExactFling::put_inside() {
-  if (from_.x_px < 0.0)
-    bounce(Wall::left);
-  else if (from_.x_px > bounds_.right_px)
-    bounce(Wall::right);
-  if (from_.y_px < 0.0)
-    bounce(Wall::top);
-  else if (from_.y_px > bounds_.bottom_px)
-    bounce(Wall::ground);
+Approach ExactFling::seen_from(Wall wall) const {
+  return approach_to(wall, place_px(wall, bounds_), from_, laws_.gravity_px_per_s2, rate_per_s());
 }
 
 State ExactFling::at(double t_s) {
@@ -47,11 +39,10 @@ State ExactFling::at(double t_s) {
 }
 
 State ExactFling::fly(double since_s) const {
-  const double rate_per_s = laws_.drag_rate_per_s + (slides_ ? laws_.friction_rate_per_s : 0.0);
-  const AxisMotion x = hyrax::fly(from_.vx_px_per_s, 0.0, rate_per_s, since_s);
+  const AxisMotion x = hyrax::fly(from_.vx_px_per_s, 0.0, rate_per_s(), since_s);
   State now{from_.x_px + x.displacement_px, from_.y_px, x.speed_px_per_s, 0.0};
   if (slides_) return now;
-  const AxisMotion y = hyrax::fly(from_.vy_px_per_s, laws_.gravity_px_per_s2, rate_per_s, since_s);
+  const AxisMotion y = hyrax::fly(from_.vy_px_per_s, laws_.gravity_px_per_s2, rate_per_s(), since_s);
   now.y_px += y.displacement_px;
   now.vy_px_per_s = y.speed_px_per_s;
   return now;
@@ -59,19 +50,13 @@ State ExactFling::fly(double since_s) const {
 
 void ExactFling::find_next() {
   next_s_ = std::numeric_limits<double>::infinity();
-  const double rate_per_s = laws_.drag_rate_per_s + (slides_ ? laws_.friction_rate_per_s : 0.0);
-  const auto consider = [&](Wall wall, double position_px, double speed_px_per_s, double acceleration) {
-    const auto impact =
-        time_of_impact({position_px, speed_px_per_s, acceleration, rate_per_s}, until_s_ - from_s_);
-    if (!impact || from_s_ + impact->t_s >= next_s_) return;
+  for (const Wall wall : kWalls) {
+    if (slides_ && !is_at_side(wall)) return;
+    const auto impact = time_of_impact(seen_from(wall), until_s_ - from_s_);
+    if (!impact || from_s_ + impact->t_s >= next_s_) continue;
     next_s_ = from_s_ + impact->t_s;
     next_wall_ = wall;
-  };
-  if (from_.vx_px_per_s < 0.0) consider(Wall::left, -from_.x_px, -from_.vx_px_per_s, 0.0);
-  if (from_.vx_px_per_s > 0.0) consider(Wall::right, from_.x_px - bounds_.right_px, from_.vx_px_per_s, 0.0);
-  if (slides_) return;
-  consider(Wall::top, -from_.y_px, -from_.vy_px_per_s, -laws_.gravity_px_per_s2);
-  consider(Wall::ground, from_.y_px - bounds_.bottom_px, from_.vy_px_per_s, laws_.gravity_px_per_s2);
+  }
 }
 
 // A subnormal speed times a factor above 1/2 can stay what it is: between two walls at one place it would
@@ -83,11 +68,8 @@ void ExactFling::turn(double& speed_px_per_s) const {
 
 void ExactFling::bounce(Wall wall) {
   impacts_.push_back({from_s_, wall});
-  if (wall == Wall::left || wall == Wall::right) {
-    from_.x_px = wall == Wall::left ? 0.0 : bounds_.right_px;
-    return turn(from_.vx_px_per_s);
-  }
-  from_.y_px = wall == Wall::top ? 0.0 : bounds_.bottom_px;
+  (is_at_side(wall) ? from_.x_px : from_.y_px) = place_px(wall, bounds_);
+  if (is_at_side(wall)) return turn(from_.vx_px_per_s);
   turn(from_.vy_px_per_s);
   if (wall == Wall::top) return;
   from_.vx_px_per_s *= laws_.ground_friction;

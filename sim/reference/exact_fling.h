@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/motion/state.h"
+#include "sim/reference/flight.h"
 #include "sim/reference/model.h"
 
 namespace hyrax {
@@ -52,11 +52,14 @@ class ExactFling {
   [[nodiscard]] const std::vector<ExactImpact>& impacts() const { return impacts_; }
 
  private:
-  void put_inside();
   void find_next();
   void bounce(Wall wall);
   void turn(double& speed_px_per_s) const;
+  [[nodiscard]] Approach seen_from(Wall wall) const;
   [[nodiscard]] State fly(double since_s) const;
+  [[nodiscard]] double rate_per_s() const {
+    return laws_.drag_rate_per_s + (slides_ ? laws_.friction_rate_per_s : 0.0);
+  }
 
   FixedLaws laws_;
   Bounds bounds_;

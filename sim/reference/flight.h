@@ -4,18 +4,21 @@
 #include <cassert>
 #include <optional>
 
+#include "sim/motion/state.h"
 #include "sim/reference/phi.h"
 
 namespace hyrax {
 
-/// Displacement since the arc began, and velocity: the equations of flight know no origin, and a
-/// displacement keeps the digits that a coordinate far from the origin has lost.
-struct Flight {
-  double dx_px = 0.0;
-  double dy_px = 0.0;
-  double vx_px_per_s = 0.0;
-  double vy_px_per_s = 0.0;
-};
+// A State of a flight has its position from where the arc began: the equations of flight know no origin, and
+// a displacement keeps the digits that a coordinate far from the origin has lost.
+
+/// Specific energy gained between two states, px^2/s^2, of e = (vx^2 + vy^2) / 2 - g y. As
+/// (v - w)(v + w) / 2 - g (y - z): two large energies are never subtracted.
+[[nodiscard]] inline double energy_gain(const State& from, const State& to, double gravity_px_per_s2) {
+  const double kinetic_x = (to.vx_px_per_s - from.vx_px_per_s) * (to.vx_px_per_s + from.vx_px_per_s);
+  const double kinetic_y = (to.vy_px_per_s - from.vy_px_per_s) * (to.vy_px_per_s + from.vy_px_per_s);
+  return 0.5 * (kinetic_x + kinetic_y) - gravity_px_per_s2 * (to.y_px - from.y_px);
+}
 
 /// Motion along one axis.
 struct AxisMotion {
@@ -37,6 +40,9 @@ struct AxisMotion {
           speed_px_per_s + z * p.one * speed_px_per_s + gain_px_per_s * p.one};
 }
 
+/// Whether a wall is met in x.
+[[nodiscard]] constexpr bool is_at_side(Wall wall) { return wall == Wall::left || wall == Wall::right; }
+
 /// One axis of a flight at a constant drag rate, seen from a wall: position and speed grow outwards,
 /// and past the wall the position is positive.
 struct Approach {
@@ -45,6 +51,22 @@ struct Approach {
   double acceleration_px_per_s2 = 0.0;
   double drag_rate_per_s = 0.0;  ///< >= 0.
 };
+
+/// Where a wall is, within bounds.
+[[nodiscard]] constexpr double place_px(Wall wall, const Bounds& bounds) {
+  if (wall == Wall::left || wall == Wall::top) return 0.0;
+  return wall == Wall::right ? bounds.right_px : bounds.bottom_px;
+}
+
+/// A flight from a state, as the wall at wall_px sees it.
+[[nodiscard]] constexpr Approach approach_to(Wall wall, double wall_px, const State& from,
+                                             double gravity_px_per_s2, double drag_rate_per_s) {
+  const double outwards = wall == Wall::left || wall == Wall::top ? -1.0 : 1.0;
+  if (is_at_side(wall))
+    return {outwards * (from.x_px - wall_px), outwards * from.vx_px_per_s, 0.0, drag_rate_per_s};
+  return {outwards * (from.y_px - wall_px), outwards * from.vy_px_per_s, outwards * gravity_px_per_s2,
+          drag_rate_per_s};
+}
 
 struct Impact {
   double t_s = 0.0;

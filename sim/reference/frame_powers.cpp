@@ -22,7 +22,7 @@ DoubleDouble quotient(double a, DoubleDouble b) {
 
 FramePowers::FramePowers(const Model& model) : air_drag_(model.air_drag), log_(wide_log(model.air_drag)) {
   assert(model.air_drag >= 0.5 && model.air_drag <= 1.0);
-  const WidePhi frame = wide_phi(log_);
+  const Phi frame = wide_phi(log_);
   phi1_ = frame.one;
   phi2_ = frame.two;
   kappa_ = quotient(model.air_drag, phi1_);  // -a ln(a) / (1 - a), for a = 1 as well.
@@ -59,7 +59,7 @@ FramePower<DoubleDouble> FramePowers::exact_law_after(double frames, DoubleDoubl
   constexpr double kCancels = -1.0 / 8192;
   const DoubleDouble z = log_ * frames;
   if (z.hi > kCancels) {
-    const WidePhi p = wide_phi(z);
+    const Phi p = wide_phi(z);
     return {power, kappa_ * p.one * frames, (kappa_ * kappa_ * p.two * frames + shift_) * frames};
   }
   const DoubleDouble gone = power + -1.0;

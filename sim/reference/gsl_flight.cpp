@@ -103,88 +103,72 @@ class AxisFlight {
   Approach from_;
 };
 
-}  // namespace
+class GslFlight final : public FlightSolver {
+ public:
+  GslFlight(const GslOptions& options, const Model& model)
+      : is_accurate_(options.stepper == GslStepper::rk8pd && options.tolerance <= 1e-12),
+        gravity_px_per_s2_(model.gravity_px_per_s2),
+        drag_per_frame_(-std::log(model.air_drag)),
+        model_rate_per_s_(drag_per_frame_ * model.model_rate_hz),
+        in_y_(options, 1),
+        in_both_(options, 2),
+        axis_(options) {}
 
-struct GslFlight::Solver {
-  Solver(const GslOptions& chosen, const Model& law)
-      : options(chosen),
-        gravity_px_per_s2(law.gravity_px_per_s2),
-        drag_per_frame(-std::log(law.air_drag)),
-        model_rate_per_s(drag_per_frame * law.model_rate_hz),
-        in_y(chosen, 1),
-        in_both(chosen, 2),
-        axis(chosen) {}
-
-  GslDriver& driver() { return solves_x ? in_both : in_y; }
-  Flight flight() {
-    const AxisMotion y = driver().at(kY);
-    const AxisMotion x = solves_x ? driver().at(kX) : AxisMotion{};
-    return {x.displacement_px, y.displacement_px, x.speed_px_per_s, y.speed_px_per_s};
+  void start(const Velocity& velocity, bool solves_x) override {
+    solves_x_ = solves_x;
+    first_ = velocity;
+    driver().start(kY, {0.0, velocity.vy_px_per_s}, gravity_px_per_s2_);
+    if (solves_x) driver().start(kX, {0.0, velocity.vx_px_per_s}, 0.0);
+    has_failed_ = false;
   }
 
-  GslOptions options;
-  double gravity_px_per_s2;
-  double drag_per_frame;
-  double model_rate_per_s;
-  GslDriver in_y;
-  GslDriver in_both;
-  AxisFlight axis;
-  Velocity first;
-  Flight now;
-  bool solves_x = true;
-  bool has_failed = false;
+  std::optional<State> advance(double dt_s) override {
+    has_failed_ = has_failed_ || !driver().advance(dt_s, drag_per_frame_);
+    if (has_failed_) return std::nullopt;
+    const AxisMotion y = driver().at(kY);
+    const AxisMotion x = solves_x_ ? driver().at(kX) : AxisMotion{};
+    return State{x.displacement_px, y.displacement_px, x.speed_px_per_s, y.speed_px_per_s};
+  }
+
+  std::optional<Position> model(double t_s) override {
+    axis_.start({0.0, first_.vy_px_per_s, gravity_px_per_s2_, model_rate_per_s_});
+    const double y_px = axis_.after(t_s).displacement_px;
+    axis_.start({0.0, first_.vx_px_per_s, 0.0, model_rate_per_s_});
+    const double x_px = solves_x_ ? axis_.after(t_s).displacement_px : 0.0;
+    if (std::isnan(x_px + y_px)) return std::nullopt;
+    return Position{x_px, y_px};
+  }
+
+  std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) override {
+    axis_.start(approach);
+    const std::optional<double> t_s = axis_.crossing(t_max_s);
+    if (!t_s) return std::nullopt;
+    return Impact{*t_s, axis_.after(*t_s).speed_px_per_s, approach.drag_rate_per_s};
+  }
+
+  [[nodiscard]] bool is_accurate() const override { return is_accurate_; }
+
+ private:
+  GslDriver& driver() { return solves_x_ ? in_both_ : in_y_; }
+
+  bool is_accurate_;
+  double gravity_px_per_s2_;
+  double drag_per_frame_;
+  double model_rate_per_s_;
+  GslDriver in_y_;
+  GslDriver in_both_;
+  AxisFlight axis_;
+  Velocity first_;
+  bool solves_x_ = true;
+  bool has_failed_ = false;
 };
 
-GslFlight::GslFlight(const GslOptions& options, const Model& model) {
+}  // namespace
+
+std::unique_ptr<FlightSolver> gsl_flight(const GslOptions& options, const Model& model) {
   assert(options.tolerance >= kGslToleranceMin && options.tolerance <= kGslToleranceMax);
   gsl_set_error_handler_off();
-  solver_ = std::make_unique<Solver>(options, model);
-}
-
-GslFlight::~GslFlight() = default;
-
-void GslFlight::start(const Velocity& velocity, bool solves_x) {
-  Solver& s = *solver_;
-  s.solves_x = solves_x;
-  s.first = velocity;
-  s.driver().start(kY, {0.0, velocity.vy_px_per_s}, s.gravity_px_per_s2);
-  if (solves_x) s.driver().start(kX, {0.0, velocity.vx_px_per_s}, 0.0);
-  s.now = s.flight();
-  s.has_failed = false;
-}
-
-bool GslFlight::advance(double dt_s) {
-  Solver& s = *solver_;
-  s.has_failed = s.has_failed || !s.driver().advance(dt_s, s.drag_per_frame);
-  s.now = s.flight();
-  return !s.has_failed;
-}
-
-Flight GslFlight::flight() const { return solver_->now; }
-
-std::optional<Flight> GslFlight::model(double t_s) {
-  Solver& s = *solver_;
-  s.axis.start({0.0, s.first.vy_px_per_s, s.gravity_px_per_s2, s.model_rate_per_s});
-  const AxisMotion y = s.axis.after(t_s);
-  AxisMotion x;
-  if (s.solves_x) {
-    s.axis.start({0.0, s.first.vx_px_per_s, 0.0, s.model_rate_per_s});
-    x = s.axis.after(t_s);
-  }
-  if (std::isnan(x.displacement_px + y.displacement_px)) return std::nullopt;
-  return Flight{x.displacement_px, y.displacement_px, x.speed_px_per_s, y.speed_px_per_s};
-}
-
-std::optional<Impact> GslFlight::time_of_impact(const Approach& approach, double t_max_s) {
-  AxisFlight& axis = solver_->axis;
-  axis.start(approach);
-  const std::optional<double> t_s = axis.crossing(t_max_s);
-  if (!t_s) return std::nullopt;
-  return Impact{*t_s, axis.after(*t_s).speed_px_per_s, approach.drag_rate_per_s};
-}
-
-bool GslFlight::is_accurate() const {
-  return solver_->options.stepper == GslStepper::rk8pd && solver_->options.tolerance <= 1e-12;
+  return std::make_unique<GslFlight>(options, model);
 }
 
 }  // namespace hyrax

@@ -33,26 +33,14 @@ inline constexpr unsigned long kGslStepsPerFrameMax = 10'000;
 /// remembers other forces is off by hundreds of px), and every 128 frames: GSL sums in plain double,
 /// so it solves for the change since the restart, and the sum of the changes is kept to 100 bits.
 /// Rounding stays below 1e-14 of the path, however many frames there are.
-class GslFlight final : public FlightSolver {
- public:
-  /// REQUIRES: options within their limits. Turns GSL's own error handler off, for the whole program.
-  /// ERRORS: std::bad_alloc.
-  explicit GslFlight(const GslOptions& options = {}, const Model& model = {});
-  ~GslFlight() override;
-
-  void start(const Velocity& velocity, bool solves_x) override;
-  [[nodiscard]] bool advance(double dt_s) override;
-  [[nodiscard]] Flight flight() const override;
-  /// At most 700 steps of rk8pd: once drag has taken all of the first speed, the flight is a line.
-  [[nodiscard]] std::optional<Flight> model(double t_s) override;
-  /// Brackets the crossing between states solved by GSL, and finds it by Brent's method.
-  [[nodiscard]] std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) override;
-  /// rk8pd at 1e-12 or less.
-  [[nodiscard]] bool is_accurate() const override;
-
- private:
-  struct Solver;
-  std::unique_ptr<Solver> solver_;
-};
+///
+/// The model's flight takes at most 700 steps of rk8pd: once drag has taken all of the first speed, it is a
+/// line. A crossing is bracketed between states solved by GSL, and found by Brent's method. Accurate is rk8pd
+/// at 1e-12 or less.
+///
+/// REQUIRES: options within their limits. Turns GSL's own error handler off, for the whole program.
+/// ERRORS: std::bad_alloc.
+[[nodiscard]] std::unique_ptr<FlightSolver> gsl_flight(const GslOptions& options = {},
+                                                       const Model& model = {});
 
 }  // namespace hyrax

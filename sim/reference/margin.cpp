@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/motion/state.h"
+#include "sim/reference/flight.h"
 #include "sim/reference/largest.h"
 #include "sim/trajectory/row.h"
 
@@ -57,8 +57,8 @@ void MarginMeter::take(const Row& row) {
 void MarginMeter::step_to(const Row& row) {
   const Unclamped x = fly(x_, last_.x_px, last_.vx_px_per_s, 0.0, row.dt_s);
   const Unclamped y = fly(y_, last_.y_px, last_.vy_px_per_s, model_.gravity_px_per_s2, row.dt_s);
-  decide_walls(row, true, x_, x);
-  decide_walls(row, false, y_, y);
+  decide_walls(row, Wall::left, Wall::right, x_, x);
+  decide_walls(row, Wall::top, Wall::ground, y_, y);
   if (row.contact != 0) clamp(row, y.speed_px_per_s);
 }
 
@@ -74,19 +74,14 @@ MarginMeter::Unclamped MarginMeter::fly(Axis& axis, double position_px, double s
 // The listing asks for the wall at 0 first, and for the far one only where that did not clamp. The
 // far one clamps what comes out beyond it after rounding, so by more than half a unit in its last
 // place; next to 0 nothing is rounded away.
-void MarginMeter::decide_walls(const Row& row, bool is_x, const Axis& axis, const Unclamped& step) {
-  const Decision near = is_x ? Decision::left : Decision::top;
-  const Decision far = is_x ? Decision::right : Decision::ground;
-  const double inside_near_px = step.from_px + step.move_px;
-  if (touches(row.contact, is_x ? Wall::left : Wall::top))
-    return consider(near, row, true, is_x, -inside_near_px, -1.0, axis.position);
-  consider(near, row, false, is_x, inside_near_px, 1.0, axis.position);
-  const double far_px = is_x ? playback_.bounds().right_px : playback_.bounds().bottom_px;
-  const double inside_far_px = ((far_px - step.from_px) + half_ulp(far_px)) - step.move_px;
-  if (touches(row.contact, is_x ? Wall::right : Wall::ground))
-    consider(far, row, true, is_x, -inside_far_px, 1.0, axis.position);
-  else
-    consider(far, row, false, is_x, inside_far_px, -1.0, axis.position);
+void MarginMeter::decide_walls(const Row& row, Wall near, Wall far, const Axis& axis, const Unclamped& step) {
+  const auto decision = [](Wall wall) { return static_cast<Decision>(wall_index(wall)); };
+  const bool is_near = touches(row.contact, near);
+  consider(decision(near), row, is_near, step.from_px + step.move_px, 1.0, axis.position);
+  if (is_near) return;
+  const double far_px = place_px(far, playback_.bounds());
+  const double inside_px = ((far_px - step.from_px) + half_ulp(far_px)) - step.move_px;
+  consider(decision(far), row, touches(row.contact, far), inside_px, -1.0, axis.position);
 }
 
 void MarginMeter::clamp(const Row& row, double vy_unclamped_px_per_s) {
@@ -103,26 +98,25 @@ void MarginMeter::clamp(const Row& row, double vy_unclamped_px_per_s) {
   const double vy = -vy_unclamped_px_per_s * model_.restitution;
   const bool is_stopped = (row.contact & kRestBit) != 0;
   const double above = std::fabs(vy) - model_.rest_threshold_px_per_s;
-  const double outwards = std::copysign(1.0, vy);
-  consider(Decision::rest, row, is_stopped, false, is_stopped ? -above : above,
-           is_stopped ? -outwards : outwards, {0.0, y_.speed_by_speed});
+  consider(Decision::rest, row, is_stopped, above, std::copysign(1.0, vy), {0.0, y_.speed_by_speed});
   if (is_stopped) y_.speed_by_speed = 0.0;
 }
 
-// @param distance >= 0 to where the decision falls otherwise; @param sign of its change with the
-// quantity whose slope is given.
-void MarginMeter::consider(Decision decision, const Row& row, bool is_taken, bool is_x, double distance,
-                           double sign, const Slope& slope) {
+// @param value that decides: it falls otherwise beyond 0, below which it is taken; @param sign of its change
+// with the quantity whose slope is given.
+void MarginMeter::consider(Decision decision, const Row& row, bool is_taken, double value, double sign,
+                           const Slope& slope) {
   const double steepness = std::fabs(slope.by_position) + std::fabs(slope.by_speed);
   if (steepness == 0.0) return;
   // As quotients: a product would be nearer, by its rounding, in each of many steps that decide alike.
-  const double half_width = std::max(0.0, distance) / steepness;
+  const double half_width = std::max(0.0, is_taken ? -value : value) / steepness;
   if (!(half_width < half_width_)) return;
   half_width_ = half_width;
   nearest_ = {decision, row.step, is_taken, {}};
-  const std::size_t axis = is_x ? 0 : 1;
-  nearest_.towards[axis] = -sign * sign_of(slope.by_position);
-  nearest_.towards[axis + 2] = -sign * sign_of(slope.by_speed);
+  const std::size_t axis = decision <= Decision::right ? 0 : 1;
+  const double towards = is_taken ? sign : -sign;
+  nearest_.towards[axis] = towards * sign_of(slope.by_position);
+  nearest_.towards[axis + 2] = towards * sign_of(slope.by_speed);
 }
 
 Margin MarginMeter::margin() const {

@@ -14,7 +14,8 @@
 
 namespace hyrax {
 
-/// What a step decides: whether a wall clamps it, and whether the rest rule stops it.
+/// What a step decides: whether a wall, in the order of kWalls, clamps it, and whether the rest rule stops
+/// it.
 enum class Decision { left, right, top, ground, rest };
 
 inline constexpr std::array<std::string_view, 5> kDecisionNames = {"left wall", "right wall", "top", "ground",
@@ -86,9 +87,9 @@ class MarginMeter final : public RowSink {
   void step_to(const Row& row);
   Unclamped fly(Axis& axis, double position_px, double speed_px_per_s, double acceleration_px_per_s2,
                 double dt_s) const;
-  void decide_walls(const Row& row, bool is_x, const Axis& axis, const Unclamped& step);
+  void decide_walls(const Row& row, Wall near, Wall far, const Axis& axis, const Unclamped& step);
   void clamp(const Row& row, double vy_unclamped_px_per_s);
-  void consider(Decision decision, const Row& row, bool is_taken, bool is_x, double distance, double sign,
+  void consider(Decision decision, const Row& row, bool is_taken, double value, double sign,
                 const Slope& slope);
 
   InputPlayback playback_;

@@ -26,16 +26,18 @@ double phi2_series(double z) {
 
 // phi1(2z) = phi1(z) (1 + e^z) / 2 and phi2(2z) = (phi1(z)^2 + 2 phi2(z)) / 4: only sums of
 // positive numbers, so that a doubling adds a rounding or two and magnifies none.
-WidePhi doubled(const WidePhi& half, DoubleDouble z) {
-  return {half.one * ((z * half.one) * 0.5 + 1.0), half.one * half.one * 0.25 + half.two * 0.5};
-}
-Phi doubled(const Phi& half, double z) {
-  return {half.one * (1.0 + 0.5 * z * half.one), 0.25 * half.one * half.one + 0.5 * half.two};
+template <class Number>
+Phi<Number> doubled(Phi<Number> p, Number z, int doublings) {
+  for (; doublings > 0; --doublings) {
+    p = {p.one * ((z * p.one) * 0.5 + 1.0), p.one * p.one * 0.25 + p.two * 0.5};
+    z = z * 2.0;
+  }
+  return p;
 }
 
 }  // namespace
 
-Phi phi(double z) {
+Phi<double> phi(double z) {
   if (z < kExponentialGone) {
     const double one = -1.0 / z;
     return {one, (one - 1.0) / z};
@@ -46,18 +48,13 @@ Phi phi(double z) {
     ++doublings;
   }
   const double two = phi2_series(z);
-  Phi result{1.0 + z * two, two};
-  for (; doublings > 0; --doublings) {
-    result = doubled(result, z);
-    z *= 2.0;
-  }
-  return result;
+  return doubled(Phi<double>{1.0 + z * two, two}, z, doublings);
 }
 
-WidePhi wide_phi(DoubleDouble z) {
+Phi<DoubleDouble> wide_phi(DoubleDouble z) {
   int doublings = 0;
   while (z.hi < -1.0) {
-    z = {0.5 * z.hi, 0.5 * z.lo};
+    z = z * 0.5;
     ++doublings;
   }
   DoubleDouble term{0.5, 0.0};
@@ -66,12 +63,7 @@ WidePhi wide_phi(DoubleDouble z) {
     term = term * z / (n + 2.0);
     two = two + term;
   }
-  WidePhi result{z * two + 1.0, two};
-  for (; doublings > 0; --doublings) {
-    result = doubled(result, z);
-    z = {2.0 * z.hi, 2.0 * z.lo};
-  }
-  return result;
+  return doubled(Phi<DoubleDouble>{z * two + 1.0, two}, z, doublings);
 }
 
 // ln a = -2 artanh q with q = (1 - a) / (1 + a); 1 - a is exact for these a.

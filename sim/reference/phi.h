@@ -9,21 +9,17 @@
 
 namespace hyrax {
 
+template <class Number>
 struct Phi {
-  double one = 1.0;
-  double two = 0.5;
+  Number one;
+  Number two;
 };
 
 /// Relative error of each below 1e-15. REQUIRES: z <= 0.
-[[nodiscard]] Phi phi(double z);
-
-struct WidePhi {
-  DoubleDouble one{1.0, 0.0};
-  DoubleDouble two{0.5, 0.0};
-};
+[[nodiscard]] Phi<double> phi(double z);
 
 /// To 100 bits. REQUIRES: z <= 0.
-[[nodiscard]] WidePhi wide_phi(DoubleDouble z);
+[[nodiscard]] Phi<DoubleDouble> wide_phi(DoubleDouble z);
 
 /// Natural logarithm to 100 bits. REQUIRES: 0.5 <= a <= 1.
 [[nodiscard]] DoubleDouble wide_log(double a);

@@ -13,8 +13,6 @@ constexpr double kTimeRounding = 4e-16;
 // Of a frame.
 constexpr double kDragLittle = 0.002;
 
-Velocity velocity_of(const Flight& flight) { return {flight.vx_px_per_s, flight.vy_px_per_s}; }
-
 double squared(const Velocity& v) { return v.vx_px_per_s * v.vx_px_per_s + v.vy_px_per_s * v.vy_px_per_s; }
 
 }  // namespace
@@ -60,12 +58,13 @@ double ReferenceCheck::drag_loss(const Velocity& from, const Velocity& to, doubl
 void ReferenceCheck::check_row(const Closed& closed, double dt_s, double elapsed_s) {
   Gathered& g = gathered_;
   if (g.has_failed) return;
-  g.has_failed = !solver_.advance(dt_s);
-  const Flight solved = solver_.flight();
-  g.position.add(solved.dx_px - closed.flight.dx_px, solved.dy_px - closed.flight.dy_px);
-  g.velocity.add(solved.vx_px_per_s - closed.flight.vx_px_per_s,
-                 solved.vy_px_per_s - closed.flight.vy_px_per_s);
-  const Velocity now = velocity_of(solved);
+  const std::optional<State> solved = solver_.advance(dt_s);
+  g.has_failed = !solved;
+  if (!solved) return;
+  g.position.add(solved->x_px - closed.flight.x_px, solved->y_px - closed.flight.y_px);
+  g.velocity.add(solved->vx_px_per_s - closed.flight.vx_px_per_s,
+                 solved->vy_px_per_s - closed.flight.vy_px_per_s);
+  const Velocity now = velocity_of(*solved);
   drag_taken_ = drag_taken_ + drag_loss(last_, now, dt_s);
   const double gain = -drag_taken_.hi;
   g.energy_px2_per_s2 = larger(g.energy_px2_per_s2, std::fabs(closed.energy_gain_px2_per_s2 - gain));
@@ -73,15 +72,15 @@ void ReferenceCheck::check_row(const Closed& closed, double dt_s, double elapsed
       larger(g.energy_px2_per_s2, std::fabs((closed.energy_px2_per_s2 - first_energy_) - gain));
   include_sizes(squared(now), closed.energy_px2_per_s2);
   last_ = now;
-  walls_.add(solved, dt_s, elapsed_s);
+  walls_.add(*solved, dt_s, elapsed_s);
   g.elapsed_s = elapsed_s;
 }
 
 void ReferenceCheck::check_model(const Position& displacement, double t_s) {
   if (gathered_.has_failed) return;
-  const std::optional<Flight> solved = solver_.model(t_s);
+  const std::optional<Position> solved = solver_.model(t_s);
   gathered_.has_failed = !solved;
-  if (solved) gathered_.model.add(solved->dx_px - displacement.x_px, solved->dy_px - displacement.y_px);
+  if (solved) gathered_.model.add(solved->x_px - displacement.x_px, solved->y_px - displacement.y_px);
 }
 
 // A time by itself is worth nothing where a wall is only grazed; times the speed it is a distance. So is

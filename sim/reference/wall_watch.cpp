@@ -5,10 +5,9 @@
 namespace hyrax {
 
 void WallWatch::start(const ArcStart& start) {
-  left_px_ = 0.0 - start.row.x_px;
-  right_px_ = start.bounds.right_px - start.row.x_px;
-  top_px_ = 0.0 - start.row.y_px;
-  bottom_px_ = start.bounds.bottom_px - start.row.y_px;
+  for (const Wall wall : kWalls)
+    at_px_[wall_index(wall)] =
+        place_px(wall, start.bounds) - (is_at_side(wall) ? start.row.x_px : start.row.y_px);
   last_ = {0.0, 0.0, start.row.vx_px_per_s, start.row.vy_px_per_s};
   last_elapsed_s_ = 0.0;
   rate_dt_s_ = 0.0;
@@ -19,7 +18,7 @@ void WallWatch::start(const ArcStart& start) {
 
 // The rows' own positions decide in which frame a wall is crossed, so that each crossing is in one frame
 // and in no other: the solution inside the frame may differ from them by rounding.
-void WallWatch::look(const Flight& now, double dt_s) {
+void WallWatch::look(const State& now, double dt_s) {
   for (const Wall wall : kWalls) {
     const std::size_t index = wall_index(wall);
     const Approach end = approach(wall, now, dt_s);
@@ -53,20 +52,10 @@ std::optional<Impact> WallWatch::find(Wall wall, double dt_s, double t_max_s) co
   return find_(from_last, t_max_s);
 }
 
-Approach WallWatch::approach(Wall wall, const Flight& from, double dt_s) const {
+Approach WallWatch::approach(Wall wall, const State& from, double dt_s) const {
   constexpr double kRateMax_per_s = 1e300;  // Where a frame is subnormal its rate may overflow.
-  const double rate = std::min(-log_air_drag_ / dt_s, kRateMax_per_s);
-  switch (wall) {
-    case Wall::left:
-      return {left_px_ - from.dx_px, -from.vx_px_per_s, 0.0, rate};
-    case Wall::right:
-      return {from.dx_px - right_px_, from.vx_px_per_s, 0.0, rate};
-    case Wall::top:
-      return {top_px_ - from.dy_px, -from.vy_px_per_s, -gravity_, rate};
-    case Wall::ground:
-      return {from.dy_px - bottom_px_, from.vy_px_per_s, gravity_, rate};
-  }
-  return {};
+  return approach_to(wall, at_px_[wall_index(wall)], from, gravity_,
+                     std::min(-log_air_drag_ / dt_s, kRateMax_per_s));
 }
 
 }  // namespace hyrax

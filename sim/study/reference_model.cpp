@@ -6,16 +6,8 @@
 
 namespace hyrax {
 
-Model model_of(const Constants& constants) {
-  return {.gravity_px_per_s2 = constants.gravity_px_per_s2,
-          .air_drag = constants.air_drag,
-          .restitution = constants.restitution,
-          .ground_friction = constants.ground_friction,
-          .rest_threshold_px_per_s = constants.rest_threshold_px_per_s};
-}
-
 Model reference_model(std::string_view physics, const std::optional<Constants>& constants) {
-  return is_paper_model(physics) || !constants ? Model() : model_of(*constants);
+  return is_paper_model(physics) || !constants ? Model() : Model(*constants);
 }
 
 Model reference_model(const Core& core) { return reference_model(core.name, core.constants); }

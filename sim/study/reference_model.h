@@ -11,9 +11,6 @@
 
 namespace hyrax {
 
-/// The laws of these constants, drag and friction as at 60 Hz.
-[[nodiscard]] Model model_of(const Constants& constants);
-
 /// Of the paper's model the reference's own table, so that a changed constant of the shipped core shows as an
 /// error; of any other core its constants, or without any that table.
 [[nodiscard]] Model reference_model(std::string_view physics, const std::optional<Constants>& constants);

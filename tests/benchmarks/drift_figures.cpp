@@ -27,7 +27,7 @@ void measure(const Scenario& scenario, FlightSolver* solver) {
 }
 
 void drift_ratios(const std::string& what, const Scenario& scenario, std::vector<Figure>& figures) {
-  GslFlight gsl;
+  const std::unique_ptr<FlightSolver> gsl = gsl_flight();
   const auto repeat = [](const auto& work) {
     return [work] {
       for (int run = 0; run < kRunsPerRound; ++run) work();
@@ -35,7 +35,7 @@ void drift_ratios(const std::string& what, const Scenario& scenario, std::vector
   };
   const auto timings = time_side_by_side(
       {repeat([&] { step_naively(start_state(scenario), kSteps, scenario.window); }),
-       repeat([&] { measure(scenario, nullptr); }), repeat([&] { measure(scenario, &gsl); })},
+       repeat([&] { measure(scenario, nullptr); }), repeat([&] { measure(scenario, gsl.get()); })},
       kRounds);
   figures.push_back(ratio("drift of " + what + ", closed form, every row, times naive", timings[1],
                           timings[0], Goal::at_most, 15.0));

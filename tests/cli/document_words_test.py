@@ -23,7 +23,7 @@ WORDS = {
         ("scenarios/README.md", "Every (key) carries its (unit);", r"A (key) of a quantity ends with its (unit)\."),
         ("sim/reference/README.md", "path depends on the frame rate, and shorter frames do not (converge)")),
     "sim/reference/README.md": (
-        ("sim/reference/arc_meter.cpp", "arc's (largest) energy, or that of 1 px of height if that is more", r"std::max\(g\.energy_(largest), of_one_px\)"),),
+        ("sim/reference/arc_meter.cpp", "arc's (largest) energy, or that of 1 px of height if that is more", r"std::max\(arc_\.energy_(largest)_px2_per_s2, of_one_px\)"),),
     "scenarios/README.md": (
         (HEADER, r"origin is the (top left) corner of the window, x points (right), y points (down)\. `x, y` is the (top left) corner of the "
          r"sprite; it is kept within `(0 \.\.) window - sprite`",

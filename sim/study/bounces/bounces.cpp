@@ -56,7 +56,7 @@ std::vector<KeptEnergy> kept_energies(const Core& core, std::int64_t throws) {
         const State minute = stepped_for(laws, order, start, rate_hz, kMinute_s);
         return std::pair(minute, stepped_for(laws, order, minute, rate_hz, kTenMinutes_s - kMinute_s));
       });
-  ExactFling exact{FixedLaws(model_of(laws))};
+  ExactFling exact{FixedLaws(Model(laws))};
   add(BounceMethod::exact, 0.0, [&](const State& start) {
     exact.start(start, kDesktop);
     const State minute = exact.at(kMinute_s);

@@ -39,35 +39,31 @@ class PaperStep final : public MotionMethod {
 // --- One frame of free flight each. `prepare` is called whenever dt changes.
 
 struct FrameFlight {
-  explicit FrameFlight(const FixedLaws& fixed) : laws(fixed) {}
-  void prepare(double dt_s) { frame_s = dt_s; }
-
   FixedLaws laws;
-  double frame_s = 0.0;
+  double frame_s = -1.0;  // Not prepared.
+
+  void prepare(double dt_s) { frame_s = dt_s; }
 };
 
 // The paper's order of operations, its drag by time: alpha^(60 dt). First order.
 struct NormalisedFlight : FrameFlight {
-  using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
     frame_s = dt_s;
-    damping_ = std::exp(-laws.drag_rate_per_s * dt_s);
+    damping = std::exp(-laws.drag_rate_per_s * dt_s);
   }
   void fly(State& m) const {
     m.vy_px_per_s += laws.gravity_px_per_s2 * frame_s;
-    m.vx_px_per_s *= damping_;
-    m.vy_px_per_s *= damping_;
+    m.vx_px_per_s *= damping;
+    m.vy_px_per_s *= damping;
     m.x_px += m.vx_px_per_s * frame_s;
     m.y_px += m.vy_px_per_s * frame_s;
   }
 
- private:
-  double damping_ = 1.0;
+  double damping = 1.0;
 };
 
 // Explicit Euler: position and velocity both by the rates at the frame's beginning. First order.
 struct EulerFlight : FrameFlight {
-  using FrameFlight::FrameFlight;
   void fly(State& m) const {
     m.x_px += m.vx_px_per_s * frame_s;
     m.y_px += m.vy_px_per_s * frame_s;
@@ -80,30 +76,27 @@ struct EulerFlight : FrameFlight {
 // order. Source: L. Verlet, Phys. Rev. 159:98, 1967, in the velocity form of W. C. Swope et al., J. Chem.
 // Phys. 76:637, 1982.
 struct VerletFlight : FrameFlight {
-  using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
-    half_s_ = 0.5 * dt_s;
+    half_s = 0.5 * dt_s;
     frame_s = dt_s;
-    implicit_ = 1.0 / (1.0 + laws.drag_rate_per_s * half_s_);
+    implicit = 1.0 / (1.0 + laws.drag_rate_per_s * half_s);
   }
   void fly(State& m) const {
-    const double half_vx = m.vx_px_per_s - half_s_ * laws.drag_rate_per_s * m.vx_px_per_s;
+    const double half_vx = m.vx_px_per_s - half_s * laws.drag_rate_per_s * m.vx_px_per_s;
     const double half_vy =
-        m.vy_px_per_s + half_s_ * (laws.gravity_px_per_s2 - laws.drag_rate_per_s * m.vy_px_per_s);
+        m.vy_px_per_s + half_s * (laws.gravity_px_per_s2 - laws.drag_rate_per_s * m.vy_px_per_s);
     m.x_px += frame_s * half_vx;
     m.y_px += frame_s * half_vy;
-    m.vx_px_per_s = half_vx * implicit_;
-    m.vy_px_per_s = (half_vy + half_s_ * laws.gravity_px_per_s2) * implicit_;
+    m.vx_px_per_s = half_vx * implicit;
+    m.vy_px_per_s = (half_vy + half_s * laws.gravity_px_per_s2) * implicit;
   }
 
- private:
-  double half_s_ = 0.0;
-  double implicit_ = 1.0;
+  double half_s = 0.0;
+  double implicit = 1.0;
 };
 
 // The classical Runge-Kutta method. Fourth order. Source: W. Kutta, Z. Math. Phys. 46:435-453, 1901.
 struct Rk4Flight : FrameFlight {
-  using FrameFlight::FrameFlight;
   void fly(State& m) const {
     const State k1 = rates(m);
     const State k2 = rates(ahead(m, k1, 0.5 * frame_s));
@@ -129,27 +122,26 @@ struct Rk4Flight : FrameFlight {
 
 // The closed form of flight.h over one frame: the flow itself.
 struct ExactFlight : FrameFlight {
-  using FrameFlight::FrameFlight;
   void prepare(double dt_s) {
+    frame_s = dt_s;
     const double z = -laws.drag_rate_per_s * dt_s;
     const Phi p = phi(z);
-    damping_ = 1.0 + z * p.one;
-    reach_s_ = dt_s * p.one;
-    gain_px_per_s_ = laws.gravity_px_per_s2 * dt_s * p.one;
-    fall_px_ = laws.gravity_px_per_s2 * dt_s * dt_s * p.two;
+    damping = 1.0 + z * p.one;
+    reach_s = dt_s * p.one;
+    gain_px_per_s = laws.gravity_px_per_s2 * dt_s * p.one;
+    fall_px = laws.gravity_px_per_s2 * dt_s * dt_s * p.two;
   }
   void fly(State& m) const {
-    m.x_px += m.vx_px_per_s * reach_s_;
-    m.y_px += m.vy_px_per_s * reach_s_ + fall_px_;
-    m.vx_px_per_s *= damping_;
-    m.vy_px_per_s = m.vy_px_per_s * damping_ + gain_px_per_s_;
+    m.x_px += m.vx_px_per_s * reach_s;
+    m.y_px += m.vy_px_per_s * reach_s + fall_px;
+    m.vx_px_per_s *= damping;
+    m.vy_px_per_s = m.vy_px_per_s * damping + gain_px_per_s;
   }
 
- private:
-  double damping_ = 1.0;
-  double reach_s_ = 0.0;
-  double gain_px_per_s_ = 0.0;
-  double fall_px_ = 0.0;
+  double damping = 1.0;
+  double reach_s = 0.0;
+  double gain_px_per_s = 0.0;
+  double fall_px = 0.0;
 };
 
 // A flight frame by frame, and after each the walls, as the paper's step has them, with one exception: the
@@ -166,18 +158,16 @@ class FrameMethod final : public MotionMethod {
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
     State m = at;
-    Flight flight(laws_);
-    double prepared_s = -1.0;
+    Flight flight{{laws_}};
     double lying_friction = 1.0;
     bool lies = lies_;
     const ListingStep walls(
         Constants{.restitution = laws_.restitution, .rest_threshold_px_per_s = laws_.rest_threshold_px_per_s},
         AllBut<Part::friction>{}, within);
     for (const double frame_s : frames_s) {
-      if (frame_s != prepared_s) {
+      if (frame_s != flight.frame_s) {
         flight.prepare(frame_s);
         lying_friction = std::exp(-laws_.friction_rate_per_s * frame_s);
-        prepared_s = frame_s;
       }
       flight.fly(m);
       walls.meet_walls_in_x(m);
@@ -207,24 +197,19 @@ class ImpactsInFrame final : public MotionMethod {
     impacts_.clear();
   }
   [[nodiscard]] bool play(std::span<const double> frames_s) override {
-    ExactFlight flight(laws_);
-    ExactFlight slide(sliding_);
+    ExactFlight flight{{laws_}};
+    ExactFlight slide{{sliding_}};
     const Bounds bounds = within;
     State m = at;
     bool slides = slides_;
     double t_s = t_s_;
-    double prepared_s = -1.0;
     for (const double frame_s : frames_s) {
-      if (frame_s != prepared_s) {
+      if (frame_s != flight.frame_s) {
         flight.prepare(frame_s);
         slide.prepare(frame_s);
-        prepared_s = frame_s;
       }
       State next = m;
-      if (slides)
-        slide.fly(next);
-      else
-        flight.fly(next);
+      (slides ? slide : flight).fly(next);
       if (is_free(m, next, frame_s, bounds)) {
         m = next;
       } else {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/reference/largest.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/reference_model.h"
@@ -59,19 +60,12 @@ class ErrorMeter {
   }
 
   void add_row(const State& run, const State& exact) {
-    const double dx = run.x_px - exact.x_px;
-    const double dy = run.y_px - exact.y_px;
-    errors_.end_px = std::hypot(dx, dy);
+    errors_.end_px = std::hypot(run.x_px - exact.x_px, run.y_px - exact.y_px);
     errors_.position_px = larger(errors_.position_px, errors_.end_px);
     errors_.velocity_px_per_s =
         larger(errors_.velocity_px_per_s,
                std::hypot(run.vx_px_per_s - exact.vx_px_per_s, run.vy_px_per_s - exact.vy_px_per_s));
-    // Two large energies are not subtracted, but their parts (see facts of energy in arc_meter).
-    const auto half_difference = [](double v, double w) { return 0.5 * (v - w) * (v + w); };
-    energy_difference_ =
-        larger(energy_difference_,
-               std::fabs(half_difference(run.vx_px_per_s, exact.vx_px_per_s) +
-                         half_difference(run.vy_px_per_s, exact.vy_px_per_s) - gravity_px_per_s2_ * dy));
+    energy_difference_ = larger(energy_difference_, std::fabs(energy_gain(exact, run, gravity_px_per_s2_)));
     add_exact(exact);
   }
 
@@ -93,9 +87,6 @@ class ErrorMeter {
   }
 
  private:
-  // A NaN is the largest of all.
-  static double larger(double a, double b) { return b <= a ? a : b; }
-
   double gravity_px_per_s2_;
   double energy_difference_ = 0.0;
   double kinetic_largest_ = 0.0;
@@ -103,8 +94,10 @@ class ErrorMeter {
 };
 
 // One stage: rows at least `stride` frames apart, each frame where the method's contacts show in its rows.
+// Sets `reference` to the exact state at its end.
 bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std::size_t stride,
-                   bool watches_contacts, Method& method, ExactFling& exact, ErrorMeter& meter) {
+                   bool watches_contacts, Method& method, ExactFling& exact, State& reference,
+                   ErrorMeter& meter) {
   ContactWatch watch(method.motion(), stage.bounds);
   Timeline time;
   for (std::size_t frame = 0; frame < frames_s.size();) {
@@ -115,7 +108,8 @@ bool measure_stage(const Stage& stage, const std::vector<double>& frames_s, std:
       for (; frame < end; ++frame) time.play(frames_s[frame]);
       if (watches_contacts) watch.add_row(method.motion(), time.time_s());
     }
-    meter.add_row(method.motion(), exact.at(time.time_s()));
+    reference = exact.at(time.time_s());
+    meter.add_row(method.motion(), reference);
   }
   meter.add_impacts(method.impacts() != nullptr ? *method.impacts() : watch.impacts(), exact.impacts());
   return true;
@@ -144,11 +138,9 @@ MethodErrors measure_errors(const Core& core, const Problem& problem, const Meth
     const std::vector<double>& frames_s = stage_frames_s[index];
     frames += frames_s.size();
     const bool watches = !problem.is_free_flight && method->impacts() == nullptr;
-    if (!measure_stage(stage, frames_s, stride, watches, *method, exact, meter)) return {.is_failed = true};
+    if (!measure_stage(stage, frames_s, stride, watches, *method, exact, reference, meter))
+      return {.is_failed = true};
     run = method->motion();
-    Timeline time;
-    for (const double frame_s : frames_s) time.play(frame_s);
-    reference = exact.at(time.time_s());
   }
   return meter.finish(frames);
 }

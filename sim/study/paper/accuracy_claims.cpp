@@ -24,7 +24,7 @@ std::optional<Model> model_of_core(const Core& core) {
   const bool is_solved =
       constants.gravity_px_per_s2 > 0.0 && constants.air_drag >= 0.5 && constants.air_drag <= 1.0;
   if (!is_solved) return std::nullopt;
-  return model_of(constants);
+  return Model(constants);
 }
 constexpr char kNotSolved[] = "the exact motion is solved for gravity above 0 and a drag factor of 0.5 to 1";
 
@@ -63,7 +63,7 @@ double growth(const Core& core, double angle_rad, double phase_rad, const Fly& f
 
 // The spring pulls where the core's step has gravity, and the position moves as the core moves it. Along the
 // step's map areas grow by the determinant: drag alone for symplectic Euler, drag + (w dt)^2 for explicit.
-Claim oscillators(const Core& core, const ClaimStarts& starts) {
+Finding oscillators(const Core& core, const ClaimStarts& starts) {
   constexpr double kBounded = 1.1;
   const ListingStep listing(core.constants.value(), AllParts{}, Bounds{});
   const auto by_core = [&core](const State& body) { return core.flight(body, kSixtieth_s); };
@@ -73,14 +73,8 @@ Claim oscillators(const Core& core, const ClaimStarts& starts) {
     listing.drag(body);
     return body;
   };
-  Claim claim{"2.3-oscillators", "more stable than the explicit Euler method for oscillatory systems",
-              "growth of a spring's amplitude in 400 of the core's steps beside drag, 100 springs of 0.05 .. "
-              "1.99 rad a step",
-              "< 1.1, by explicit Euler more"};
-  if (!(core.constants->gravity_px_per_s2 > 0.0) || core.flight({}, kSixtieth_s).vy_px_per_s == 0.0) {
-    claim.remark = "the spring pulls in the place of gravity, and this core has none";
-    return claim;
-  }
+  if (!(core.constants->gravity_px_per_s2 > 0.0) || core.flight({}, kSixtieth_s).vy_px_per_s == 0.0)
+    return {.remark = "the spring pulls in the place of gravity, and this core has none"};
   std::vector<double> growths, explicit_euler;
   bool is_less = true;
   for (std::uint64_t start = 0; start < kStarts; ++start) {
@@ -90,18 +84,17 @@ Claim oscillators(const Core& core, const ClaimStarts& starts) {
     explicit_euler.push_back(growth(core, angle_rad, phase_rad, by_explicit));
     is_less = is_less && growths.back() < explicit_euler.back();
   }
-  set_number(growths, claim);
-  claim.verdict = holds_if(is_less && *std::max_element(growths.begin(), growths.end()) < kBounded);
-  claim.remark = fmt::format("by explicit Euler {:.3g} .. {:.3g}; the core's at 2.01 rad a step {:.3g}",
-                             quantile(explicit_euler, 0.1), quantile(explicit_euler, 0.9),
-                             growth(core, 2.01, 0.0, by_core));
-  return claim;
+  return finding_of(growths,
+                    holds_if(is_less && *std::max_element(growths.begin(), growths.end()) < kBounded),
+                    fmt::format("by explicit Euler {:.3g} .. {:.3g}; the core's at 2.01 rad a step {:.3g}",
+                                quantile(explicit_euler, 0.1), quantile(explicit_euler, 0.9),
+                                growth(core, 2.01, 0.0, by_core)));
 }
 
 // A flight, far from all walls, and the exact ones that it is measured against.
 struct Flown {
   State run;                // Displacement and velocity.
-  Flight ode;               // Drag is the frames' own.
+  State ode;                // Drag is the frames' own.
   double fixed_y_px = 0.0;  // Drag is that of 60 Hz.
 };
 Flown fly_both(const Core& core, ArcSolution& exact, const Velocity& velocity, double dt_s,
@@ -143,7 +136,7 @@ FlightErrors flight_errors(const Core& core, ArcSolution& exact, const ClaimStar
     const double flight_s = std::round(about_s * starts.slowest_hz) / starts.slowest_hz;
     const Flown flown =
         fly_both(core, exact, random_velocity(starts, start), 1.0 / rate_hz, std::lround(flight_s * rate_hz));
-    matched_px.push_back(flown.run.y_px - flown.ode.dy_px);
+    matched_px.push_back(flown.run.y_px - flown.ode.y_px);
     fixed_px.push_back(flown.run.y_px - flown.fixed_y_px);
   }
   return {root_mean_square(matched_px), root_mean_square(fixed_px)};
@@ -151,20 +144,11 @@ FlightErrors flight_errors(const Core& core, ArcSolution& exact, const ClaimStar
 
 // A single flight's error can pass through 0 as dt changes (its sign depends on the start), and its order
 // with it; the root mean square over the starts cannot.
-Claim first_order(const Core& core, const ClaimStarts& starts) {
-  constexpr int kDoublings = 4;
+constexpr int kDoublings = 4;
+Finding first_order(const Core& core, const ClaimStarts& starts) {
   constexpr double kTolerance = 0.2;
-  Claim claim{
-      "2.4-first-order", "the method is only first-order accurate in time",
-      fmt::format("order of the error of 100 flights (root mean square), {:g} to {:g} Hz, against the ODE "
-                  "of the frames' own drag",
-                  starts.slowest_hz, starts.slowest_hz * (1 << kDoublings)),
-      "0.8 .. 1.2"};
   const std::optional<Model> model = model_of_core(core);
-  if (!model) {
-    claim.remark = kNotSolved;
-    return claim;
-  }
+  if (!model) return {.remark = kNotSolved};
   ArcSolution exact(*model);
   std::vector<double> orders;
   double error_px = flight_errors(core, exact, starts, starts.slowest_hz).matched_px;
@@ -173,52 +157,41 @@ Claim first_order(const Core& core, const ClaimStarts& starts) {
     error_px = flight_errors(core, exact, starts, starts.slowest_hz * (1 << doubling)).matched_px;
     orders.push_back(std::log2(before_px / error_px));
   }
-  set_number(orders, claim);
+  Finding finding = finding_of(orders, ClaimVerdict::holds);
   const double at_60_hz = flight_errors(core, exact, starts, 60.0).fixed_px,
                at_960_hz = flight_errors(core, exact, starts, 960.0).fixed_px;
-  const bool is_first = std::fabs(claim.number - 1.0) < kTolerance;
-  claim.verdict = !is_first              ? ClaimVerdict::does_not_hold
-                  : at_960_hz < at_60_hz ? ClaimVerdict::holds
-                                         : ClaimVerdict::holds_when;
-  if (claim.verdict == ClaimVerdict::holds_when)
-    claim.remark = "when drag is taken to act once a frame; against a fixed drag rate the error grows from " +
-                   digits(at_60_hz) + " px at 60 Hz to " + digits(at_960_hz) + " at 960";
-  return claim;
-}
-
-// Energy of the run minus that of the ODE, at the end.
-double energy_drift_px2_per_s2(const Core& core, const Flown& flown) {
-  const auto kinetic = [](double run, double ode) { return (run - ode) * (run + ode) / 2; };
-  return kinetic(flown.run.vx_px_per_s, flown.ode.vx_px_per_s) +
-         kinetic(flown.run.vy_px_per_s, flown.ode.vy_px_per_s) -
-         core.constants->gravity_px_per_s2 * (flown.run.y_px - flown.ode.dy_px);
+  if (!(std::fabs(finding.number - 1.0) < kTolerance)) {
+    finding.verdict = ClaimVerdict::does_not_hold;
+  } else if (!(at_960_hz < at_60_hz)) {
+    finding.verdict = ClaimVerdict::holds_when;
+    finding.remark =
+        "when drag is taken to act once a frame; against a fixed drag rate the error grows from " +
+        digits(at_60_hz) + " px at 60 Hz to " + digits(at_960_hz) + " at 960";
+  }
+  return finding;
 }
 
 // Gravity's discretisation alone takes G eta a second, which grows as dt does: 12 times from 1/60 to 0.2 s.
-Claim energy_drift(const Core& core, const ClaimStarts& starts) {
+Finding energy_drift(const Core& core, const ClaimStarts& starts) {
   constexpr double kLongFrame_s = 0.2, kShare = 0.5;
-  Claim claim{"4.1-energy-drift", "large dt can cause energy drift",
-              "energy drift of a second of flight (run - ODE) in frames of 0.2 s, over that at 60 Hz, 100 "
-              "flights",
-              "> 6, half of 0.2 s * 60 Hz"};
   const std::optional<Model> model = model_of_core(core);
-  if (!model) {
-    claim.remark = kNotSolved;
-    return claim;
-  }
+  if (!model) return {.remark = kNotSolved};
   ArcSolution exact(*model);
+  // Energy of the run minus that of the ODE, at the end.
+  const auto drift_px2_per_s2 = [&](const Velocity& velocity, double dt_s, std::int64_t frames) {
+    const Flown flown = fly_both(core, exact, velocity, dt_s, frames);
+    return energy_gain(flown.ode, flown.run, model->gravity_px_per_s2);
+  };
   std::vector<double> ratios, at_60_hz, in_long_frames;
   for (std::uint64_t start = 0; start < kStarts; ++start) {
     const Velocity velocity = random_velocity(starts, start);
-    at_60_hz.push_back(energy_drift_px2_per_s2(core, fly_both(core, exact, velocity, kSixtieth_s, 60)));
-    in_long_frames.push_back(energy_drift_px2_per_s2(core, fly_both(core, exact, velocity, kLongFrame_s, 5)));
+    at_60_hz.push_back(drift_px2_per_s2(velocity, kSixtieth_s, 60));
+    in_long_frames.push_back(drift_px2_per_s2(velocity, kLongFrame_s, 5));
     ratios.push_back(std::fabs(in_long_frames.back() / at_60_hz.back()));
   }
-  set_number(ratios, claim);
-  claim.verdict = holds_if(claim.range->front() > kShare * kLongFrame_s / kSixtieth_s);
-  claim.remark =
-      fmt::format("from {:.4g} to {:.4g} px²/s² a second", median(at_60_hz), median(in_long_frames));
-  return claim;
+  return finding_of(
+      ratios, holds_if(quantile(ratios, 0.1) > kShare * kLongFrame_s / kSixtieth_s),
+      fmt::format("from {:.4g} to {:.4g} px²/s² a second", median(at_60_hz), median(in_long_frames)));
 }
 
 // Impacts that an exact motion has within the frames of throws of 3 s, each begun from the run's own state,
@@ -238,9 +211,7 @@ Share missed_impacts(const Core& core, const Model& model, const ClaimStarts& st
       (void)exact.at(dt_s);
       body = core.step(body, dt_s, kDesktop);
       const std::vector<ExactImpact>& impacts = exact.impacts();
-      const std::int64_t at_sides = std::count_if(
-          impacts.begin(), impacts.end(),
-          [](const ExactImpact& impact) { return impact.wall == Wall::left || impact.wall == Wall::right; });
+      const std::int64_t at_sides = std::ranges::count_if(impacts, is_at_side, &ExactImpact::wall);
       const auto not_shown = [](std::int64_t count, double position_px, double far_px) {
         return std::max<std::int64_t>(0, count - (position_px == 0.0 || position_px == far_px ? 1 : 0));
       };
@@ -252,33 +223,45 @@ Share missed_impacts(const Core& core, const Model& model, const ClaimStarts& st
   return missed;
 }
 
-Claim missed_collisions(const Core& core, const ClaimStarts& starts) {
+Finding missed_collisions(const Core& core, const ClaimStarts& starts) {
   constexpr double kLongFrame_s = 0.25;
-  Claim claim{"4.1-missed", "large dt can cause missed collisions",
-              "part of the impacts of exact motion that steps of 0.25 s do not show, 100 throws of 3 s",
-              "> that at 60 Hz, by 95 % intervals"};
   const std::optional<Model> model = model_of_core(core);
   const bool comes_to_rest = model && model->restitution >= 0.0 && model->restitution < 1.0 &&
                              model->rest_threshold_px_per_s > 0.0 && model->ground_friction > 0.0;
-  if (!comes_to_rest) {
-    claim.remark = "exact motion has a number of impacts if restitution is below 1 and there is a rest rule";
-    return claim;
-  }
+  if (!comes_to_rest)
+    return {.remark =
+                "exact motion has a number of impacts if restitution is below 1 and there is a rest rule"};
   const Share missed = missed_impacts(core, *model, starts, kLongFrame_s),
               at_60_hz = missed_impacts(core, *model, starts, kSixtieth_s);
-  claim.remark = fmt::format("of {} impacts; at 60 Hz {} of {}", missed.of, at_60_hz.count, at_60_hz.of);
-  if (missed.of == 0 || at_60_hz.of == 0) return claim;
-  claim.number = missed.part();
-  claim.range = {missed.low(), missed.high()};
-  claim.verdict = holds_if(missed.low() > at_60_hz.high());
-  return claim;
+  const std::string remark =
+      fmt::format("of {} impacts; at 60 Hz {} of {}", missed.of, at_60_hz.count, at_60_hz.of);
+  if (missed.of == 0 || at_60_hz.of == 0) return {.remark = remark};
+  return {missed.part(), holds_if(missed.low() > at_60_hz.high()), remark, {{missed.low(), missed.high()}}};
 }
 
 }  // namespace
 
 std::vector<Claim> accuracy_claims(const Core& core, const ClaimStarts& starts) {
-  return {oscillators(core, starts), first_order(core, starts), energy_drift(core, starts),
-          missed_collisions(core, starts)};
+  return {
+      {{"2.3-oscillators", "more stable than the explicit Euler method for oscillatory systems",
+        "growth of a spring's amplitude in 400 of the core's steps beside drag, 100 springs of 0.05 .. 1.99 "
+        "rad a step",
+        "< 1.1, by explicit Euler more"},
+       oscillators(core, starts)},
+      {{"2.4-first-order", "the method is only first-order accurate in time",
+        fmt::format("order of the error of 100 flights (root mean square), {:g} to {:g} Hz, against the ODE "
+                    "of the frames' own drag",
+                    starts.slowest_hz, starts.slowest_hz * (1 << kDoublings)),
+        "0.8 .. 1.2"},
+       first_order(core, starts)},
+      {{"4.1-energy-drift", "large dt can cause energy drift",
+        "energy drift of a second of flight (run - ODE) in frames of 0.2 s, over that at 60 Hz, 100 flights",
+        "> 6, half of 0.2 s * 60 Hz"},
+       energy_drift(core, starts)},
+      {{"4.1-missed", "large dt can cause missed collisions",
+        "part of the impacts of exact motion that steps of 0.25 s do not show, 100 throws of 3 s",
+        "> that at 60 Hz, by 95 % intervals"},
+       missed_collisions(core, starts)}};
 }
 
 }  // namespace hyrax

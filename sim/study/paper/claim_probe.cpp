@@ -18,9 +18,9 @@ State random_throw(const ClaimStarts& starts, std::uint64_t start) {
           random(3, -fastest, fastest)};
 }
 
-void set_number(const std::vector<double>& values, Claim& claim) {
-  claim.number = quantile(values, 0.5);
-  claim.range = {quantile(values, 0.1), quantile(values, 0.9)};
+Finding finding_of(const std::vector<double>& values, ClaimVerdict verdict, std::string remark) {
+  return {
+      quantile(values, 0.5), verdict, std::move(remark), {{quantile(values, 0.1), quantile(values, 0.9)}}};
 }
 
 std::int64_t steps_that_differ_from_listing(const Core& core, std::int64_t steps) {

@@ -56,8 +56,9 @@ inline constexpr std::uint64_t kStarts = 100;
          body.y_px <= kDesktop.bottom_px;
 }
 
-/// Sets number and range: the median, 10 and 90 %. REQUIRES: not empty.
-void set_number(const std::vector<double>& values, Claim& claim);
+/// With number and range of many values: the median, 10 and 90 %. REQUIRES: not empty.
+[[nodiscard]] Finding finding_of(const std::vector<double>& values, ClaimVerdict verdict,
+                                 std::string remark = {});
 
 /// The state at a time after the start, or up to a frame later.
 [[nodiscard]] inline State state_after(const Core& core, State body, double rate_hz, double duration_s,

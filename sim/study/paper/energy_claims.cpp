@@ -11,9 +11,6 @@
 namespace hyrax {
 namespace {
 
-constexpr char kDiffersFromListing[] =
-    "this core's step is not the listing's, so it cannot be measured without drag";
-
 // Largest relative change of energy in lossless motion.
 double lossless_drift(const Core& core, StepOrder order, State body, double duration_s, Bounds bounds) {
   const Constants laws = lossless(core);
@@ -42,43 +39,23 @@ std::vector<double> bouncing_drifts(const Core& core, StepOrder order, const Cla
 
 // Symplectic Euler in a constant field loses (G dt)^2 / 2 a step: it conserves no energy, but
 // e + (dt / 2) G vy exactly. (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", 2006, IX.)
-Claim conservation(const Core& core, const ClaimStarts& starts, bool is_listing) {
-  Claim claim{
-      .id = "2.3-energy",
-      .sentence = "it ensures energy conservation in the undamped, elastic case",
-      .measured = "largest relative change of energy in a minute of lossless bounces at 60 Hz, 100 throws",
-      .expected = "< 1e-9",
-      .remark = kDiffersFromListing};
-  if (!is_listing) return claim;
+Finding conservation(const Core& core, const ClaimStarts& starts) {
   const State from{500.0, 400.0, 300.0, 0.0};
   const Constants laws = lossless(core);
   const State flown = stepped(laws, StepOrder::paper, from, kSixtieth_s, kOpen);
   const double lost =
       energy(from, laws.gravity_px_per_s2, kDesktop) - energy(flown, laws.gravity_px_per_s2, kDesktop);
   const double gain = laws.gravity_px_per_s2 * kSixtieth_s;
-  claim.remark =
-      "a step of flight loses " + digits(lost) + " px²/s²; (G dt)^2/2 is " + digits(gain * gain / 2);
   const std::vector<double> drifts = bouncing_drifts(core, StepOrder::paper, starts, 60.0);
-  set_number(drifts, claim);
-  claim.verdict = holds_if(*std::max_element(drifts.begin(), drifts.end()) < 1e-9);
-  return claim;
+  return finding_of(
+      drifts, holds_if(*std::max_element(drifts.begin(), drifts.end()) < 1e-9),
+      "a step of flight loses " + digits(lost) + " px²/s²; (G dt)^2/2 is " + digits(gain * gain / 2));
 }
 
 // "Better" in most throws, by the 95 % interval of the share, if not in all.
-Claim against_explicit(const Core& core, const ClaimStarts& starts, bool is_listing) {
+Finding against_explicit(const Core& core, const ClaimStarts& starts) {
   constexpr double kLong_s = 600.0, kBetter = 0.5, kNearlyAll = 0.95;
-  Claim claim{.id = "2.4-explicit",
-              .sentence = "a better long-term energy behavior than the standard explicit Euler integrator",
-              .measured =
-                  "part of 100 throws whose energy changes less than by explicit Euler, ten minutes "
-                  "of lossless bounces",
-              .expected = "> 0.95, in flight less than half",
-              .remark = kDiffersFromListing};
-  if (!is_listing) return claim;
-  if (core.constants->gravity_px_per_s2 == 0.0) {
-    claim.remark = kNoGravity;
-    return claim;
-  }
+  if (core.constants->gravity_px_per_s2 == 0.0) return {.remark = kNoGravity};
   const double in_flight =
       flight_drift(core, StepOrder::paper) / flight_drift(core, StepOrder::position_first);
   const std::vector<double> paper = bouncing_drifts(core, StepOrder::paper, starts, kLong_s),
@@ -87,25 +64,35 @@ Claim against_explicit(const Core& core, const ClaimStarts& starts, bool is_list
   for (std::size_t start = 0; start < paper.size(); ++start) better.add(paper[start] < euler[start]);
   const bool is_better_in_flight = in_flight < kBetter;
   const bool is_better_in_bounces = better.low() > kBetter;
-  claim.number = better.part();
-  claim.range = {better.low(), better.high()};
-  claim.verdict = is_better_in_flight && better.low() > kNearlyAll ? ClaimVerdict::holds
-                  : is_better_in_flight || is_better_in_bounces    ? ClaimVerdict::holds_when
-                  : better.high() > kBetter                        ? ClaimVerdict::not_measured
-                                                                   : ClaimVerdict::does_not_hold;
-  claim.remark = std::string(is_better_in_bounces      ? "when it bounces, in most throws"
-                             : is_better_in_flight     ? "when it flies"
-                             : better.high() > kBetter ? "not decided by 100 throws"
-                                                       : "neither in flight nor in bounces") +
-                 "; in one flight the ratio is " + digits(in_flight);
-  return claim;
+  const ClaimVerdict verdict = is_better_in_flight && better.low() > kNearlyAll ? ClaimVerdict::holds
+                               : is_better_in_flight || is_better_in_bounces    ? ClaimVerdict::holds_when
+                               : better.high() > kBetter                        ? ClaimVerdict::not_measured
+                                                                                : ClaimVerdict::does_not_hold;
+  const std::string where = is_better_in_bounces      ? "when it bounces, in most throws"
+                            : is_better_in_flight     ? "when it flies"
+                            : better.high() > kBetter ? "not decided by 100 throws"
+                                                      : "neither in flight nor in bounces";
+  return {better.part(),
+          verdict,
+          where + "; in one flight the ratio is " + digits(in_flight),
+          {{better.low(), better.high()}}};
 }
 
 }  // namespace
 
 std::vector<Claim> energy_claims(const Core& core, const ClaimStarts& starts) {
   const bool is_listing = steps_that_differ_from_listing(core, 5000) == 0;
-  return {conservation(core, starts, is_listing), against_explicit(core, starts, is_listing)};
+  const Finding other{.remark =
+                          "this core's step is not the listing's, so it cannot be measured without drag"};
+  return {
+      {{"2.3-energy", "it ensures energy conservation in the undamped, elastic case",
+        "largest relative change of energy in a minute of lossless bounces at 60 Hz, 100 throws", "< 1e-9"},
+       is_listing ? conservation(core, starts) : other},
+      {{"2.4-explicit", "a better long-term energy behavior than the standard explicit Euler integrator",
+        "part of 100 throws whose energy changes less than by explicit Euler, ten minutes of lossless "
+        "bounces",
+        "> 0.95, in flight less than half"},
+       is_listing ? against_explicit(core, starts) : other}};
 }
 
 }  // namespace hyrax

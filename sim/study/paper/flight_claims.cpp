@@ -7,20 +7,14 @@
 namespace hyrax {
 namespace {
 
-Claim axes(const Core& core) {
+Finding axes(const Core& core) {
   const State fallen = core.flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s);
-  return {"1-axes",
-          "+x right, +y down",
-          "y after one step from 0 with a speed to the right alone",
-          "> 0",
-          fallen.y_px,
-          "px",
-          holds_if(fallen.x_px > 0.0 && fallen.y_px > 0.0)};
+  return {fallen.y_px, holds_if(fallen.x_px > 0.0 && fallen.y_px > 0.0)};
 }
 
 // A step gives a (v + G dt) if drag follows gravity, so dividing by a leaves v + G dt; with drag first the
 // result would be G / a.
-Claim gravity(const Core& core) {
+Finding gravity(const Core& core) {
   const double constant = core.constants->gravity_px_per_s2;
   const double drag = core.flight({0.0, 0.0, 1.0, 0.0}, kSixtieth_s).vx_px_per_s;
   Extremes gained;
@@ -29,32 +23,20 @@ Claim gravity(const Core& core) {
       const State after = core.flight({0.0, 0.0, 0.0, vy_px_per_s}, dt_s);
       gained.include((after.vy_px_per_s / drag - vy_px_per_s) / dt_s);
     }
-  return {"2.1-gravity",
-          "a constant downward acceleration is applied at the beginning of each step",
-          "speed gained in a step, before drag, at three speeds and three dt",
-          digits(constant),
-          gained.least,
-          "px/s2",
+  return {gained.least,
           holds_if(gained.least > 0.0 && is_close(gained.least, constant, 1e-6) &&
                    is_close(gained.most, constant, 1e-6)),
           is_close(gained.least, gained.most, 1e-6) ? "" : "up to " + digits(gained.most) + " px/s²"};
 }
 
 // Gravity adds the same to every speed, so a difference of speeds changes by drag alone.
-Claim drag_factor(const Core& core) {
+Finding drag_factor(const Core& core) {
   const State fast = core.flight({0.0, 0.0, 1000.0, 1000.0}, kSixtieth_s);
   const State slow = core.flight({0.0, 0.0, 500.0, 500.0}, kSixtieth_s);
   const double x_factor = (fast.vx_px_per_s - slow.vx_px_per_s) / 500.0;
   const double y_factor = (fast.vy_px_per_s - slow.vy_px_per_s) / 500.0;
   const bool is_same = is_close(x_factor, y_factor, 1e-9);
-  return {"2.2-both-components",
-          "both velocity components are multiplied by the drag factor",
-          "factor of a difference in vx over a step",
-          "< 1, in vy the same",
-          x_factor,
-          "1",
-          holds_if(is_same && x_factor < 1.0),
-          is_same ? "" : "in vy it is " + digits(y_factor)};
+  return {x_factor, holds_if(is_same && x_factor < 1.0), is_same ? "" : "in vy it is " + digits(y_factor)};
 }
 
 // Rate of decay over a second of flight.
@@ -64,30 +46,19 @@ double decay_per_s(const Core& core, double speed_px_per_s, double rate_hz) {
 }
 
 // Stokes' law is v' = -k v with a constant k of the medium: the same for every speed and display.
-Claim stokes(const Core& core) {
-  const bool is_linear = is_close(decay_per_s(core, 1.0, 60.0), decay_per_s(core, 5000.0, 60.0), 1e-9);
+Finding stokes(const Core& core) {
   const double slow = decay_per_s(core, 900.0, 30.0), fast = decay_per_s(core, 900.0, 240.0);
-  const bool is_damped = slow != 0.0 || fast != 0.0;
-  const ClaimVerdict verdict = !is_damped                   ? ClaimVerdict::not_measured
-                               : !is_linear                 ? ClaimVerdict::does_not_hold
-                               : is_close(slow, fast, 0.01) ? ClaimVerdict::holds
-                                                            : ClaimVerdict::holds_when;
-  return {"2.2-stokes",
-          "drag models a weak linear damping (Stokes law)",
-          "rate of decay in flight at 240 Hz over that at 30 Hz",
-          "0.99 .. 1.01",
-          is_damped ? fast / slow : kNotGiven,
-          "1",
-          verdict,
-          !is_damped                            ? "this core has no drag"
-          : !is_linear                          ? "at 60 Hz it depends on the speed"
-          : verdict == ClaimVerdict::holds_when ? "when the frame rate never changes: " + digits(slow) +
-                                                      " 1/s at 30 Hz, " + digits(fast) + " at 240"
-                                                : ""};
+  if (slow == 0.0 && fast == 0.0) return {.remark = "this core has no drag"};
+  const bool is_linear = is_close(decay_per_s(core, 1.0, 60.0), decay_per_s(core, 5000.0, 60.0), 1e-9);
+  if (!is_linear) return {fast / slow, ClaimVerdict::does_not_hold, "at 60 Hz it depends on the speed"};
+  if (is_close(slow, fast, 0.01)) return {fast / slow, ClaimVerdict::holds};
+  return {
+      fast / slow, ClaimVerdict::holds_when,
+      "when the frame rate never changes: " + digits(slow) + " 1/s at 30 Hz, " + digits(fast) + " at 240"};
 }
 
 // ln v falls by the same amount each step, down to the smallest normal number.
-Claim exponential(const Core& core) {
+Finding exponential(const Core& core) {
   State body{0.0, 0.0, 1000.0, 0.0};
   const double factor = core.flight(body, kSixtieth_s).vx_px_per_s / body.vx_px_per_s;
   double worst = 0.0;
@@ -97,13 +68,7 @@ Claim exponential(const Core& core) {
   }
   const State late = core.steps({0.0, 0.0, 1000.0, 0.0}, kSixtieth_s, kOpen, 800'000);
   const State later = core.steps(late, kSixtieth_s, kOpen, 1);
-  return {"2.2-exponential",
-          "the velocity decays exponentially in the absence of other forces",
-          "largest relative distance from v0 a^n over 5000 steps",
-          "< 1e-9",
-          worst,
-          "1",
-          holds_if(worst < 1e-9 && factor < 1.0),
+  return {worst, holds_if(worst < 1e-9 && factor < 1.0),
           late.vx_px_per_s == 0.0 ? "down to 0"
           : late.vx_px_per_s == later.vx_px_per_s
               ? "until it sticks at " + digits(late.vx_px_per_s) + " px/s, never 0"
@@ -111,24 +76,17 @@ Claim exponential(const Core& core) {
 }
 
 // Terminal speed: the fixed point of v <- a (v + G dt).
-Claim terminal_speed(const Core& core) {
-  Claim claim{.id = "2.2-terminal",
-              .sentence = "drag prevents indefinite acceleration under gravity",
-              .measured = "speed of an endless fall at 60 Hz",
-              .expected = "the same after 50 s more",
-              .unit = "px/s",
-              .remark = kNoGravity};
-  if (core.constants->gravity_px_per_s2 == 0.0) return claim;
+Finding terminal_speed(const Core& core) {
+  if (core.constants->gravity_px_per_s2 == 0.0) return {.remark = kNoGravity};
   const State late = core.steps({0.0, 0.0, 0.0, 0.0}, 1e-2, kOpen, 20'000);
   const State later = core.steps(late, 1e-2, kOpen, 5'000);
-  claim.number = core.steps({}, kSixtieth_s, kOpen, 40'000).vy_px_per_s;
-  claim.verdict = holds_if(is_close(late.vy_px_per_s, later.vy_px_per_s, 1e-6));
   const double at_240_hz = core.steps({}, kSixtieth_s / 4, kOpen, 40'000).vy_px_per_s;
-  claim.remark = "at 240 Hz it is " + digits(at_240_hz) + " px/s";
-  return claim;
+  return {core.steps({}, kSixtieth_s, kOpen, 40'000).vy_px_per_s,
+          holds_if(is_close(late.vy_px_per_s, later.vy_px_per_s, 1e-6)),
+          "at 240 Hz it is " + digits(at_240_hz) + " px/s"};
 }
 
-Claim new_velocity(const Core& core) {
+Finding new_velocity(const Core& core) {
   double worst_px = 0.0;
   for (std::uint64_t draw = 0; draw < 1000; ++draw) {
     const double dt_s = random_between(1, 2 * draw, 0.0, 0.1);
@@ -137,20 +95,34 @@ Claim new_velocity(const Core& core) {
     worst_px = std::max({worst_px, std::fabs(after.y_px - after.vy_px_per_s * dt_s),
                          std::fabs(after.x_px - after.vx_px_per_s * dt_s)});
   }
-  return {"2.3-new-velocity",
-          "the position is advanced using the new velocities",
-          "largest distance of a step from dt times the new velocity, 1000 draws",
-          "0",
-          worst_px,
-          "px",
-          holds_if(worst_px == 0.0)};
+  return {worst_px, holds_if(worst_px == 0.0)};
 }
 
 }  // namespace
 
 std::vector<Claim> flight_claims(const Core& core) {
-  return {axes(core),        gravity(core),        drag_factor(core), stokes(core),
-          exponential(core), terminal_speed(core), new_velocity(core)};
+  return {{{"1-axes", "+x right, +y down", "y after one step from 0 with a speed to the right alone", "> 0",
+            "px"},
+           axes(core)},
+          {{"2.1-gravity", "a constant downward acceleration is applied at the beginning of each step",
+            "speed gained in a step, before drag, at three speeds and three dt",
+            digits(core.constants->gravity_px_per_s2), "px/s2"},
+           gravity(core)},
+          {{"2.2-both-components", "both velocity components are multiplied by the drag factor",
+            "factor of a difference in vx over a step", "< 1, in vy the same"},
+           drag_factor(core)},
+          {{"2.2-stokes", "drag models a weak linear damping (Stokes law)",
+            "rate of decay in flight at 240 Hz over that at 30 Hz", "0.99 .. 1.01"},
+           stokes(core)},
+          {{"2.2-exponential", "the velocity decays exponentially in the absence of other forces",
+            "largest relative distance from v0 a^n over 5000 steps", "< 1e-9"},
+           exponential(core)},
+          {{"2.2-terminal", "drag prevents indefinite acceleration under gravity",
+            "speed of an endless fall at 60 Hz", "the same after 50 s more", "px/s"},
+           terminal_speed(core)},
+          {{"2.3-new-velocity", "the position is advanced using the new velocities",
+            "largest distance of a step from dt times the new velocity, 1000 draws", "0", "px"},
+           new_velocity(core)}};
 }
 
 }  // namespace hyrax

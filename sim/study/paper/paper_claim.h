@@ -26,18 +26,28 @@ inline constexpr std::array<std::string_view, 4> kClaimVerdictNames = {"holds", 
 
 /// A remark, where nothing is measured without gravity.
 inline constexpr char kNoGravity[] = "this core has no gravity";
+/// A remark, where other orders of the listing's step are compared.
+inline constexpr char kOrderOfOther[] = "this core's step is not the listing's, whose order could be changed";
 
-struct Claim {
-  std::string id;             ///< Section and a word, as "2.3-energy"; the key in files of expected verdicts.
-  std::string sentence;       ///< Of the paper, shortened.
-  std::string measured;       ///< What was measured, and how.
-  std::string expected;       ///< The number if the sentence holds: "1.2e+03", "< 1e-9".
-  double number = kNotGiven;  ///< Of many measurements the median; NaN: nothing was measured.
+/// What the paper says, and how it is measured.
+struct Sentence {
+  std::string id;        ///< Section and a word, as "2.3-energy"; the key in files of expected verdicts.
+  std::string sentence;  ///< Of the paper, shortened.
+  std::string measured;  ///< What was measured, and how.
+  std::string expected;  ///< The number if the sentence holds: "1.2e+03", "< 1e-9".
   std::string unit = "1";
+};
+
+/// What the core does.
+struct Finding {
+  double number = kNotGiven;  ///< Of many measurements the median; NaN: nothing was measured.
   ClaimVerdict verdict = ClaimVerdict::not_measured;
   std::string remark =
       {};  ///< Of `holds when`: the condition. Else what the number means, if that is not plain.
   std::optional<std::array<double, 2>> range = {};  ///< Of many: 10 and 90 %; of a share: its 95 % interval.
+};
+
+struct Claim : Sentence, Finding {
   bool is_timing = false;  ///< The number is a time, which no two runs measure alike.
   bool is_exact = false;   ///< The number is compared bit for bit: it is printed with all its digits.
 

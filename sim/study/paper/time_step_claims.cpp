@@ -47,28 +47,15 @@ double zero_speed_rate_hz(const Core& core) {
   return high_hz;
 }
 
-Claim infinite_bounce(const Core& core) {
-  Claim claim{"3.2.2-infinite-bounce",
-              "the rest threshold eliminates the infinite bounce phenomenon",
-              "frame rate above which drops from twelve heights end at zero speed",
-              "20",
-              kNotGiven,
-              "Hz",
-              ClaimVerdict::does_not_hold};
-  if (end_at_zero_speed(core, 20.0) && end_at_zero_speed(core, 60.0)) {
-    claim.verdict = ClaimVerdict::holds;
-    claim.number = 20.0;
-    return claim;
-  }
-  if (end_at_zero_speed(core, 1000.0)) {
-    claim.number = zero_speed_rate_hz(core);
-    claim.verdict = ClaimVerdict::holds_when;
-    claim.remark = "when the display is faster than " + digits(claim.number) + " Hz; below, ";
-  }
-  claim.remark += stand_still(core, 24.0) && stand_still(core, 60.0) && stand_still(core, 120.0)
-                      ? "vy can stay nonzero, but the position stands still"
-                      : "some drops keep bouncing";
-  return claim;
+Finding infinite_bounce(const Core& core) {
+  if (end_at_zero_speed(core, 20.0) && end_at_zero_speed(core, 60.0)) return {20.0, ClaimVerdict::holds};
+  const std::string below = stand_still(core, 24.0) && stand_still(core, 60.0) && stand_still(core, 120.0)
+                                ? "vy can stay nonzero, but the position stands still"
+                                : "some drops keep bouncing";
+  if (!end_at_zero_speed(core, 1000.0)) return {kNotGiven, ClaimVerdict::does_not_hold, below};
+  const double rate_hz = zero_speed_rate_hz(core);
+  return {rate_hz, ClaimVerdict::holds_when,
+          "when the display is faster than " + digits(rate_hz) + " Hz; below, " + below};
 }
 
 // Stable: of every throw, the speed is at most that of the start plus what a step of gravity adds (the fixed
@@ -90,21 +77,14 @@ bool is_stable(const Core& core, double dt_s) {
   return true;
 }
 
-Claim stable_step(const Core& core) {
+Finding stable_step(const Core& core) {
   double largest_s = 0.0;
   for (const double dt_s : {0.001, 0.005, 0.01, 0.02, 0.03, 0.05, 0.1, 0.3, 1.0, 10.0, 1e3, 1e6}) {
     if (!is_stable(core, dt_s)) break;
     largest_s = dt_s;
   }
   const bool ends_near = largest_s >= 0.02 && largest_s <= 0.05;
-  return {"4.1-stable-dt",
-          "for stable simulation dt should not exceed about 0.02 s",
-          "largest dt tried, of 0.001 to 1e6 s, up to which throws stay bounded and in the window",
-          "0.02 .. 0.05",
-          largest_s,
-          "s",
-          holds_if(ends_near),
-          largest_s == 1e6 ? "no dt tried is unstable" : ""};
+  return {largest_s, holds_if(ends_near), largest_s == 1e6 ? "no dt tried is unstable" : ""};
 }
 
 // Of throws at corners that cross both walls in one frame, in a range of speeds, those that come out.
@@ -129,13 +109,10 @@ Share corner_throws(const Core& core, double least_px_per_s, double most_px_per_
 }
 
 // Without a throw that crosses both walls, the claim is not measured.
-Claim if_crossed(const Share& outside, Claim claim, const std::string& none_outside) {
-  claim.remark = "of " + std::to_string(outside.of);
-  if (outside.of > 0 && outside.count == 0) claim.remark += none_outside;
-  if (outside.of > 0) return claim;
-  claim.number = kNotGiven;
-  claim.verdict = ClaimVerdict::not_measured;
-  return claim;
+Finding if_crossed(const Share& outside, double number, bool holds, const std::string& none_outside) {
+  if (outside.of == 0) return {.remark = "of 0"};
+  return {number, holds_if(holds),
+          "of " + std::to_string(outside.of) + (outside.count == 0 ? none_outside : "")};
 }
 
 }  // namespace
@@ -143,21 +120,21 @@ Claim if_crossed(const Share& outside, Claim claim, const std::string& none_outs
 std::vector<Claim> time_step_claims(const Core& core) {
   const Share fast = corner_throws(core, 2000.0, 100'000.0);
   const Share slow = corner_throws(core, 100.0, 2000.0);
-  const double slow_part = slow.of > 0 ? slow.part() : 0.0;
   return {
-      infinite_bounce(core), stable_step(core),
-      if_crossed(fast,
-                 {"4.2-tunnel",
-                  "a fast sprite could tunnel through a corner if it crosses both boundaries in one frame",
-                  "throws that came out of the window, of those that crossed both in a frame, above 2000 "
-                  "px/s",
-                  "> 0", static_cast<double>(fast.count), "1", holds_if(fast.count > 0)},
-                 ": a clamp cannot be passed"),
-      if_crossed(slow,
-                 {"4.2-rare", "below 2000 px/s tunnelling is rare",
-                  "part of such throws below 2000 px/s that came out", "< 0.01", slow_part, "1",
-                  holds_if(slow_part < 0.01)},
-                 "; so rare that it never happens")};
+      {{"3.2.2-infinite-bounce", "the rest threshold eliminates the infinite bounce phenomenon",
+        "frame rate above which drops from twelve heights end at zero speed", "20", "Hz"},
+       infinite_bounce(core)},
+      {{"4.1-stable-dt", "for stable simulation dt should not exceed about 0.02 s",
+        "largest dt tried, of 0.001 to 1e6 s, up to which throws stay bounded and in the window",
+        "0.02 .. 0.05", "s"},
+       stable_step(core)},
+      {{"4.2-tunnel",
+        "a fast sprite could tunnel through a corner if it crosses both boundaries in one frame",
+        "throws that came out of the window, of those that crossed both in a frame, above 2000 px/s", "> 0"},
+       if_crossed(fast, static_cast<double>(fast.count), fast.count > 0, ": a clamp cannot be passed")},
+      {{"4.2-rare", "below 2000 px/s tunnelling is rare", "part of such throws below 2000 px/s that came out",
+        "< 0.01"},
+       if_crossed(slow, slow.part(), slow.part() < 0.01, "; so rare that it never happens")}};
 }
 
 }  // namespace hyrax

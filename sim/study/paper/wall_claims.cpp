@@ -76,25 +76,13 @@ Reach reach_of_throws(const Core& core) {
 }
 
 // A claim on walls that no throw met is not measured, and has neither number nor remark.
-Claim if_met(std::int64_t contacts, Claim claim) {
-  if (contacts > 0) return claim;
-  claim.number = kNotGiven;
-  claim.verdict = ClaimVerdict::not_measured;
-  claim.remark.clear();
-  return claim;
-}
+Finding if_met(std::int64_t contacts, const Finding& finding) { return contacts > 0 ? finding : Finding(); }
 
-Claim ceiling(const Core& core) {
+Finding ceiling(const Core& core) {
   const State after = core.step({500.0, 10.0, 0.0, -1000.0}, 0.05, kDesktop);
   const State met = core.flight({500.0, 10.0, 0.0, -1000.0}, 0.05);
   const double ratio = after.vy_px_per_s / met.vy_px_per_s;
-  return {"3.2.1-top",
-          "if y < 0, clamp y = 0 and invert the vertical speed",
-          "ratio of vy after and before",
-          digits(-core.constants->restitution),
-          ratio,
-          "1",
-          holds_if(after.y_px == 0.0 && ratio < 0.0 && is_close(-ratio, core.constants->restitution))};
+  return {ratio, holds_if(after.y_px == 0.0 && ratio < 0.0 && is_close(-ratio, core.constants->restitution))};
 }
 
 // Which comparison agrees with the bounces.
@@ -106,16 +94,10 @@ std::string slowest_bounce_text(const Core& core, const Reach& reach) {
 }
 
 // Read literally, every bounce would be stopped: it goes up, so vy < 0 < threshold.
-Claim threshold_in_words(const Core& core, const Reach& reach) {
+Finding threshold_in_words(const Core& core, const Reach& reach) {
   const State from{500.0, 950.0, 0.0, 800.0};
   const State bounced = core.step(from, kSixtieth_s, kDesktop);
-  return {"3.2.2-signed",
-          "if vy < epsilon, set vy = 0",
-          "vy that a bounce from 800 px/s leaves",
-          "0",
-          bounced.vy_px_per_s,
-          "px/s",
-          holds_if(bounced.vy_px_per_s == 0.0),
+  return {bounced.vy_px_per_s, holds_if(bounced.vy_px_per_s == 0.0),
           bounced.vy_px_per_s == 0.0 ? "" : slowest_bounce_text(core, reach)};
 }
 
@@ -144,20 +126,13 @@ CornerOrders corner_orders(const Core& core) {
   return orders;
 }
 
-Claim x_before_y(const Core& core) {
+Finding x_before_y(const Core& core) {
+  if (steps_that_differ_from_listing(core, 5000) > 0) return {.remark = kOrderOfOther};
   const CornerOrders orders = corner_orders(core);
-  const bool is_listing = steps_that_differ_from_listing(core, 5000) == 0;
-  return {"3-x-first",
-          "collisions are resolved in x first, then y, to prevent double-penetration issues",
-          "largest relative difference that the order makes, 1000 corners",
-          "> 1e-9",
-          is_listing ? orders.difference : kNotGiven,
-          "1",
-          !is_listing ? ClaimVerdict::not_measured : holds_if(orders.difference > 1e-9),
-          is_listing ? (orders.outside_px > 0.0
-                            ? "up to " + digits(orders.outside_px) + " px penetrate in one of the orders"
-                            : std::string("nothing penetrates in either order"))
-                     : "this core's step is not the listing's, whose order could be changed"};
+  return {orders.difference, holds_if(orders.difference > 1e-9),
+          orders.outside_px > 0.0
+              ? "up to " + digits(orders.outside_px) + " px penetrate in one of the orders"
+              : "nothing penetrates in either order"};
 }
 
 }  // namespace
@@ -168,45 +143,50 @@ std::vector<Claim> wall_claims(const Core& core) {
   const double out_px = std::max(kSpriteSide_px / 2 - reach.x_px.least,
                                  reach.x_px.most - (kDesktop.right_px + kSpriteSide_px / 2));
   return {
-      {"3-centre", "the centre of the sprite cannot cross the inner bounds 0 .. W - w, 0 .. H - h",
-       "how far the sprite would stick out of the window if x were its centre", "<= 0", out_px, "px",
-       holds_if(out_px <= 0.0),
-       "the top left corner was at " + digits(reach.x_px.least) + " .. " + digits(reach.x_px.most) +
-           " px in x, " + digits(reach.y_px.least) + " .. " + digits(reach.y_px.most) + " px in y"},
-      x_before_y(core),
-      if_met(std::min(reach.side_contacts, reach.ground_contacts),
-             {"3-exact-position", "each collision corrects the position exactly to the boundary",
-              "largest distance from the bound after a clamp, 200 throws", "0", reach.clamp_error_px, "px",
-              holds_if(reach.clamp_error_px == 0.0)}),
-      if_met(reach.side_bounces,
-             {"3-restitution", "each collision applies a coefficient of restitution",
-              "ratio of the step's normal speeds after and before, at the side walls", "0 .. 1, one value",
-              reach.ratio.least, "1",
-              holds_if(is_close(reach.ratio.least, reach.ratio.most) && reach.ratio.least > 0.0 &&
-                       reach.ratio.most < 1.0),
-              is_close(reach.ratio.least, reach.ratio.most) ? "" : "up to " + digits(reach.ratio.most)}),
-      if_met(reach.side_bounces,
-             {"3.1-no-friction", "vertical velocity is unchanged at the side walls, no friction is applied",
-              "largest change of vy at a side wall", "0", reach.vy_change_at_walls_px_per_s, "px/s",
-              holds_if(reach.vy_change_at_walls_px_per_s == 0.0)}),
-      ceiling(core),
-      if_met(
-          reach.slides,
-          {"3.2.2-friction", "ground contact applies ground friction to vx",
-           "factor of vx at a ground contact, 200 throws", "< 1, one value", reach.friction.least, "1",
-           holds_if(is_close(reach.friction.least, reach.friction.most, 1e-9) && reach.friction.most < 1.0)}),
-      threshold_in_words(core, reach),
-      {"3.2.2-only-on-ground", "friction reduces horizontal speed only while the sprite is on the ground",
-       "largest relative change of vx in a step off the ground and the walls, beside drag", "0",
-       reach.vx_change_in_flight, "1", holds_if(reach.vx_change_in_flight == 0.0)},
-      if_met(reach.side_bounces,
-             {"5-energy-retention", "RESTITUTION: energy retention after bounce",
-              "ratio of kinetic energies after and before a bounce", digits(restitution), reach.energy_ratio,
-              "1", holds_if(is_close(reach.energy_ratio, restitution, 1e-9)),
-              is_close(reach.energy_ratio, restitution, 1e-9) ? ""
-              : is_close(reach.energy_ratio, restitution * restitution, 1e-9)
-                  ? "it is the ratio of speeds, " + digits(restitution) + ", squared"
-                  : "neither RESTITUTION, " + digits(restitution) + ", nor its square"})};
+      {{"3-centre", "the centre of the sprite cannot cross the inner bounds 0 .. W - w, 0 .. H - h",
+        "how far the sprite would stick out of the window if x were its centre", "<= 0", "px"},
+       {out_px, holds_if(out_px <= 0.0),
+        "the top left corner was at " + digits(reach.x_px.least) + " .. " + digits(reach.x_px.most) +
+            " px in x, " + digits(reach.y_px.least) + " .. " + digits(reach.y_px.most) + " px in y"}},
+      {{"3-x-first", "collisions are resolved in x first, then y, to prevent double-penetration issues",
+        "largest relative difference that the order makes, 1000 corners", "> 1e-9"},
+       x_before_y(core)},
+      {{"3-exact-position", "each collision corrects the position exactly to the boundary",
+        "largest distance from the bound after a clamp, 200 throws", "0", "px"},
+       if_met(std::min(reach.side_contacts, reach.ground_contacts),
+              {reach.clamp_error_px, holds_if(reach.clamp_error_px == 0.0)})},
+      {{"3-restitution", "each collision applies a coefficient of restitution",
+        "ratio of the step's normal speeds after and before, at the side walls", "0 .. 1, one value"},
+       if_met(reach.side_bounces,
+              {reach.ratio.least,
+               holds_if(is_close(reach.ratio.least, reach.ratio.most) && reach.ratio.least > 0.0 &&
+                        reach.ratio.most < 1.0),
+               is_close(reach.ratio.least, reach.ratio.most) ? "" : "up to " + digits(reach.ratio.most)})},
+      {{"3.1-no-friction", "vertical velocity is unchanged at the side walls, no friction is applied",
+        "largest change of vy at a side wall", "0", "px/s"},
+       if_met(reach.side_bounces,
+              {reach.vy_change_at_walls_px_per_s, holds_if(reach.vy_change_at_walls_px_per_s == 0.0)})},
+      {{"3.2.1-top", "if y < 0, clamp y = 0 and invert the vertical speed", "ratio of vy after and before",
+        digits(-restitution)},
+       ceiling(core)},
+      {{"3.2.2-friction", "ground contact applies ground friction to vx",
+        "factor of vx at a ground contact, 200 throws", "< 1, one value"},
+       if_met(reach.slides,
+              {reach.friction.least, holds_if(is_close(reach.friction.least, reach.friction.most, 1e-9) &&
+                                              reach.friction.most < 1.0)})},
+      {{"3.2.2-signed", "if vy < epsilon, set vy = 0", "vy that a bounce from 800 px/s leaves", "0", "px/s"},
+       threshold_in_words(core, reach)},
+      {{"3.2.2-only-on-ground", "friction reduces horizontal speed only while the sprite is on the ground",
+        "largest relative change of vx in a step off the ground and the walls, beside drag", "0"},
+       {reach.vx_change_in_flight, holds_if(reach.vx_change_in_flight == 0.0)}},
+      {{"5-energy-retention", "RESTITUTION: energy retention after bounce",
+        "ratio of kinetic energies after and before a bounce", digits(restitution)},
+       if_met(reach.side_bounces,
+              {reach.energy_ratio, holds_if(is_close(reach.energy_ratio, restitution, 1e-9)),
+               is_close(reach.energy_ratio, restitution, 1e-9) ? ""
+               : is_close(reach.energy_ratio, restitution * restitution, 1e-9)
+                   ? "it is the ratio of speeds, " + digits(restitution) + ", squared"
+                   : "neither RESTITUTION, " + digits(restitution) + ", nor its square"})}};
 }
 
 }  // namespace hyrax

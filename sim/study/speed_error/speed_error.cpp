@@ -109,8 +109,8 @@ void fit_orders(SpeedError& study) {
       }
       constexpr std::size_t kPointsMin = 3;
       if (dt_s.size() >= kPointsMin)
-        study.orders.push_back({problem, method, dt_s.size(), 1.0 / dt_s.front(), 1.0 / dt_s.back(),
-                                fitted_power(dt_s, errors)});
+        study.orders.push_back({fitted_power(dt_s, errors), problem, method, dt_s.size(), 1.0 / dt_s.front(),
+                                1.0 / dt_s.back()});
     }
 }
 

@@ -80,13 +80,12 @@ struct PowerFit {
 };
 
 /// Over the rates at which the error is more than rounding.
-struct OrderFit {
+struct OrderFit : PowerFit {
   std::size_t problem = 0;
   std::size_t method = 0;
   std::size_t points = 0;
   double low_hz = 0.0;   ///< The lowest rate that it is fitted to,
   double high_hz = 0.0;  ///< and the highest.
-  PowerFit fit = {};
 };
 
 /// The paper's step in the free flight of a problem against three laws, by sim/reference.
@@ -152,9 +151,6 @@ struct SpeedErrorOptions {
 /// The rules that do not hold, each a sentence with method, problem and rate; never about a time.
 [[nodiscard]] std::vector<std::string> broken_rules(const SpeedError& study);
 
-/// An order is fitted over few points, the coarsest of which still feel the next term of the error.
-inline constexpr double kOrderApart = 0.1;
-
 /// "the paper's step, 60 Hz".
 [[nodiscard]] std::string point_text(const SpeedError& study, std::size_t point);
 
@@ -176,10 +172,6 @@ inline constexpr double kOrderApart = 0.1;
 
 /// The largest distances over the flings like a problem, at 60 Hz, a line a method; nothing without bands.
 [[nodiscard]] std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem);
-
-/// "Exact flight step: ends nearer to the exact place than the paper's step in 49 of 120 flings (32 .. 50 %):
-/// ...".
-[[nodiscard]] std::string nearness_sentence(const MethodBands& bands, const SpeedError& study);
 
 /// How drag per frame keeps the paper's step from converging, with the values of this study; empty if
 /// SpeedError::paper has no 60 Hz, or there is no drag.

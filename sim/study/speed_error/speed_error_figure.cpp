@@ -239,7 +239,7 @@ class Diagram {
     if (is_exact) return "exact";
     for (const OrderFit& fit : study_.orders)
       if (fit.problem == curve.points.front()->problem && fit.method == curve.method)
-        return fmt::format("order {}{:.2f}", fit.fit.order < 0.0 ? "−" : "", std::fabs(fit.fit.order));
+        return fmt::format("order {}{:.2f}", fit.order < 0.0 ? "−" : "", std::fabs(fit.order));
     return "no order";
   }
 

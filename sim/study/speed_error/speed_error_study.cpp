@@ -31,7 +31,7 @@ const WorkPoint* find_point(const SpeedError& study, std::size_t problem, std::s
 std::string order_text(const SpeedError& study, std::size_t problem, std::size_t method) {
   for (const OrderFit& fit : study.orders)
     if (fit.problem == problem && fit.method == method)
-      return fmt::format("{:.2f} ± {:.2f}", fit.fit.order, fit.fit.standard_error);
+      return fmt::format("{:.2f} ± {:.2f}", fit.order, fit.standard_error);
   return std::holds_alternative<Exact>(study.methods[method].accuracy) ? "exact" : "-";
 }
 
@@ -167,7 +167,12 @@ void add_bands(Verdict& verdict, const SpeedError& study, std::size_t problem) {
       bands.front().position_px.samples, kBandStart_px, 100.0 * kBandSpeed_rel, kBandSeed));
   verdict.text.push_back(bands_text(bands, study));
   for (const MethodBands& b : bands)
-    if (study.methods[b.method].name == "exact-flight") verdict.text.push_back(nearness_sentence(b, study));
+    if (study.methods[b.method].name == "exact-flight")
+      verdict.text.push_back(fmt::format(
+          "At {:.0f} Hz the {} ends nearer to the exact place than the paper's step in {} of {} flings "
+          "({:.0f} .. {:.0f} %): {}.",
+          b.rate_hz, study.methods[b.method].label, b.nearer.count, b.nearer.of, 100.0 * b.nearer.low(),
+          100.0 * b.nearer.high(), nearness_text(b.nearer)));
 }
 
 // How far off the paper's step is at 60 Hz at the end and at walls; empty of a flight.

@@ -12,15 +12,6 @@ std::string point_text(const SpeedError& study, std::size_t index) {
   return kind.is_adaptive() ? kind.label : fmt::format("{}, {:.0f} Hz", kind.label, point.rate_hz);
 }
 
-std::string nearness_sentence(const MethodBands& bands, const SpeedError& study) {
-  const Share& nearer = bands.nearer;
-  return fmt::format(
-      "At {:.0f} Hz the {} ends nearer to the exact place than the paper's step in {} of {} flings "
-      "({:.0f} .. {:.0f} %): {}.",
-      bands.rate_hz, study.methods[bands.method].label, nearer.count, nearer.of, 100.0 * nearer.low(),
-      100.0 * nearer.high(), nearness_text(nearer));
-}
-
 namespace {
 
 // Of records with a cost; NaN: not measured.
@@ -138,14 +129,10 @@ Table orders_table(const SpeedError& study) {
   return {"orders",
           "fitted order of convergence",
           {problem_column(study, orders), method_column(study, orders),
-           column_of("order", "1", "slope of log error against log dt", orders,
-                     [](const OrderFit& fit) { return fit.fit.order; }),
-           column_of("standard_error", "1", "of the slope", orders,
-                     [](const OrderFit& fit) { return fit.fit.standard_error; }),
-           column_of("least", "1", "order between neighbouring rates, smallest", orders,
-                     [](const OrderFit& fit) { return fit.fit.least; }),
-           column_of("most", "1", "order between neighbouring rates, largest", orders,
-                     [](const OrderFit& fit) { return fit.fit.most; }),
+           column_of("order", "1", "slope of log error against log dt", orders, &OrderFit::order),
+           column_of("standard_error", "1", "of the slope", orders, &OrderFit::standard_error),
+           column_of("least", "1", "order between neighbouring rates, smallest", orders, &OrderFit::least),
+           column_of("most", "1", "order between neighbouring rates, largest", orders, &OrderFit::most),
            column_of("from", "Hz", "lowest rate that it is fitted to", orders, &OrderFit::low_hz),
            column_of("to", "Hz", "highest rate that it is fitted to", orders, &OrderFit::high_hz),
            column_of("analytic_order", "1", "in free flight; 0 does not converge, -1 exact", orders,

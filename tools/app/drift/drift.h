@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,7 +92,7 @@ class DriftRecorder final : private DriftSink {
   std::size_t arcs_seen_ = 0;
   Thinned<DrawnRow> rows_{run_.rows};
   Thinned<WholeRow> whole_rows_{run_.whole_rows};
-  std::optional<GslFlight> solver_;
+  std::unique_ptr<FlightSolver> solver_;
   DriftMeter meter_;
   MarginMeter margin_;
   WholeMeter whole_;

@@ -33,8 +33,8 @@ DriftRecorder::DriftRecorder(const Scenario& scenario, const Model& model, const
                              DriftSink* row_sink)
     : keeps_rows_(options.keeps_rows),
       row_sink_(row_sink),
-      meter_(scenario, inputs_of(scenario, step_count(scenario)), *this,
-             options.gsl ? &solver_.emplace(*options.gsl, model) : nullptr, model),
+      solver_(options.gsl ? gsl_flight(*options.gsl, model) : nullptr),
+      meter_(scenario, inputs_of(scenario, step_count(scenario)), *this, solver_.get(), model),
       margin_(scenario, inputs_of(scenario, step_count(scenario)), model),
       whole_(scenario, inputs_of(scenario, step_count(scenario)), model,
              options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows_.add(row); })

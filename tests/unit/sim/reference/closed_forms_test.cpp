@@ -26,12 +26,12 @@ double relative_error(const AxisMotion& motion, const WideMotion& truth, double 
                   std::fabs((truth.speed - motion.speed_px_per_s).rounded()) / speed);
 }
 
-AxisMotion in_y(const Flight& flight) { return {flight.dy_px, flight.vy_px_per_s}; }
+AxisMotion in_y(const State& flight) { return {flight.y_px, flight.vy_px_per_s}; }
 
 // Flies frames of these dt; returns the largest distance of a row from `truth` at its time.
 template <class Truth>
 double worst_error(const std::vector<double>& frames_s, double v, Truth truth_after,
-                   Flight (ArcSolution::*ours)() const) {
+                   State (ArcSolution::*ours)() const) {
   ArcSolution solution((Model()));
   solution.start({0.0, v}, false);
   double worst = 0.0;
@@ -128,7 +128,9 @@ TEST(ContinuousClosedForm, AgreesWith256BitsOverAHundredSeconds) {
 // As functions of z = n ln a, and as sums over n frames: nothing but a and a^n is common to both.
 TEST(ExactLaw, HasTheCoefficientsOfTheStepInEveryFrame) {
   for (const double air_drag : {0.5, 0.9, 0.999, 1.0 - 1e-4, 1.0 - 1e-5, 1.0 - 1e-9, 1.0}) {
-    const FramePowers powers(Model{.air_drag = air_drag});
+    Model model;
+    model.air_drag = air_drag;
+    const FramePowers powers(model);
     for (std::size_t n = 1; n <= FramePowers::kFramesMax; ++n) {
       const FramePower<DoubleDouble>&law = powers.wide(n).exact_law, &step = powers.wide(n).discrete;
       EXPECT_LT(std::fabs((law.sum + -step.sum).hi), 1e-21 * step.sum.hi) << air_drag << ", " << n;
@@ -154,13 +156,15 @@ TEST(ModelFlight, KeepsTheDragRateOf60HzWhereFramesOf60HzFollowOthersOrAreFollow
 }
 
 TEST(ArcSolution, WithoutDragIsNewtonsParabolaAndItsSums) {
-  ArcSolution solution({.air_drag = 1.0});
+  Model model;
+  model.air_drag = 1.0;
+  ArcSolution solution(model);
   solution.start({500.0, -900.0}, true);
   for (int i = 0; i < 64; ++i) solution.advance(1.0 / 64);
-  EXPECT_EQ(solution.matched().dy_px, -300.0);
+  EXPECT_EQ(solution.matched().y_px, -300.0);
   EXPECT_EQ(solution.model().y_px, -300.0);
-  EXPECT_EQ(solution.discrete().dy_px, -900.0 + 1200.0 * (64 * 65 / 2) / (64 * 64));
-  EXPECT_EQ(solution.exact_law().dy_px, solution.discrete().dy_px);
+  EXPECT_EQ(solution.discrete().y_px, -900.0 + 1200.0 * (64 * 65 / 2) / (64 * 64));
+  EXPECT_EQ(solution.exact_law().y_px, solution.discrete().y_px);
   EXPECT_EQ(solution.gravity_energy_px2_per_s2(), -kGravity * kGravity / 64 / 2);
 }
 
@@ -191,7 +195,7 @@ TEST(Phi, AgreesWith256BitsAtAnyDamping) {
 
 TEST(WidePhi, HasAHundredBits) {
   for (const double z : {-90.0, -3.0, -1.0, -0.5, -1e-3, -1e-9}) {
-    const WidePhi p = wide_phi({z, 0.0});
+    const Phi p = wide_phi({z, 0.0});
     const WideTextbookPhi truth{Wide(z)};
     EXPECT_LT(relative_error(p.one, truth.one), 0x1p-100) << z;
     EXPECT_LT(relative_error(p.two, truth.two), 0x1p-100) << z;

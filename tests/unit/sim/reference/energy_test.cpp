@@ -70,14 +70,17 @@ TEST(EnergyDrift, IsRelativeToAPixelOfHeightAtLeast) {
   EXPECT_EQ(arc.energy_drift_rel_max, arc.energy_drift_max_px2_per_s2 / 1200.0);
 
   Measured of_moon;
-  measure(scenario, fly_by(paper_step(0.999), scenario), of_moon, nullptr, {.gravity_px_per_s2 = 200.0});
+  Model moon;
+  moon.gravity_px_per_s2 = 200.0;
+  measure(scenario, fly_by(paper_step(0.999), scenario), of_moon, nullptr, moon);
   const ArcErrors& slow = of_moon.arcs.at(0);
   EXPECT_EQ(slow.energy_drift_rel_end, slow.energy_drift_end_px2_per_s2 / 200.0);
 }
 
 TEST(EnergyDrift, IsZeroWhereThereIsNoEnergy) {
   const Scenario scenario = open_sky({0.0, 0.0}, kRate_hz, 30);
-  const Model weightless{.gravity_px_per_s2 = 0.0};
+  Model weightless;
+  weightless.gravity_px_per_s2 = 0.0;
   Measured measured;
   measure(scenario, fly_by(paper_step(0.999, 0.0), scenario), measured, nullptr, weightless);
   EXPECT_EQ(measured.arcs.at(0).energy_drift_rel_max, 0.0);
@@ -122,8 +125,8 @@ void expect_followed(const ArcErrors& arc) {
 // The parts of an energy are the model's own operations, the sum is that of the run's rows.
 void expect_followed_with_energy_parts_that_add_up(const Scenario& scenario) {
   Measured run;  // Live, so that ten million rows are never held.
-  GslFlight gsl;
-  DriftMeter meter(scenario, inputs_of(scenario), run, &gsl);
+  const std::unique_ptr<FlightSolver> gsl = gsl_flight();
+  DriftMeter meter(scenario, inputs_of(scenario), run, gsl.get());
   replay(shipped_core(), scenario, meter);
   run.summary = meter.finish();
   EXPECT_EQ(run.summary.reference_faults, 0);

@@ -62,17 +62,19 @@ TEST(WholeRun, OfARepetitionIsThatOfEveryRow) {
 }
 
 TEST(WholeRun, IsNoneWithoutAnExactFling) {
-  const auto why = [](const Model& model) {
+  const auto why = [](double Model::*constant, double value) {
+    Model model;
+    model.*constant = value;
     const WholeOutcome outcome = outcome_of(fling(), rows_of(fling()), model);
     EXPECT_EQ(outcome.run.has_value(), outcome.why_not.empty());
     return outcome.why_not;
   };
-  EXPECT_EQ(why({}), "");
-  EXPECT_EQ(why({.gravity_px_per_s2 = 0.0}), "gravity is 0");
-  EXPECT_EQ(why({.air_drag = 1.0}), "the drag factor is not between 0 and 1");
-  EXPECT_EQ(why({.ground_friction = 0.0}), "the friction factor is not between 0 and 1");
-  EXPECT_EQ(why({.restitution = 1.0}), "the restitution is not below 1");
-  EXPECT_EQ(why({.rest_threshold_px_per_s = 0.0}), "the rest threshold is 0");
+  EXPECT_EQ(why(&Model::restitution, 0.6), "");
+  EXPECT_EQ(why(&Model::gravity_px_per_s2, 0.0), "gravity is 0");
+  EXPECT_EQ(why(&Model::air_drag, 1.0), "the drag factor is not between 0 and 1");
+  EXPECT_EQ(why(&Model::ground_friction, 0.0), "the friction factor is not between 0 and 1");
+  EXPECT_EQ(why(&Model::restitution, 1.0), "the restitution is not below 1");
+  EXPECT_EQ(why(&Model::rest_threshold_px_per_s, 0.0), "the rest threshold is 0");
   Scenario small = fling();
   small.events = {{std::int64_t{7}, Resize{Size{100, 100}, std::nullopt}}};
   EXPECT_EQ(outcome_of(small, rows_of(small)).why_not, "the sprite is larger than its window in row 7");

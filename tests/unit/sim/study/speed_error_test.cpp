@@ -244,8 +244,8 @@ SpeedError small_study() {
       point.cost = cost_of({9.0 * rate_hz, 10.0 * rate_hz, 12.0 * rate_hz});
       study.points.push_back(point);
     }
-  study.orders = {{0, 0, 3, 30.0, 240.0, {.order = -1.0, .standard_error = 0.04}},
-                  {0, 1, 3, 30.0, 240.0, {.order = 1.0, .standard_error = 0.0}}};
+  study.orders = {{{.order = -1.0, .standard_error = 0.04}, 0, 0, 3, 30.0, 240.0},
+                  {{.order = 1.0, .standard_error = 0.0}, 0, 1, 3, 30.0, 240.0}};
   study.paper = {{.rate_hz = 60.0, .model_px = 9.8}, {.rate_hz = 240.0, .model_px = 42.0}};
   study.repetitions = 20;
   return study;
