@@ -62,8 +62,8 @@ class RunMatcher final : public RowSink {
   }
   static bool is_same(const Contact& a, const Contact& b) {
     return a.step == b.step && a.last_step == b.last_step && a.wall == b.wall &&
-           std::ranges::all_of(kContactFields,
-                               [&](const ContactField& field) { return agrees(field, a, b); });
+           std::ranges::all_of(kContactQuantities,
+                               [&](const ContactColumn& quantity) { return agrees(quantity, a, b); });
   }
 
   const StoredRun& run_;

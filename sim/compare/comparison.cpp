@@ -46,15 +46,6 @@ std::string input_text(const Input& input) {
 
 }  // namespace
 
-std::optional<std::uint64_t> ulps_of(std::string_view field, double expected, double actual) {
-  if (is_contact_field(field)) return std::nullopt;
-  return ulps_between(expected, actual);
-}
-
-Divergence divergence_at(std::int64_t step, std::string_view field, double expected, double actual) {
-  return {step, std::string(field), expected, actual, ulps_of(field, expected, actual)};
-}
-
 DifferenceClass class_of(const ContactChanges& contacts, const RunDistance& distance) {
   if (!contacts.is_none() || distance.has_other_walls()) return DifferenceClass::contacts;
   return distance.is_rounding() ? DifferenceClass::rounding : DifferenceClass::values;

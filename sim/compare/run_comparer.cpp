@@ -11,7 +11,7 @@ std::optional<Divergence> first_difference(const Row& expected, const Row& actua
   for (const RowField& field : kRowFields) {
     const double a = field.value(expected);
     const double b = field.value(actual);
-    if (!agrees(a, b)) return divergence_at(actual.step, field.name, a, b);
+    if (!agrees(a, b)) return Divergence{actual.step, std::string(field.name), a, b};
   }
   return std::nullopt;
 }
@@ -43,7 +43,10 @@ void RunComparer::look_around(const Columns& batch, std::size_t index) {
 void RunComparer::block(const Block& block, std::int64_t count) {
   for (std::int64_t passed = 0; passed < count && kept_block_ < kept_.blocks.size();) {
     const StoredBlock& kept = kept_.blocks[kept_block_];
-    compare({kept, kept_block_used_, block, passed});
+    if (kept.digest != block.digest)
+      compare(kept, block, passed);
+    else if (!result_.first && kept_block_used_ == 0)
+      check_upkeep(kept, block);
     const std::int64_t used = std::min(count - passed, kept.count - kept_block_used_);
     passed += used;
     kept_block_used_ += used;
@@ -52,17 +55,6 @@ void RunComparer::block(const Block& block, std::int64_t count) {
       kept_block_used_ = 0;
     }
   }
-}
-
-void RunComparer::compare(const BlockPair& pair) {
-  const bool is_same_block = pair.kept.digest == pair.played.digest;
-  if (is_same_block && !result_.first && pair.kept_repetition == 0) check_upkeep(pair.kept, pair.played);
-  if (!is_same_block && !result_.first) find_row(pair);
-  if (!is_same_block) measure(pair);
-}
-
-std::int64_t RunComparer::BlockPair::first_step() const {
-  return kept.keyframe.row.step + kept_repetition * static_cast<std::int64_t>(kBlockRows);
 }
 
 // Where the digests agree, all that is kept beside them must agree as well.
@@ -81,60 +73,42 @@ const RowBlock& RunComparer::expanded(const StoredBlock& kept) {
   return expanded_;
 }
 
-void RunComparer::find_row(const BlockPair& pair) {
-  const RowBlock& expected = expanded(pair.kept);
-  if (find_row_in(expected, pair)) return;
-  if (expected.size() > 0) return;  // One of them has more rows.
-  if (find_row_by_checks(pair)) return;
-  result_.first = Divergence{pair.first_step(), "state", std::nullopt, std::nullopt, std::nullopt};
-}
-
-bool RunComparer::find_row_in(const RowBlock& expected, const BlockPair& pair) {
-  const RowBlock& actual = pair.played.rows;
-  const auto row_of = [&](const RowBlock& rows, std::size_t index) {
-    Row row = rows.row(index);
-    row.step = pair.first_step() + static_cast<std::int64_t>(index);
-    return row;
-  };
-  for (std::size_t index = 0; index < std::min(expected.size(), actual.size()); ++index) {
-    result_.first = first_difference(row_of(expected, index), row_of(actual, index));
-    if (result_.first) return true;
-  }
-  return false;
-}
-
-bool RunComparer::find_row_by_checks(const BlockPair& pair) {
-  constexpr std::size_t kFirstField = 1;  // Checks have no t; else they are in the fields' order.
-  const std::vector<RowCheck>& checks = pair.kept.checks;
-  for (std::size_t index = 0; index < std::min(checks.size(), pair.played.rows.size()); ++index) {
-    Row actual = pair.played.rows.row(index);
-    actual.step = pair.first_step() + static_cast<std::int64_t>(index);
-    const RowCheck check = check_of(actual);
-    const auto differing = std::mismatch(check.begin(), check.end(), checks[index].begin()).first;
-    if (differing == check.end()) continue;
-    const RowField& field = kRowFields[kFirstField + static_cast<std::size_t>(differing - check.begin())];
-    result_.first = index == 0 ? divergence_at(actual.step, field.name, field.value(pair.kept.keyframe.row),
-                                               field.value(actual))
-                               : Divergence{actual.step, std::string(field.name), std::nullopt,
-                                            field.value(actual), std::nullopt};
-    return true;
-  }
-  return false;
-}
-
-// Of rows that are not known, the first one is kept all the same.
-void RunComparer::measure(const BlockPair& pair) {
-  const RowBlock& expected = expanded(pair.kept);
-  BlockRows kept(pair.kept.keyframe, expected, pair.kept_repetition);
-  BlockRows played(pair.played.keyframe, pair.played.rows, pair.played_repetition);
+// The blocks' times are not compared: digests do not cover them. Of rows that are not known, the first one is
+// kept all the same.
+void RunComparer::compare(const StoredBlock& kept, const Block& played, std::int64_t played_repetition) {
+  const RowBlock& expected = expanded(kept);
+  BlockRows kept_rows(kept.keyframe, expected, kept_block_used_);
+  BlockRows played_rows(played.keyframe, played.rows, played_repetition);
   if (expected.size() == 0) {
-    distance_.add(kept.first(), played.first());
+    if (!result_.first) result_.first = find_by_checks(kept, kept_rows.first().step, played.rows);
+    distance_.add(kept_rows.first(), played_rows.first());
     distance_.add_unknown();
     result_.has_unknown_rows = true;
-    return;
   }
-  for (std::size_t index = 0; index < std::min(expected.size(), pair.played.rows.size()); ++index)
-    distance_.add(kept.next(), played.next());
+  for (std::size_t index = 0; index < std::min(expected.size(), played.rows.size()); ++index) {
+    Row a = kept_rows.next();
+    Row b = played_rows.next();
+    distance_.add(a, b);
+    a.t_s = b.t_s = 0.0;
+    if (!result_.first) result_.first = first_difference(a, b);
+  }
+}
+
+Divergence RunComparer::find_by_checks(const StoredBlock& kept, std::int64_t first_step,
+                                       const RowBlock& played) {
+  constexpr std::size_t kFirstField = 1;  // Checks have no t; else they are in the fields' order.
+  for (std::size_t index = 0; index < std::min(kept.checks.size(), played.size()); ++index) {
+    const Row actual = played.row(index);
+    const RowCheck check = check_of(actual);
+    const auto differing = std::ranges::mismatch(check, kept.checks[index]).in1;
+    if (differing == check.end()) continue;
+    const RowField& field = kRowFields[kFirstField + static_cast<std::size_t>(differing - check.begin())];
+    Divergence found{
+        first_step + static_cast<std::int64_t>(index), std::string(field.name), {}, field.value(actual)};
+    if (index == 0) found.expected = field.value(kept.keyframe.row);
+    return found;
+  }
+  return {first_step, "state", {}, {}};
 }
 
 std::string RunComparer::contradiction(const Played& played) const {
@@ -153,8 +127,7 @@ std::string RunComparer::difference_in_shape(const Played& played) const {
     return "the golden file has " + std::to_string(kept_.steps) + " steps, the run has " +
            std::to_string(played.steps);
   if (result_.first || !result_.contacts.is_none()) return "";
-  const std::string damage = contradiction(played);
-  if (!damage.empty())
+  if (const std::string damage = contradiction(played); !damage.empty())
     return "the golden file contradicts itself (" + damage +
            "): its rows agree with the run; it was changed after blessing";
   return "";

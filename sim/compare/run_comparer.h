@@ -44,21 +44,11 @@ class RunComparer : public RowSink {
   [[nodiscard]] Comparison finish(const Played& played);
 
  private:
-  // A kept block, and the block of the same steps in the run; each may be a repetition.
-  struct BlockPair {
-    const StoredBlock& kept;
-    std::int64_t kept_repetition = 0;
-    const Block& played;
-    std::int64_t played_repetition = 0;
-    [[nodiscard]] std::int64_t first_step() const;
-  };
-  void compare(const BlockPair& pair);
   void check_upkeep(const StoredBlock& kept, const Block& block);
   [[nodiscard]] const RowBlock& expanded(const StoredBlock& kept);
-  void find_row(const BlockPair& pair);
-  [[nodiscard]] bool find_row_in(const RowBlock& expected, const BlockPair& pair);
-  [[nodiscard]] bool find_row_by_checks(const BlockPair& pair);
-  void measure(const BlockPair& pair);
+  void compare(const StoredBlock& kept, const Block& played, std::int64_t played_repetition);
+  [[nodiscard]] static Divergence find_by_checks(const StoredBlock& kept, std::int64_t first_step,
+                                                 const RowBlock& played);
   void look_around(const Columns& batch, std::size_t index);
   void compare_ends(const Played& played);
   [[nodiscard]] std::string contradiction(const Played& played) const;

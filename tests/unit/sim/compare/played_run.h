@@ -35,7 +35,7 @@ inline std::string said(const Comparison& comparison) {
   std::string text = comparison.agrees ? "agrees" : std::string(name_of(comparison.difference.value()));
   if (!comparison.first) return text;
   text += ", first " + std::string(comparison.first->field) + " at " + std::to_string(comparison.first->step);
-  return comparison.first->ulps ? text + ", " + std::to_string(*comparison.first->ulps) + " ulps" : text;
+  return comparison.first->ulps() ? text + ", " + std::to_string(*comparison.first->ulps()) + " ulps" : text;
 }
 
 /// Of that fault in a row.
