@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/compare/trajectory_comparer.h"
-#include "sim/trajectory/block_rows.h"
 
 namespace hyrax {
 
@@ -16,28 +15,16 @@ std::optional<Divergence> first_difference(const Row& expected, const Row& actua
   return std::nullopt;
 }
 
-void RunComparer::rows(const Columns& batch) {
-  const auto first = static_cast<std::size_t>(rows_seen_);
-  rows_seen_ += static_cast<std::int64_t>(batch.size());
-  for (std::size_t index = 0; index < batch.size() && first + index < kept_.rows.size(); ++index) {
-    const Row expected = kept_.rows.row(first + index);
-    const Row actual = batch.row(index);
-    if (same_bits(expected, actual)) continue;
-    distance_.add(expected, actual);
-    if (result_.first) continue;
-    result_.first = first_difference(expected, actual);
-    if (result_.first) look_around(batch, index);
-  }
-}
-
-void RunComparer::look_around(const Columns& batch, std::size_t index) {
-  constexpr std::size_t kRowsAround = 2;
-  const std::size_t first = index < kRowsAround ? 0 : index - kRowsAround;
-  for (std::size_t at = first; at < std::min(batch.size(), index + kRowsAround + 1); ++at) {
-    const auto kept = static_cast<std::size_t>(batch.step[at]);
-    result_.actual_around.push_back(batch.row(at));
-    if (kept < kept_.rows.size()) result_.expected_around.push_back(kept_.rows.row(kept));
-  }
+void RunComparer::row(const Row& actual) {
+  constexpr std::int64_t kRowsAround = 2;
+  std::vector<Row>& around = result_.actual_around;
+  if (!result_.first || actual.step <= result_.first->step + kRowsAround) around.push_back(actual);
+  if (!result_.first && std::ssize(around) > kRowsAround + 1) around.erase(around.begin());
+  if (actual.step >= std::ssize(kept_.rows.step)) return;
+  const Row expected = kept_.rows.row(static_cast<std::size_t>(actual.step));
+  if (same_bits(expected, actual)) return;
+  distance_.add(expected, actual);
+  if (!result_.first) result_.first = first_difference(expected, actual);
 }
 
 void RunComparer::block(const Block& block, std::int64_t count) {
@@ -111,49 +98,53 @@ Divergence RunComparer::find_by_checks(const StoredBlock& kept, std::int64_t fir
   return {first_step, "state", {}, {}};
 }
 
-std::string RunComparer::contradiction(const Played& played) const {
+std::string RunComparer::contradiction(const Scenario& scenario, const RunSummary& summary) const {
   if (!damage_.empty()) return damage_;
-  if (kept_.state_hash != played.state_hash) return "state hash";
-  if (input_difference(kept_.inputs, played.inputs)) return "events";
-  if (first_difference(kept_.final, played.final)) return "last row";
+  if (kept_.state_hash != hex(summary.state_hash)) return "state hash";
+  if (input_difference(kept_.inputs, inputs_of(scenario, summary.steps))) return "events";
+  if (first_difference(kept_.final, summary.final)) return "last row";
   const auto recorded = static_cast<std::int64_t>(contacts_.size());
   if (recorded < kContactsRecordedMax && kept_.contacts_total != recorded) return "number of contacts";
   return "";
 }
 
-std::string RunComparer::difference_in_shape(const Played& played) const {
-  if (!plays_the_same(kept_.scenario, played.scenario)) return "the scenario changed since it was blessed";
-  if (kept_.steps != played.steps)
+std::string RunComparer::difference_in_shape(const Scenario& scenario, const RunSummary& summary) const {
+  if (!plays_the_same(kept_.scenario, scenario)) return "the scenario changed since it was blessed";
+  if (kept_.steps != summary.steps)
     return "the golden file has " + std::to_string(kept_.steps) + " steps, the run has " +
-           std::to_string(played.steps);
+           std::to_string(summary.steps);
   if (result_.first || !result_.contacts.is_none()) return "";
-  if (const std::string damage = contradiction(played); !damage.empty())
+  if (const std::string damage = contradiction(scenario, summary); !damage.empty())
     return "the golden file contradicts itself (" + damage +
            "): its rows agree with the run; it was changed after blessing";
   return "";
 }
 
 // Rows and blocks of equal bits were not searched for a NaN, with which a run ends.
-void RunComparer::compare_ends(const Played& played) {
-  if (kept_.final.step == played.final.step && (result_.first || !is_finite(state_of(played.final))))
-    distance_.add(kept_.final, played.final);
-  if (!result_.first && !is_finite(state_of(played.final)))
-    result_.first = first_difference(kept_.final, played.final);
+void RunComparer::compare_ends(const Row& final) {
+  const bool is_non_finite = !is_finite(state_of(final));
+  if (kept_.final.step == final.step && (result_.first || is_non_finite)) distance_.add(kept_.final, final);
+  if (!result_.first && is_non_finite) result_.first = first_difference(kept_.final, final);
 }
 
-Comparison RunComparer::finish(const Played& played) {
+Comparison RunComparer::finish(const Scenario& scenario, std::string_view physics,
+                               const RunSummary& summary) {
+  if (!result_.first) result_.actual_around.clear();
+  for (const Row& row : result_.actual_around)
+    if (row.step < std::ssize(kept_.rows.step))
+      result_.expected_around.push_back(kept_.rows.row(static_cast<std::size_t>(row.step)));
   result_.contacts = contact_changes(kept_.contacts, contacts_);
-  compare_ends(played);
+  compare_ends(summary.final);
   if (!result_.first && result_.contacts.is_none()) {
     result_.first = first_difference(kept_.contacts, contacts_);
     for (std::size_t index = 0; index < contacts_.size(); ++index)
       distance_.add(kept_.contacts[index], contacts_[index]);
   }
   result_.largest = distance_.largest();
-  result_.shape = difference_in_shape(played);
-  if (kept_.physics != played.physics)
+  result_.shape = difference_in_shape(scenario, summary);
+  if (kept_.physics != physics)
     result_.physics = "the golden file is of physics model '" + kept_.physics + "', this program is of '" +
-                      std::string(played.physics) + "'";
+                      std::string(physics) + "'";
   if (!result_.shape.empty())
     result_.difference = DifferenceClass::shape;
   else if (result_.first || !result_.contacts.is_none())

@@ -15,9 +15,7 @@ namespace {
 class DigestSink : public RowSink {
  public:
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t row = 0; row < batch.size(); ++row) hash_.add(batch.row(row));
-  }
+  void row(const Row& row) override { hash_.add(row); }
   [[nodiscard]] Digest finish() { return hash_.value(); }
 
  private:
