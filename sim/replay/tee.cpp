@@ -29,10 +29,18 @@ void Tee::row(const Row& row) {
 }
 
 void Tee::pass(Outlet& outlet, const Row& row) {
-  outlet.sink.row(row);
+  outlet.batch.append(row);
   outlet.last_row = row.step;
-  if (++outlet.rows % kBlockRows == 0) outlet.wants = outlet.sink.wants();
+  if (outlet.batch.size() >= kBlockRows) flush(outlet);
   set_next_row(outlet, row.step);
+}
+
+// Late, so that a sink may know already that its rows repeat, and want fewer of them.
+void Tee::flush(Outlet& outlet) {
+  if (outlet.batch.size() == 0) return;
+  outlet.sink.rows(outlet.batch);
+  outlet.batch.clear();
+  outlet.wants = outlet.sink.wants();
 }
 
 void Tee::set_next_row(Outlet& outlet, std::int64_t after_step) {
@@ -83,8 +91,10 @@ void Tee::count_contacts(const WallCounts& begun) {
 }
 
 void Tee::finish(const Row& last) {
-  for (Outlet& outlet : outlets_)
+  for (Outlet& outlet : outlets_) {
     if (outlet.wants.rows_every > 0 && outlet.last_row != last.step) pass(outlet, last);
+    flush(outlet);
+  }
   for (const Wall wall : kWalls) end_contact(wall, last.step);
 }
 

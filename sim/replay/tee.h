@@ -43,7 +43,7 @@ class Tee {
     RowSink::Wants wants;
     std::int64_t next_row = 0;
     std::int64_t last_row = kNone;  // That it got.
-    std::size_t rows = 0;
+    Columns batch = {};             // Rows that it does not have yet.
   };
   struct OpenContact {
     std::int64_t index = kNone;  // Among those passed on.
@@ -51,6 +51,7 @@ class Tee {
   };
 
   static void pass(Outlet& outlet, const Row& row);
+  static void flush(Outlet& outlet);
   static void set_next_row(Outlet& outlet, std::int64_t after_step);
   void find_next_row();
   void end_contact(Wall wall, std::int64_t last_step);
