@@ -65,6 +65,7 @@ CheckedRun check_run(const Core& core, const Scenario& scenario, std::span<const
                  .measures = watch.measures(),
                  .last_speed_px_per_s = watch.last_speed_px_per_s(),
                  .knife_edges = watch.knife_edges()};
+  if (report_steps) report_steps(run.summary.steps);
   const auto record_equal = [&run](Invariant invariant, const Digest& hash) {
     const double slack = hash == run.summary.state_hash ? 0.0 : -1.0;
     run.measures[static_cast<std::size_t>(invariant)].add(slack, run.summary.steps);

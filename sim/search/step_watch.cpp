@@ -31,7 +31,7 @@ StepWatch::StepWatch(const Core& core, const Scenario& scenario,
 
 void StepWatch::row(const Row& row) {
   constexpr std::int64_t kStepsBetweenReports = 4096;
-  if (report_steps_ && row.step % kStepsBetweenReports == 0) report_steps_(row.step);
+  if (report_steps_ && (row.step + 1) % kStepsBetweenReports == 0) report_steps_(row.step);
   check_finite(row);
   speed_before_px_per_s_ = speed_px_per_s_;
   speed_px_per_s_ = std::max(std::fabs(row.vx_px_per_s), std::fabs(row.vy_px_per_s));
