@@ -18,12 +18,9 @@ class RowCollector final : public RowSink {
   explicit RowCollector(CoreRun& run) : run_(run) {}
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = is_complete() ? 0 : 1, .blocks = true}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size(); ++index) {
-      const Row row = batch.row(index);
-      if (row.step != std::ssize(run_.rows) || is_complete()) continue;  // The last one.
-      run_.rows.push_back(row);
-    }
+  void row(const Row& row) override {
+    const bool is_last = row.step != std::ssize(run_.rows);
+    if (!is_last && !is_complete()) run_.rows.push_back(row);
   }
   void repeats(const Repetition& repetition) override { run_.repetition = repetition; }
   void block(const Block& block, std::int64_t count) override {

@@ -12,16 +12,20 @@ namespace {
 constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
 
 // Compares a replay with a run, by rows or by blocks, until one differs.
-class RunMatcher final : public RowSink {
+class RunMatcher final : public ContactRecorder {
  public:
   explicit RunMatcher(const StoredRun& run) : run_(run) {}
 
   [[nodiscard]] Wants wants() const override {
     return {.rows_every = run_.blocks.empty() ? 1 : 0, .contacts = true, .blocks = !run_.blocks.empty()};
   }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size() && match_.rows; ++index, ++at_)
-      take(at_ < run_.rows.size() ? run_.rows.row(at_) : Row{.step = -1}, batch.row(index));
+  void row(const Row& played) override {
+    if (!match_.rows) return;
+    const Row stored = at_ < run_.rows.size() ? run_.rows.row(at_) : Row{.step = -1};
+    match_.rows = stored.step == played.step && same_bits(state_of(stored), state_of(played)) &&
+                  same_bits(stored.dt_s, played.dt_s) && stored.contact == played.contact;
+    match_.times &= same_bits(stored.t_s, played.t_s);
+    ++at_;
   }
   void block(const Block& block, std::int64_t count) override {
     while (count > 0 && match_.rows) {
@@ -35,10 +39,6 @@ class RunMatcher final : public RowSink {
       ++at_;
       used_ = 0;
     }
-  }
-  void contact_began(const Contact& contact) override { contacts_.push_back(contact); }
-  void contact_ended(std::int64_t index, std::int64_t last_step) override {
-    contacts_[static_cast<std::size_t>(index)].last_step = last_step;
   }
 
   [[nodiscard]] bool differs() const { return !match_.rows; }
@@ -55,19 +55,13 @@ class RunMatcher final : public RowSink {
   }
 
  private:
-  void take(const Row& stored, const Row& played) {
-    match_.rows = stored.step == played.step && same_bits(state_of(stored), state_of(played)) &&
-                  same_bits(stored.dt_s, played.dt_s) && stored.contact == played.contact;
-    match_.times &= same_bits(stored.t_s, played.t_s);
-  }
   static bool is_same(const Contact& a, const Contact& b) {
-    return a.step == b.step && a.last_step == b.last_step && a.wall == b.wall &&
-           std::ranges::all_of(kContactFields,
-                               [&](const ContactField& field) { return agrees(field, a, b); });
+    return has_same_steps(a, b) &&
+           std::ranges::all_of(kContactQuantities,
+                               [&](const ContactColumn& quantity) { return agrees(quantity, a, b); });
   }
 
   const StoredRun& run_;
-  std::vector<Contact> contacts_;
   std::size_t at_ = 0;     // The row, or the block, that comes next,
   std::int64_t used_ = 0;  // and how many repetitions of the block there were.
   RunMatch match_{true, true, true};

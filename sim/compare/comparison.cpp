@@ -5,10 +5,6 @@
 namespace hyrax {
 namespace {
 
-bool is_same(const Contact& a, const Contact& b) {
-  return a.step == b.step && a.last_step == b.last_step && a.wall == b.wall;
-}
-
 bool is_before(const Contact& a, const Contact& b) {
   if (a.step != b.step) return a.step < b.step;
   return a.wall != b.wall ? a.wall < b.wall : a.last_step < b.last_step;
@@ -32,7 +28,7 @@ std::vector<Contact> missing_in(const std::vector<Contact>& a, const std::vector
   for (const Contact& contact : a) {
     if (contact.wall != wall || (last != nullptr && is_before(*last, contact))) continue;
     other = std::find_if_not(other, b.end(), [&](const Contact& c) { return is_before(c, contact); });
-    if (other == b.end() || !is_same(*other, contact))
+    if (other == b.end() || !has_same_steps(*other, contact))
       missing.push_back(contact);
     else
       ++other;  // It is the counterpart of one contact, not of two.
@@ -45,15 +41,6 @@ std::string input_text(const Input& input) {
 }
 
 }  // namespace
-
-std::optional<std::uint64_t> ulps_of(std::string_view field, double expected, double actual) {
-  if (is_contact_field(field)) return std::nullopt;
-  return ulps_between(expected, actual);
-}
-
-Divergence divergence_at(std::int64_t step, std::string_view field, double expected, double actual) {
-  return {step, std::string(field), expected, actual, ulps_of(field, expected, actual)};
-}
 
 DifferenceClass class_of(const ContactChanges& contacts, const RunDistance& distance) {
   if (!contacts.is_none() || distance.has_other_walls()) return DifferenceClass::contacts;

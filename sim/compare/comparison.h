@@ -12,6 +12,7 @@
 
 #include "sim/compare/run_distance.h"
 #include "sim/scenario/schedule.h"
+#include "sim/trajectory/columns.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {
@@ -64,30 +65,24 @@ inline constexpr std::array<RowField, 7> kRowFields = {{
   return field == kRowFields.back().name;
 }
 
-/// The quantities of a contact, in the order in which a difference is looked for.
-struct ContactField {
-  std::string_view name;
-  double Contact::*value;
-};
-inline constexpr std::array<ContactField, 8> kContactFields = {{
-    {"contacts/t", &Contact::t_s},
-    {"contacts/x", &Contact::x_px},
-    {"contacts/y", &Contact::y_px},
-    {"contacts/vx_before", &Contact::vx_before_px_per_s},
-    {"contacts/vy_before", &Contact::vy_before_px_per_s},
-    {"contacts/vx_after", &Contact::vx_after_px_per_s},
-    {"contacts/vy_after", &Contact::vy_after_px_per_s},
-    {"contacts/overshoot", &Contact::overshoot_px},
-}};
+/// Distance of two values of a field in units in the last place. Nothing where either is NaN, and nothing for
+/// "contact": a set of flags has no such distance.
+[[nodiscard]] constexpr std::optional<std::uint64_t> ulps_of(std::string_view field, double expected,
+                                                             double actual) {
+  return is_contact_field(field) ? std::nullopt : ulps_between(expected, actual);
+}
 
 /// Where two runs part.
 struct Divergence {
   std::int64_t step = 0;  ///< Row number.
-  /// One of kRowFields or kContactFields, or "state" if only a digest is known.
+  /// One of kRowFields, or "contacts/" and one of kContactQuantities, or "state" if only a digest is known.
   std::string field;
   std::optional<double> expected;  ///< Unknown if only a row check or a digest is kept.
   std::optional<double> actual;
-  std::optional<std::uint64_t> ulps;
+  /// As ulps_of; nothing where a value is unknown.
+  [[nodiscard]] std::optional<std::uint64_t> ulps() const {
+    return expected && actual ? ulps_of(field, *expected, *actual) : std::nullopt;
+  }
 };
 
 /// Whether two values of the run have the same bits. A NaN agrees with nothing, itself included.
@@ -95,20 +90,12 @@ struct Divergence {
   return same_bits(expected, actual) && !std::isnan(expected);
 }
 
-/// Whether a field of two contacts agrees. An overshoot that neither run knows does.
-[[nodiscard]] inline bool agrees(const ContactField& field, const Contact& expected, const Contact& actual) {
-  const bool is_unknown = field.value == &Contact::overshoot_px && std::isnan(expected.overshoot_px) &&
-                          std::isnan(actual.overshoot_px);
-  return is_unknown || agrees(expected.*field.value, actual.*field.value);
+/// Whether a quantity of two contacts agrees. An overshoot that neither run knows does.
+[[nodiscard]] inline bool agrees(const ContactColumn& quantity, const Contact& expected,
+                                 const Contact& actual) {
+  const double a = *quantity.number(expected), b = *quantity.number(actual);
+  return agrees(a, b) || (&quantity == &kContactQuantities.back() && std::isnan(a) && std::isnan(b));
 }
-
-/// Distance of two values of a field in units in the last place. Nothing where either is NaN, and nothing for
-/// "contact": a set of flags has no such distance.
-[[nodiscard]] std::optional<std::uint64_t> ulps_of(std::string_view field, double expected, double actual);
-
-/// A divergence of two known values, with their ulps.
-[[nodiscard]] Divergence divergence_at(std::int64_t step, std::string_view field, double expected,
-                                       double actual);
 
 /// How the contacts of two runs differ. A moved contact is one of the same wall at another step.
 struct ContactChanges {

@@ -6,13 +6,14 @@
 #include <optional>
 
 #include "sim/compare/comparison.h"
+#include "sim/trajectory/run_summary.h"
 #include "sim/trajectory/stored_run.h"
 
 namespace hyrax {
 
 /// Compares bits, row by row or block by block, and measures how far the two are apart. Feed it a replay of
 /// `scenario`, then ask for the verdict. Memory does not grow with the rows.
-class RunComparer : public RowSink {
+class RunComparer : public ContactRecorder {
  public:
   /// Replays the rows of a kept block from its keyframe. If they give the kept digest, they are the kept
   /// rows: the row that differs is found exactly, and distances are taken over all rows. Asked only for
@@ -25,49 +26,25 @@ class RunComparer : public RowSink {
   [[nodiscard]] Wants wants() const override {
     return {.rows_every = kept_.blocks.empty() ? 1 : 0, .contacts = true, .blocks = !kept_.blocks.empty()};
   }
-  void rows(const Columns& batch) override;
-  void contact_began(const Contact& contact) override { contacts_.push_back(contact); }
-  void contact_ended(std::int64_t index, std::int64_t last_step) override {
-    contacts_[static_cast<std::size_t>(index)].last_step = last_step;
-  }
+  void row(const Row& actual) override;
   void block(const Block& block, std::int64_t count) override;
 
-  /// What of the played run did not pass through the sink.
-  struct Played {
-    const Scenario& scenario;
-    std::int64_t steps;
-    std::string_view physics;
-    std::string state_hash;
-    Row final;
-    std::vector<Input> inputs;
-  };
-  [[nodiscard]] Comparison finish(const Played& played);
+  /// @param scenario that was played; physics by which model; summary of that run.
+  [[nodiscard]] Comparison finish(const Scenario& scenario, std::string_view physics,
+                                  const RunSummary& summary);
 
  private:
-  // A kept block, and the block of the same steps in the run; each may be a repetition.
-  struct BlockPair {
-    const StoredBlock& kept;
-    std::int64_t kept_repetition = 0;
-    const Block& played;
-    std::int64_t played_repetition = 0;
-    [[nodiscard]] std::int64_t first_step() const;
-  };
-  void compare(const BlockPair& pair);
   void check_upkeep(const StoredBlock& kept, const Block& block);
   [[nodiscard]] const RowBlock& expanded(const StoredBlock& kept);
-  void find_row(const BlockPair& pair);
-  [[nodiscard]] bool find_row_in(const RowBlock& expected, const BlockPair& pair);
-  [[nodiscard]] bool find_row_by_checks(const BlockPair& pair);
-  void measure(const BlockPair& pair);
-  void look_around(const Columns& batch, std::size_t index);
-  void compare_ends(const Played& played);
-  [[nodiscard]] std::string contradiction(const Played& played) const;
-  [[nodiscard]] std::string difference_in_shape(const Played& played) const;
+  void compare(const StoredBlock& kept, const Block& played, std::int64_t played_repetition);
+  [[nodiscard]] static Divergence find_by_checks(const StoredBlock& kept, std::int64_t first_step,
+                                                 const RowBlock& played);
+  void compare_ends(const Row& final);
+  [[nodiscard]] std::string contradiction(const Scenario& scenario, const RunSummary& summary) const;
+  [[nodiscard]] std::string difference_in_shape(const Scenario& scenario, const RunSummary& summary) const;
 
   const StoredRun& kept_;
   Expand expand_;
-  std::vector<Contact> contacts_;
-  std::int64_t rows_seen_ = 0;
   std::size_t kept_block_ = 0;        // The kept block that the next block is compared with,
   std::int64_t kept_block_used_ = 0;  // and how many of its repetitions were.
   RowBlock expanded_;                 // The rows of kept block `expanded_block_`; empty if not known.

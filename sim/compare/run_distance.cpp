@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <string_view>
+
+#include "sim/trajectory/columns.h"
 
 namespace hyrax {
 namespace {
@@ -17,17 +20,16 @@ bool is_within(double a, double b, double tolerance) {
   return std::isfinite(a) && std::isfinite(b) && std::fabs(a - b) <= tolerance;
 }
 
-bool is_time_within(double a_s, double b_s) { return is_within(a_s, b_s, kRounding_s); }
-bool is_place_within(double a_px, double b_px) { return is_within(a_px, b_px, kRounding_px); }
-bool is_speed_within(double a_px_per_s, double b_px_per_s) {
-  const double size_px_per_s = std::max(std::fabs(a_px_per_s), std::fabs(b_px_per_s));
-  return is_within(a_px_per_s, b_px_per_s, kRounding_px_per_s + kRoundingOfSpeed * size_px_per_s);
+bool is_within_rounding(std::string_view unit, double a, double b) {
+  if (unit == "s") return is_within(a, b, kRounding_s);
+  if (unit == "px") return is_within(a, b, kRounding_px);
+  return is_within(a, b, kRounding_px_per_s + kRoundingOfSpeed * std::max(std::fabs(a), std::fabs(b)));
 }
 
-bool is_within_rounding(const Row& a, const Row& b) {
-  return a.contact == b.contact && is_time_within(a.t_s, b.t_s) && is_time_within(a.dt_s, b.dt_s) &&
-         is_place_within(a.x_px, b.x_px) && is_place_within(a.y_px, b.y_px) &&
-         is_speed_within(a.vx_px_per_s, b.vx_px_per_s) && is_speed_within(a.vy_px_per_s, b.vy_px_per_s);
+bool are_within_rounding(const auto& columns, const auto& a, const auto& b) {
+  return std::ranges::all_of(columns, [&](const auto& column) {
+    return is_within_rounding(column.unit, *column.number(a), *column.number(b));
+  });
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ double distance_px(const State& a, const State& b) {
 
 void RunDistance::add(const Row& a, const Row& b) {
   assert(a.step == b.step);
-  is_rounding_ = is_rounding_ && is_within_rounding(a, b);
+  is_rounding_ = is_rounding_ && a.contact == b.contact && are_within_rounding(kRowColumns, a, b);
   has_other_walls_ = has_other_walls_ || ((a.contact ^ b.contact) & ~kRestBit) != 0;
   const double px = distance_px(state_of(a), state_of(b));
   if (px > (largest_ ? largest_->px : 0.0)) largest_ = {px, a.step};
@@ -48,13 +50,9 @@ void RunDistance::add(const Row& a, const Row& b) {
 
 void RunDistance::add(const Contact& a, const Contact& b) {
   const bool is_unknown = std::isnan(a.overshoot_px) && std::isnan(b.overshoot_px);
-  is_rounding_ = is_rounding_ && is_time_within(a.t_s, b.t_s) && is_place_within(a.x_px, b.x_px) &&
-                 is_place_within(a.y_px, b.y_px) &&
-                 (is_unknown || is_place_within(a.overshoot_px, b.overshoot_px)) &&
-                 is_speed_within(a.vx_before_px_per_s, b.vx_before_px_per_s) &&
-                 is_speed_within(a.vy_before_px_per_s, b.vy_before_px_per_s) &&
-                 is_speed_within(a.vx_after_px_per_s, b.vx_after_px_per_s) &&
-                 is_speed_within(a.vy_after_px_per_s, b.vy_after_px_per_s);
+  is_rounding_ =
+      is_rounding_ &&
+      are_within_rounding(kContactQuantities.first(kContactQuantities.size() - (is_unknown ? 1 : 0)), a, b);
 }
 
 }  // namespace hyrax

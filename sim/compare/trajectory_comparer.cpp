@@ -22,11 +22,11 @@ bool Tolerance::accepts(double a, double b) const {
 std::optional<Divergence> first_difference(const std::vector<Contact>& a, const std::vector<Contact>& b,
                                            const Tolerance& tolerance) {
   for (std::size_t index = 0; index < a.size(); ++index)
-    for (const ContactField& field : kContactFields) {
-      const double left = a[index].*field.value;
-      const double right = b[index].*field.value;
-      if (!agrees(field, a[index], b[index]) && !tolerance.accepts(left, right))
-        return divergence_at(a[index].step, field.name, left, right);
+    for (const ContactColumn& quantity : kContactQuantities) {
+      const double left = *quantity.number(a[index]);
+      const double right = *quantity.number(b[index]);
+      if (!agrees(quantity, a[index], b[index]) && !tolerance.accepts(left, right))
+        return Divergence{a[index].step, std::string("contacts/") + quantity.name, left, right};
     }
   return std::nullopt;
 }
@@ -43,15 +43,14 @@ void TrajectoryComparer::compare(const Row& a, const Row& b) {
     const WorstDifference found{a.step, left, right};
     if (!worst || is_worse(found.abs(), worst->abs())) worst = found;
     const bool is_accepted = !is_contact_field(field.name) && tolerance_.accepts(left, right);
-    if (!is_accepted && !first_) first_ = divergence_at(a.step, field.name, left, right);
+    if (!is_accepted && !first_) first_ = {a.step, std::string(field.name), left, right};
   }
   if (differs) distance_.add(a, b);
 }
 
 void TrajectoryComparer::compare(const std::vector<Contact>& a, const std::vector<Contact>& b) {
   contacts_ = contact_changes(a, b);
-  if (!contacts_.is_none()) return;
-  if (first_) return;
+  if (!contacts_.is_none() || first_) return;
   for (std::size_t index = 0; index < a.size(); ++index) distance_.add(a[index], b[index]);
   first_ = first_difference(a, b, tolerance_);
 }

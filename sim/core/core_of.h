@@ -6,7 +6,7 @@
 
 #include "sim/core/core.h"
 #include "sim/core/kernel_of.h"
-#include "sim/motion/paper_constants.h"
+#include "sim/motion/state.h"
 
 namespace hyrax {
 

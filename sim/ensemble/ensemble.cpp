@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "sim/ensemble/lane_player.h"
@@ -140,23 +141,21 @@ class EnsemblePlayer::Batch {
   void hold(MovingMember& member, std::int64_t frames) const {
     member.walls = 0;
     member.result->include(member.world.state);
-    const bool moves = member.rest.moves_to(member.world.state.x_px, member.world.state.y_px);
-    for (std::int64_t frame = 0; frame < frames; ++frame) {
-      const double dt_s = member.hitch_dt_s ? *member.hitch_dt_s : frame_dt_s(member, member.frame);
-      const bool is_even = clock_ == LaneClock::fixed && !member.hitch_dt_s && frame > 0;
-      const std::int64_t count = is_even ? frames - frame : 1;
+    bool moves = member.rest.moves_to(member.world.state.x_px, member.world.state.y_px);
+    for (const std::int64_t end = member.frame + frames; member.frame < end;) {
+      const bool is_even = clock_ == LaneClock::fixed && !member.hitch_dt_s;
+      const std::int64_t count = is_even ? end - member.frame : 1;
+      member.timeline.play(member.hitch_dt_s ? *member.hitch_dt_s : next_dt_s(member), count);
       member.hitch_dt_s.reset();
-      member.timeline.play(dt_s, count);
       member.frame += count;
-      if (frame == 0 && moves) member.rest.t_s = member.timeline.time_s();
-      frame += count - 1;
+      if (std::exchange(moves, false)) member.rest.t_s = member.timeline.time_s(1 - count);
     }
   }
 
-  [[nodiscard]] double frame_dt_s(const MovingMember& member, std::int64_t frame) const {
-    if (clock_ == LaneClock::trace) return trace_[frame];
+  [[nodiscard]] double next_dt_s(const MovingMember& member) const {
+    if (clock_ == LaneClock::trace) return trace_[member.frame];
     return clock_ == LaneClock::fixed ? member.base_dt_s
-                                      : jittered_dt_s(member.base_dt_s, member.jitter, frame);
+                                      : jittered_dt_s(member.base_dt_s, member.jitter, member.frame);
   }
 
   static void apply_event(MovingMember& member, const Action& action) {

@@ -286,8 +286,8 @@ using Groups = std::array<Group<kDetail, kIsFixed>, kAtOnce>;
 
 template <Detail kDetail, bool kIsFixed>
 HWY_INLINE void play_steps(const Laws& laws, Groups<kDetail, kIsFixed>& groups, LaneClock clock,
-                           std::int64_t first, std::int64_t end) {
-  for (std::int64_t at = first; at < end; ++at)
+                           std::int64_t steps) {
+  for (std::int64_t at = 0; at < steps; ++at)
     for (std::size_t g = 0; g < kAtOnce; ++g) groups[g].play(laws, clock, static_cast<double>(at + 1));
 }
 
@@ -321,7 +321,7 @@ void play_as(const Laws& laws, Lanes& lanes, std::int64_t steps, LaneClock clock
   for (std::size_t lane = 0; lane < kLanes; lane += kAtOnce * kWidth) {
     Groups<kDetail, kIsFixed> groups;
     for (std::size_t g = 0; g < kAtOnce; ++g) groups[g].load_from(laws, lanes, lane + g * kWidth);
-    play_steps<kDetail, kIsFixed>(laws, groups, clock, 0, has_last_two ? steps - 2 : steps);
+    play_steps<kDetail, kIsFixed>(laws, groups, clock, has_last_two ? steps - 2 : steps);
     if constexpr (kIsFixed)
       if (has_last_two) play_last_two<kDetail>(laws, groups, lanes, lane, steps - 2);
     for (std::size_t g = 0; g < kAtOnce; ++g) groups[g].store_to(lanes, lane + g * kWidth);

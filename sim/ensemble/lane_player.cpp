@@ -108,20 +108,13 @@ class LanePlayer::Flying {
 
   void load(std::size_t index, std::size_t lane) {
     const Leg& leg = legs_[index];
-    const MovingMember& member = *leg.member;
-    const State& state = member.world.state;
-    const Bounds bounds = member.world.bounds();
-    lanes_.x_px[lane] = state.x_px;
-    lanes_.y_px[lane] = state.y_px;
-    lanes_.vx_px_per_s[lane] = state.vx_px_per_s;
-    lanes_.vy_px_per_s[lane] = state.vy_px_per_s;
+    const Bounds bounds = leg.member->world.bounds();
+    for_each_number(*leg.member, [lane](auto number, auto& of_lanes) { of_lanes[lane] = number; });
     lanes_.right_px[lane] = bounds.right_px;
     lanes_.bottom_px[lane] = bounds.bottom_px;
     lanes_.dt_s[lane] = leg.dt_s;
     repeated_ &= ~(std::uint32_t{1} << lane);
-    if (clock_ != LaneClock::fixed) load_clock(member, lane);
-    if (player_.detail_ != Detail::final) load_track(member, lane);
-    if (player_.detail_ == Detail::extremes) load_extremes(member, lane);
+    if (clock_ != LaneClock::fixed) load_clock(*leg.member, lane);
     computed_ += leg.frames;
   }
 
@@ -145,31 +138,39 @@ class LanePlayer::Flying {
   }
 
  private:
+  // Calls move(number, its array over the lanes) for what a lane takes from its member and gives back.
+  void for_each_number(MovingMember& member, const auto& move) const {
+    State& state = member.world.state;
+    move(state.x_px, lanes_.x_px);
+    move(state.y_px, lanes_.y_px);
+    move(state.vx_px_per_s, lanes_.vx_px_per_s);
+    move(state.vy_px_per_s, lanes_.vy_px_per_s);
+    if (player_.detail_ == Detail::final) return;
+    move(member.walls, lanes_.walls);
+    move(member.rest.x_px, lanes_.anchor_x_px);
+    move(member.rest.y_px, lanes_.anchor_y_px);
+    if (clock_ != LaneClock::fixed) {
+      move(member.rest.t_s, lanes_.anchor_t_s);
+      move(member.timeline.base_s, lanes_.time_base_s);
+      move(member.timeline.comp_s, lanes_.time_comp_s);
+      move(member.timeline.dt_s, lanes_.time_dt_s);
+    }
+    if (player_.detail_ == Detail::tracked) return;
+    MemberResult& result = *member.result;
+    move(result.x_min_px, lanes_.x_min_px);
+    move(result.x_max_px, lanes_.x_max_px);
+    move(result.y_min_px, lanes_.y_min_px);
+    move(result.y_max_px, lanes_.y_max_px);
+    move(result.speed_max_px_per_s, lanes_.speed_squared_max);
+  }
+
   void load_clock(const MovingMember& member, std::size_t lane) {
     const std::uint64_t draws = member.jitter.kind == Jitter::Kind::normal ? 12 : 1;
     const auto frame = static_cast<std::uint64_t>(member.frame);
     lanes_.amount[lane] = member.jitter.amount;
     lanes_.draw[lane] = member.jitter.seed + frame * draws * 0x9E3779B97F4A7C15u;
     lanes_.frame[lane] = frame;
-    lanes_.time_base_s[lane] = member.timeline.base_s;
-    lanes_.time_comp_s[lane] = member.timeline.comp_s;
-    lanes_.time_dt_s[lane] = member.timeline.dt_s;
     lanes_.time_frames[lane] = static_cast<double>(member.timeline.frames);
-    lanes_.anchor_t_s[lane] = member.rest.t_s;
-  }
-
-  void load_track(const MovingMember& member, std::size_t lane) {
-    lanes_.walls[lane] = member.walls;
-    lanes_.anchor_x_px[lane] = member.rest.x_px;
-    lanes_.anchor_y_px[lane] = member.rest.y_px;
-  }
-
-  void load_extremes(const MovingMember& member, std::size_t lane) {
-    lanes_.x_min_px[lane] = member.result->x_min_px;
-    lanes_.x_max_px[lane] = member.result->x_max_px;
-    lanes_.y_min_px[lane] = member.result->y_min_px;
-    lanes_.y_max_px[lane] = member.result->y_max_px;
-    lanes_.speed_squared_max[lane] = member.result->speed_max_px_per_s;
   }
 
   // Of a block: the contacts that began, and when the anchor of rest moved.
@@ -208,28 +209,13 @@ class LanePlayer::Flying {
 
   void store(const Leg& leg, std::size_t lane) const {
     MovingMember& member = *leg.member;
-    member.world.state = {lanes_.x_px[lane], lanes_.y_px[lane], lanes_.vx_px_per_s[lane],
-                          lanes_.vy_px_per_s[lane]};
+    for_each_number(member, [lane](auto& number, const auto& of_lanes) { number = of_lanes[lane]; });
     member.frame += leg.frames;
     if (player_.detail_ == Detail::final) return;
-    member.walls = lanes_.walls[lane];
-    member.rest.x_px = lanes_.anchor_x_px[lane];
-    member.rest.y_px = lanes_.anchor_y_px[lane];
-    if (clock_ == LaneClock::fixed) {
+    if (clock_ == LaneClock::fixed)
       member.timeline.play(leg.dt_s, leg.frames);
-    } else {
-      member.rest.t_s = lanes_.anchor_t_s[lane];
-      member.timeline.base_s = lanes_.time_base_s[lane];
-      member.timeline.comp_s = lanes_.time_comp_s[lane];
-      member.timeline.dt_s = lanes_.time_dt_s[lane];
+    else
       member.timeline.frames = static_cast<std::int64_t>(lanes_.time_frames[lane]);
-    }
-    if (player_.detail_ != Detail::extremes) return;
-    member.result->x_min_px = lanes_.x_min_px[lane];
-    member.result->x_max_px = lanes_.x_max_px[lane];
-    member.result->y_min_px = lanes_.y_min_px[lane];
-    member.result->y_max_px = lanes_.y_max_px[lane];
-    member.result->speed_max_px_per_s = lanes_.speed_squared_max[lane];
   }
 
   LanePlayer& player_;

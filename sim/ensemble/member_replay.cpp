@@ -11,9 +11,7 @@ class ExtremesSink final : public RowSink {
   explicit ExtremesSink(MemberResult& result) : result_(result) {}
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t row = 0; row < batch.size(); ++row) result_.include(state_of(batch.row(row)));
-  }
+  void row(const Row& row) override { result_.include(state_of(row)); }
 
  private:
   MemberResult& result_;

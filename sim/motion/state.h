@@ -96,6 +96,21 @@ struct Constants {
   double rest_threshold_px_per_s = 0.0;  ///< Below it a ground contact sets vy to 0.
 };
 
+/// Whether a class has them by the paper's names.
+template <class Physics>
+concept HasPaperConstants = requires {
+  Physics::GRAVITY + Physics::RESTITUTION + Physics::AIR_DRAG + Physics::GROUND_FRICTION +
+      Physics::REST_THRESHOLD;
+};
+template <HasPaperConstants Physics>
+[[nodiscard]] Constants constants_of() {
+  return {.gravity_px_per_s2 = Physics::GRAVITY,
+          .restitution = Physics::RESTITUTION,
+          .air_drag = Physics::AIR_DRAG,
+          .ground_friction = Physics::GROUND_FRICTION,
+          .rest_threshold_px_per_s = Physics::REST_THRESHOLD};
+}
+
 [[nodiscard]] inline bool same_bits(const Constants& a, const Constants& b) {
   return same_bits(a.gravity_px_per_s2, b.gravity_px_per_s2) && same_bits(a.restitution, b.restitution) &&
          same_bits(a.air_drag, b.air_drag) && same_bits(a.ground_friction, b.ground_friction) &&

@@ -32,10 +32,6 @@ std::optional<Wall> wall_of(ArcEnd end) {
 ArcCutter::ArcCutter(const Scenario& scenario, std::vector<Input> inputs, ArcVisitor& visitor)
     : playback_(scenario, std::move(inputs)), visitor_(visitor) {}
 
-void ArcCutter::rows(const Columns& batch) {
-  for (std::size_t index = 0; index < batch.size() && !non_finite_step_; ++index) row(batch.row(index));
-}
-
 void ArcCutter::row(const Row& row) {
   if (non_finite_step_) return;
   if (!is_measurable(row)) {

@@ -56,8 +56,7 @@ class ArcCutter final : public RowSink {
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
   /// Rows from row 0 on, every one, live or from a file.
-  void rows(const Columns& batch) override;
-  void row(const Row& row);
+  void row(const Row& row) override;
   /// Ends the arc that the run's last row leaves open.
   void finish();
 

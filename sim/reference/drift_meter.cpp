@@ -2,12 +2,10 @@
 
 namespace hyrax {
 
-void DriftMeter::rows(const Columns& batch) {
-  if (!periods_) return cutter_.rows(batch);
-  for (std::size_t index = 0; index < batch.size() && !is_over_; ++index) {
-    cutter_.row(batch.row(index));
-    if (periods_) judge_period(batch.step[index]);
-  }
+void DriftMeter::row(const Row& row) {
+  if (is_over_) return;
+  cutter_.row(row);
+  if (periods_) judge_period(row.step);
 }
 
 // Complete periods are looked at only where skipping them saves time.

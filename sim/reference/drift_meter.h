@@ -28,7 +28,7 @@ class DriftMeter final : public RowSink {
         steps_(step_count(scenario)) {}
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = is_over_ ? 0 : 1}; }
-  void rows(const Columns& batch) override;
+  void row(const Row& row) override;
   void repeats(const Repetition& repetition) override;
   /// Ends the run after its last row, and sums up.
   DriftSummary finish();

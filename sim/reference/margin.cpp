@@ -33,10 +33,6 @@ MarginMeter::MarginMeter(const Scenario& scenario, std::vector<Input> inputs, co
       model_(model),
       half_width_(std::numeric_limits<double>::infinity()) {}
 
-void MarginMeter::rows(const Columns& batch) {
-  for (std::size_t index = 0; index < batch.size() && !has_ended_; ++index) take(batch.row(index));
-}
-
 // In a state that repeats, no decision comes nearer except by what a change of the start still moves; in so
 // many steps air drag alone reduces that to 2e-9.
 void MarginMeter::repeats(const Repetition& repetition) {
@@ -44,8 +40,8 @@ void MarginMeter::repeats(const Repetition& repetition) {
   last_decisive_step_ = repetition.from_step + 2 * repetition.period_steps + kStepsUntilStartIsForgotten;
 }
 
-void MarginMeter::take(const Row& row) {
-  has_ended_ = !is_finite(state_of(row)) || row.step > last_decisive_step_;
+void MarginMeter::row(const Row& row) {
+  has_ended_ = has_ended_ || !is_finite(state_of(row)) || row.step > last_decisive_step_;
   if (has_ended_) return;
   if (row.step > 0 && !playback_.is_held()) step_to(row);
   last_ = row;

@@ -60,7 +60,7 @@ class MarginMeter final : public RowSink {
     return {.rows_every = last_.step < last_decisive_step_ ? 1 : 0};
   }
   /// Rows from row 0 on, every one, live or from a file.
-  void rows(const Columns& batch) override;
+  void row(const Row& row) override;
   void repeats(const Repetition& repetition) override;
   /// Of the rows so far.
   [[nodiscard]] Margin margin() const;
@@ -83,7 +83,6 @@ class MarginMeter final : public RowSink {
     double speed_px_per_s = 0.0;
   };
 
-  void take(const Row& row);
   void step_to(const Row& row);
   Unclamped fly(Axis& axis, double position_px, double speed_px_per_s, double acceleration_px_per_s2,
                 double dt_s) const;

@@ -43,11 +43,8 @@ void WholeMeter::end_without(std::string why) {
   is_over_ = true;
 }
 
-void WholeMeter::rows(const Columns& batch) {
-  for (std::size_t index = 0; index < batch.size() && !is_over_; ++index) take(batch.row(index));
-}
-
-void WholeMeter::take(const Row& row) {
+void WholeMeter::row(const Row& row) {
+  if (is_over_) return;
   if (!is_finite(state_of(row)))
     return end_without("a value is not finite from row " + std::to_string(row.step));
   if (row.step == 0) {

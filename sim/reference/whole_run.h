@@ -52,12 +52,11 @@ class WholeMeter final : public RowSink {
              std::function<void(const WholeRow&)> each = nullptr);
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = is_over_ ? 0 : 1}; }
-  void rows(const Columns& batch) override;
+  void row(const Row& row) override;
   void repeats(const Repetition& repetition) override { repetition_ = repetition; }
   [[nodiscard]] const WholeOutcome& outcome() const { return outcome_; }
 
  private:
-  void take(const Row& row);
   void start(const Row& from);
   void compare(const Row& row);
   void compare_contacts(const Row& row);

@@ -1,4 +1,4 @@
-#include "sim/replay/player.h"
+#include "sim/replay/replay.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,8 +18,14 @@ Keyframe start_of(const Scenario& scenario) {
 
 }  // namespace
 
-Replay::Player::Player(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks,
-                       ReplayOptions options, const Keyframe& from, std::int64_t first_step)
+Replay::Replay(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options)
+    : Replay(core, scenario, std::move(sinks), options, start_of(scenario), 0) {}
+Replay::Replay(const Core& core, const Scenario& scenario, const Keyframe& from, RowSink& sink,
+               ReplayOptions options)
+    : Replay(core, scenario, {&sink}, options, from, from.row.step + 1) {}
+
+Replay::Replay(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options,
+               const Keyframe& from, std::int64_t first_step)
     : scenario_(scenario),
       options_(options),
       kernel_(core.kernel),
@@ -28,18 +34,16 @@ Replay::Player::Player(const Core& core, const Scenario& scenario, std::vector<R
       event_frames_(schedule_events(scenario, steps_).frames),
       now_(from),
       tee_(sinks, first_step),
-      contacts_(sinks),
       rest_{from.row.x_px, from.row.y_px, from.row.t_s} {
   const auto next = std::lower_bound(event_frames_.begin(), event_frames_.end(), from.row.step);
   next_event_ = static_cast<std::size_t>(next - event_frames_.begin());
-  const Row& row = from.row;
-  pack_row(block_.extend(1), row.dt_s, row.x_px, row.y_px, row.vx_px_per_s, row.vy_px_per_s, row.contact);
+  block_.append(from.row);
   block_keyframe_ = from;
-  check_bounds(row);
-  if (tee_.next_row() == row.step) tee_.row(row);
+  check_bounds(from.row);
+  if (tee_.next_row() == from.row.step) tee_.row(from.row);
 }
 
-void Replay::Player::play_to(std::int64_t step_end) {
+void Replay::play_to(std::int64_t step_end) {
   assert(step_end <= steps_);
   while (step() < step_end && !summary_.non_finite_step) {
     apply_events();
@@ -54,9 +58,9 @@ void Replay::Player::play_to(std::int64_t step_end) {
   }
 }
 
-CoreBody Replay::Player::body() const { return {state_of(now_.row), now_.core_object}; }
+CoreBody Replay::body() const { return {state_of(now_.row), now_.core_object}; }
 
-Stretch Replay::Player::stretch(std::int64_t frames) const {
+Stretch Replay::stretch(std::int64_t frames) const {
   return {.window = now_.window,
           .sprite = now_.sprite,
           .is_held = now_.is_held,
@@ -68,7 +72,7 @@ Stretch Replay::Player::stretch(std::int64_t frames) const {
 }
 
 // Takes the row's dt at once, with the events of the frame to come.
-void Replay::Player::apply_events() {
+void Replay::apply_events() {
   for (; next_event_ < event_frames_.size() && event_frames_[next_event_] == step(); ++next_event_) {
     const Action& action = scenario_.events[next_event_].action;
     kernel_->apply(action, now_);
@@ -79,17 +83,17 @@ void Replay::Player::apply_events() {
 }
 
 // Frames that the block has room for. Its first row is played alone, so that its keyframe is of that row.
-std::int64_t Replay::Player::room() const {
+std::int64_t Replay::room() const {
   return block_.size() == 0 && tee_.wants_blocks() ? 1 : static_cast<std::int64_t>(block_.room());
 }
 
-void Replay::Player::play_hitch() {
+void Replay::play_hitch() {
   dt_s_.assign(1, *hitch_dt_s_);
   hitch_dt_s_.reset();
   play_batch(stretch(1));
 }
 
-void Replay::Player::play_even_stretch(std::int64_t end, std::int64_t stretch_end) {
+void Replay::play_even_stretch(std::int64_t end, std::int64_t stretch_end) {
   dt_s_.assign(1, clock_.dt_s(step()));
   while (step() < end && !summary_.non_finite_step) {
     if (!cycle_)
@@ -102,7 +106,7 @@ void Replay::Player::play_even_stretch(std::int64_t end, std::int64_t stretch_en
 }
 
 // What is found depends on where the stretch ends, never on `end`, where the caller stops for now.
-void Replay::Player::search_repetition(std::int64_t end, std::int64_t stretch_end) {
+void Replay::search_repetition(std::int64_t end, std::int64_t stretch_end) {
   if (!search_) search_ = {body(), step()};
   const std::int64_t search_end = search_->step + search_->window;
   Stretch next = stretch(std::min({end - step(), search_end - step(), room()}));
@@ -125,7 +129,7 @@ void Replay::Player::search_repetition(std::int64_t end, std::int64_t stretch_en
   }
 }
 
-void Replay::Player::play_uneven_stretch(std::int64_t end) {
+void Replay::play_uneven_stretch(std::int64_t end) {
   while (step() < end && !summary_.non_finite_step) {
     const std::int64_t frames = std::min(end - step(), room());
     dt_s_.resize(static_cast<std::size_t>(frames));
@@ -135,7 +139,7 @@ void Replay::Player::play_uneven_stretch(std::int64_t end) {
   }
 }
 
-void Replay::Player::play_batch(const Stretch& stretch) {
+void Replay::play_batch(const Stretch& stretch) {
   const std::size_t rows_before = block_.size();
   const RestAnchor rest_before = rest_;
   CoreBody moved = body();
@@ -156,7 +160,7 @@ void Replay::Player::play_batch(const Stretch& stretch) {
 
 // In a stretch nothing makes a non-finite state finite again, so the state at its end shows it; then the
 // stretch is played once more, up to the row in which it arose.
-void Replay::Player::cut_to_first_non_finite(Stretch stretch, std::size_t rows_before) {
+void Replay::cut_to_first_non_finite(Stretch stretch, std::size_t rows_before) {
   std::size_t row = rows_before;
   while (is_finite(state_of(block_.row(row)))) ++row;
   block_.shrink(rows_before);
@@ -166,7 +170,7 @@ void Replay::Player::cut_to_first_non_finite(Stretch stretch, std::size_t rows_b
   summary_.non_finite_step = step() + stretch.frames;
 }
 
-void Replay::Player::pass_on(std::size_t first_row) {
+void Replay::pass_on(std::size_t first_row) {
   const std::int64_t first_step = step() + 1;
   play_time();
   count_clamps(log_, 1);
@@ -187,7 +191,7 @@ void Replay::Player::pass_on(std::size_t first_row) {
 
 // Frames of one dt lie in one segment of time, where any row's time is a product away; else each
 // frame may begin a segment, and the times are kept.
-void Replay::Player::play_time() {
+void Replay::play_time() {
   if (dt_s_.size() == 1) return now_.timeline.play(dt_s_.front(), log_.frames);
   batch_times_s_.resize(static_cast<std::size_t>(log_.frames));
   for (std::size_t offset = 0; offset < batch_times_s_.size(); ++offset) {
@@ -196,28 +200,28 @@ void Replay::Player::play_time() {
   }
 }
 
-double Replay::Player::time_in_batch_s(std::int64_t offset) const {
+double Replay::time_in_batch_s(std::int64_t offset) const {
   if (dt_s_.size() == 1) return now_.timeline.time_s(offset + 1 - log_.frames);
   return batch_times_s_[static_cast<std::size_t>(offset)];
 }
 
-void Replay::Player::pass_on_changes(const StretchLog& log, std::int64_t first_step) {
+void Replay::pass_on_changes(const StretchLog& log, std::int64_t first_step) {
   for (const ContactChange& change : log.changes) {
     Contact contact = change.contact;
     contact.step = contact.last_step = first_step + change.offset;
     contact.t_s = time_in_batch_s(change.offset);
-    contacts_.change(contact, change.begins);
+    tee_.contact(contact, change.begins);
   }
 }
 
-void Replay::Player::count_clamps(const StretchLog& log, std::int64_t times) {
+void Replay::count_clamps(const StretchLog& log, std::int64_t times) {
   for (const Wall wall : kWalls)
     summary_.clamped_steps[wall] += times * log.rows_with(static_cast<std::uint8_t>(wall));
   summary_.rest_steps += times * log.rows_with(kRestBit);
   summary_.had_friction |= log.had_friction;
 }
 
-void Replay::Player::check_bounds(const Row& row) {
+void Replay::check_bounds(const Row& row) {
   if (!options_.checks_bounds || summary_.out_of_bounds_step) return;
   const Bounds bounds = bounds_of(now_.window, now_.sprite);
   const bool is_inside =
@@ -225,39 +229,24 @@ void Replay::Player::check_bounds(const Row& row) {
   if (!is_inside) summary_.out_of_bounds_step = row.step;
 }
 
-void Replay::Player::close_block(std::int64_t count) {
+void Replay::close_block(std::int64_t count) {
   const Digest block_digest = digest(block_);
   hash_.add(block_digest, count);
   if (tee_.wants_blocks()) tee_.block({block_digest, block_keyframe_, block_}, count);
   block_.shrink(0);
 }
 
-RunSummary Replay::Player::finish() {
+RunSummary Replay::finish() {
   if (block_.size() > 0) close_block();
   tee_.finish(now_.row);
-  contacts_.finish(step());
   summary_.steps = step();
   summary_.simulated_s = now_.row.t_s;
-  summary_.contacts = contacts_.counts();
+  summary_.contacts = tee_.contacts();
   summary_.final = now_.row;
   summary_.at_rest_since_s = rest_.at_rest_since_s(now_.row.t_s);
   summary_.state_hash = hash_.value();
   return summary_;
 }
-
-Replay::Replay(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks, ReplayOptions options)
-    : player_(std::make_unique<Player>(core, scenario, std::move(sinks), options, start_of(scenario), 0)) {}
-Replay::Replay(const Core& core, const Scenario& scenario, const Keyframe& from, RowSink& sink,
-               ReplayOptions options)
-    : player_(std::make_unique<Player>(core, scenario, std::vector<RowSink*>{&sink}, options, from,
-                                       from.row.step + 1)) {}
-Replay::~Replay() = default;
-Replay::Replay(Replay&&) noexcept = default;
-
-std::int64_t Replay::steps() const { return player_->steps(); }
-const Keyframe& Replay::keyframe() const { return player_->now(); }
-void Replay::play_to(std::int64_t step) { player_->play_to(step); }
-RunSummary Replay::finish() { return player_->finish(); }
 
 RunSummary replay(const Core& core, const Scenario& scenario, std::vector<RowSink*> sinks,
                   ReplayOptions options) {

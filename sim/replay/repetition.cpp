@@ -3,7 +3,7 @@
 #include <cassert>
 #include <optional>
 
-#include "sim/replay/player.h"
+#include "sim/replay/replay.h"
 
 namespace hyrax {
 namespace {
@@ -33,7 +33,7 @@ WallCounts begun_in(const StretchLog& log, std::int64_t periods) {
 
 }  // namespace
 
-void Replay::Player::repeat(const Cycle& cycle, std::int64_t end) {
+void Replay::repeat(const Cycle& cycle, std::int64_t end) {
   // The cycle's first pass counts as computed.
   const std::int64_t computed_end = std::min(end, cycle.first_step + cycle.period - 1);
   summary_.steps_computed += std::max<std::int64_t>(0, computed_end - step());
@@ -45,7 +45,7 @@ void Replay::Player::repeat(const Cycle& cycle, std::int64_t end) {
   now_ = keyframe_in(cycle, end);
 }
 
-Cycle Replay::Player::make_cycle(std::int64_t period) const {
+Cycle Replay::make_cycle(std::int64_t period) const {
   Cycle cycle;
   cycle.period = period;
   cycle.first_step = step() + 1;
@@ -57,14 +57,14 @@ Cycle Replay::Player::make_cycle(std::int64_t period) const {
   return cycle;
 }
 
-Row Replay::Player::row_in(const Cycle& cycle, std::int64_t at) const {
+Row Replay::row_in(const Cycle& cycle, std::int64_t at) const {
   Row row = cycle.row(at);
   row.step = at;
   row.t_s = now_.timeline.time_s(at - step());
   return row;
 }
 
-Keyframe Replay::Player::keyframe_in(const Cycle& cycle, std::int64_t at) const {
+Keyframe Replay::keyframe_in(const Cycle& cycle, std::int64_t at) const {
   Keyframe keyframe = now_;
   keyframe.row = row_in(cycle, at);
   keyframe.timeline.frames += at - step();
@@ -79,7 +79,7 @@ Keyframe Replay::Player::keyframe_in(const Cycle& cycle, std::int64_t at) const 
   return keyframe;
 }
 
-void Replay::Player::repeat_clamps(const Cycle& cycle, std::int64_t end) {
+void Replay::repeat_clamps(const Cycle& cycle, std::int64_t end) {
   count_clamps(cycle.log, (end - step()) / cycle.period);
   for (std::int64_t rest = (end - step()) % cycle.period; rest > 0; --rest) {
     StretchLog one;
@@ -88,7 +88,7 @@ void Replay::Player::repeat_clamps(const Cycle& cycle, std::int64_t end) {
   }
 }
 
-void Replay::Player::repeat_contacts(const Cycle& cycle, std::int64_t end) {
+void Replay::repeat_contacts(const Cycle& cycle, std::int64_t end) {
   if (cycle.log.changes.empty()) return;
   const std::int64_t period = cycle.period;
   std::int64_t next = step() + 1;
@@ -96,17 +96,17 @@ void Replay::Player::repeat_contacts(const Cycle& cycle, std::int64_t end) {
   // that was passed on is still open when passes are only counted.
   for (bool is_counted_only = false; next <= end && !is_counted_only;) {
     const std::int64_t last = std::min(end, next - cycle.phase(next) + period - 1);
-    is_counted_only = contacts_.is_full() && last - next + 1 == period;
+    is_counted_only = tee_.is_full() && last - next + 1 == period;
     repeat_changes(cycle, next, last);
     next = last + 1;
   }
   const std::int64_t periods = (end - next + 1) / period;
-  contacts_.count(begun_in(cycle.log, periods));
+  tee_.count_contacts(begun_in(cycle.log, periods));
   repeat_changes(cycle, next + periods * period, end);
 }
 
 // REQUIRES: steps `first` .. `last` are of one pass, or there are none.
-void Replay::Player::repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last) {
+void Replay::repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last) {
   assert(first > last || cycle.phase(first) + (last - first) < cycle.period);
   const std::int64_t pass_first = first - cycle.phase(first);
   for (const ContactChange& change : cycle.log.changes) {
@@ -115,13 +115,13 @@ void Replay::Player::repeat_changes(const Cycle& cycle, std::int64_t first, std:
     if (contact.step < first) continue;
     if (contact.step > last) return;
     contact.t_s = now_.timeline.time_s(contact.step - step());
-    contacts_.change(contact, change.begins);
+    tee_.contact(contact, change.begins);
   }
 }
 
 // Which row of a pass becomes the anchor last depends only on which one was it before, so passes
 // repeat too, and those that are equal are jumped over.
-void Replay::Player::repeat_rest(const Cycle& cycle, std::int64_t end) {
+void Replay::repeat_rest(const Cycle& cycle, std::int64_t end) {
   const std::int64_t period = cycle.period;
   std::vector<std::int64_t> step_of_anchor(static_cast<std::size_t>(period), -1);
   std::optional<std::int64_t> anchor_step;
@@ -147,7 +147,7 @@ void Replay::Player::repeat_rest(const Cycle& cycle, std::int64_t end) {
   if (anchor_step) rest_.t_s = now_.timeline.time_s(*anchor_step - step());
 }
 
-void Replay::Player::repeat_blocks(const Cycle& cycle, std::int64_t end) {
+void Replay::repeat_blocks(const Cycle& cycle, std::int64_t end) {
   constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
   std::int64_t at = step();
   const auto append = [&](std::int64_t rows) {

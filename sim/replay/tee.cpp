@@ -1,9 +1,14 @@
-#include "sim/replay/player.h"
+#include "sim/replay/tee.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace hyrax {
+namespace {
+
+constexpr std::int64_t kNoRow = std::numeric_limits<std::int64_t>::max();
+
+}  // namespace
 
 Tee::Tee(std::span<RowSink* const> sinks, std::int64_t first_step) {
   for (RowSink* const sink : sinks) {
@@ -11,6 +16,7 @@ Tee::Tee(std::span<RowSink* const> sinks, std::int64_t first_step) {
     outlet.last_row = first_step - 1;
     set_next_row(outlet, first_step - 1);
     wants_blocks_ |= outlet.wants.blocks;
+    if (outlet.wants.contacts) contacts_max_ = kContactsRecordedMax;
   }
   find_next_row();
 }
@@ -29,6 +35,7 @@ void Tee::pass(Outlet& outlet, const Row& row) {
   set_next_row(outlet, row.step);
 }
 
+// Late, so that a sink may know already that its rows repeat, and want fewer of them.
 void Tee::flush(Outlet& outlet) {
   if (outlet.batch.size() == 0) return;
   outlet.sink.rows(outlet.batch);
@@ -60,11 +67,35 @@ void Tee::repeats(const Repetition& repetition) {
   for (const Outlet& outlet : outlets_) outlet.sink.repeats(repetition);
 }
 
+void Tee::contact(const Contact& contact, bool begins) {
+  if (!begins) return end_contact(contact.wall, contact.step - 1);
+  open_[wall_index(contact.wall)] = {is_full() ? kNone : contacts_passed_, contact.step};
+  ++contacts_[contact.wall];
+  if (is_full()) return;
+  ++contacts_passed_;
+  for (const Outlet& outlet : outlets_)
+    if (outlet.wants.contacts) outlet.sink.contact_began(contact);
+}
+
+void Tee::end_contact(Wall wall, std::int64_t last_step) {
+  OpenContact& open = open_[wall_index(wall)];
+  if (open.index != kNone && last_step > open.step)
+    for (const Outlet& outlet : outlets_)
+      if (outlet.wants.contacts) outlet.sink.contact_ended(open.index, last_step);
+  open.index = kNone;
+}
+
+void Tee::count_contacts(const WallCounts& begun) {
+  assert(is_full() || begun == WallCounts{});
+  for (const Wall wall : kWalls) contacts_[wall] += begun[wall];
+}
+
 void Tee::finish(const Row& last) {
   for (Outlet& outlet : outlets_) {
     if (outlet.wants.rows_every > 0 && outlet.last_row != last.step) pass(outlet, last);
     flush(outlet);
   }
+  for (const Wall wall : kWalls) end_contact(wall, last.step);
 }
 
 }  // namespace hyrax

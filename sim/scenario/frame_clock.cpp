@@ -50,7 +50,7 @@ std::int64_t step_count(const Scenario& scenario) {
   assert(base_dt_s(scenario.clock) > 0.0);
   const double frames = std::ceil(std::get<double>(scenario.length) / base_dt_s(scenario.clock) - 1e-9);
   if (!(frames <= static_cast<double>(kStepsMax))) return kStepsMax + 1;
-  return frames < 0.0 ? 0 : static_cast<std::int64_t>(frames);
+  return static_cast<std::int64_t>(frames);
 }
 
 FrameClock::FrameClock(const Clock& clock) {

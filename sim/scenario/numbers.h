@@ -60,44 +60,33 @@ struct NumberField {
   return {&side_px, double(kSpriteSideMin_px), double(kSpriteSideMax_px)};
 }
 
-/// Calls `visit` for the numbers of each kind of action; see visit_numbers.
-template <class Visit>
-struct ActionNumbers {
-  const Visit& visit;
-
-  void operator()(Fling& fling) const { velocity(fling.velocity); }
-  void operator()(Place& place) const {
-    visit("x_px", coordinate_field(place.position.x_px));
-    visit("y_px", coordinate_field(place.position.y_px));
-  }
-  void operator()(Stop&) const {}
-  void operator()(Resize& resize) const {
-    if (resize.window) {
-      visit("window/width_px", window_field(resize.window->width_px));
-      visit("window/height_px", window_field(resize.window->height_px));
-    }
-    if (resize.sprite) {
-      visit("sprite/width_px", sprite_field(resize.sprite->width_px));
-      visit("sprite/height_px", sprite_field(resize.sprite->height_px));
-    }
-  }
-  void operator()(Hitch& hitch) const { visit("dt_s", frame_field(hitch.dt_s)); }
-  void operator()(Grab&) const {}
-  void operator()(Release& release) const { velocity(release.velocity); }
-
- private:
-  void velocity(Velocity& of) const {
-    visit("vx_px_per_s", speed_field(of.vx_px_per_s));
-    visit("vy_px_per_s", speed_field(of.vy_px_per_s));
-  }
-};
-
 /// Calls visit(path, NumberField) for each number of an action in the order of the file: the one list of them
 /// that files, sweeps, searches and the report page share. The path is that in the action's member of the
 /// file, as "vx_px_per_s" or "window/width_px". A size that a resize leaves as it is has no numbers.
-template <class Visit>
-void visit_numbers(Action& action, const Visit& visit) {
-  std::visit(ActionNumbers<Visit>{visit}, action);
+void visit_numbers(Action& action, const auto& visit) {
+  const auto visit_kind = [&visit]<class Kind>(Kind& of) {
+    if constexpr (requires { of.velocity; }) {
+      visit("vx_px_per_s", speed_field(of.velocity.vx_px_per_s));
+      visit("vy_px_per_s", speed_field(of.velocity.vy_px_per_s));
+    } else if constexpr (requires { of.position; }) {
+      visit("x_px", coordinate_field(of.position.x_px));
+      visit("y_px", coordinate_field(of.position.y_px));
+    } else if constexpr (std::is_same_v<Kind, Resize>) {
+      if (of.window) {
+        visit("window/width_px", window_field(of.window->width_px));
+        visit("window/height_px", window_field(of.window->height_px));
+      }
+      if (of.sprite) {
+        visit("sprite/width_px", sprite_field(of.sprite->width_px));
+        visit("sprite/height_px", sprite_field(of.sprite->height_px));
+      }
+    } else if constexpr (std::is_same_v<Kind, Hitch>) {
+      visit("dt_s", frame_field(of.dt_s));
+    } else {
+      static_assert(std::is_empty_v<Kind>);
+    }
+  };
+  std::visit(visit_kind, action);
 }
 
 }  // namespace hyrax

@@ -132,6 +132,7 @@ struct Scenario {
   std::vector<Event> events;
   std::int64_t record_every = 1;  ///< Rows 0, K, 2K, ... and the last one are recorded.
   std::optional<Expect> expect;
+  bool operator==(const Scenario&) const = default;
 };
 
 [[nodiscard]] inline State start_state(const Scenario& scenario) {

@@ -1,12 +1,16 @@
 #include "sim/scenario/schedule.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "sim/scenario/frame_clock.h"
+#include "sim/scenario/numbers.h"
 
 namespace hyrax {
 namespace {
@@ -195,21 +199,14 @@ Schedule schedule_events(const Scenario& scenario, std::int64_t steps, std::int6
 }
 
 bool same_bits(const Input& a, const Input& b) {
-  const auto is_same = [&b]<class Kind>(const Kind& one) {
-    const Kind* const other = std::get_if<Kind>(&b.action);
-    if (other == nullptr) return false;
-    if constexpr (requires { one.velocity; })
-      return same_bits(one.velocity.vx_px_per_s, other->velocity.vx_px_per_s) &&
-             same_bits(one.velocity.vy_px_per_s, other->velocity.vy_px_per_s);
-    else if constexpr (requires { one.position; })
-      return same_bits(one.position.x_px, other->position.x_px) &&
-             same_bits(one.position.y_px, other->position.y_px);
-    else if constexpr (requires { one.dt_s; })
-      return same_bits(one.dt_s, other->dt_s);
-    else
-      return one == *other;
+  const auto bits_of = [](Action action) {
+    std::vector<std::pair<std::string_view, std::uint64_t>> bits;  // With paths: a resize may have one size.
+    visit_numbers(action, [&](std::string_view path, const NumberField& field) {
+      bits.emplace_back(path, std::bit_cast<std::uint64_t>(field.value()));
+    });
+    return bits;
   };
-  return a.frame == b.frame && std::visit(is_same, a.action);
+  return a.frame == b.frame && a.action.index() == b.action.index() && bits_of(a.action) == bits_of(b.action);
 }
 
 std::vector<Input> inputs_of(const Scenario& scenario, std::int64_t frames) {

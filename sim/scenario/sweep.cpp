@@ -13,15 +13,9 @@ namespace {
 
 // A whole double in the type of the key; 2^64 is the largest seed.
 SweepNumber in_kind(ScenarioNumberKind kind, double value) {
-  switch (kind) {
-    case ScenarioNumberKind::real:
-      break;
-    case ScenarioNumberKind::integer:
-      return static_cast<std::int64_t>(value);
-    case ScenarioNumberKind::seed:
-      return value >= 0x1p64 ? ~std::uint64_t{0} : static_cast<std::uint64_t>(value);
-  }
-  return value;
+  if (kind == ScenarioNumberKind::real) return value;
+  if (kind == ScenarioNumberKind::integer) return static_cast<std::int64_t>(value);
+  return value >= 0x1p64 ? ~std::uint64_t{0} : static_cast<std::uint64_t>(value);
 }
 
 SweepNumber in_kind(ScenarioNumberKind kind, std::int64_t value) {
@@ -29,47 +23,6 @@ SweepNumber in_kind(ScenarioNumberKind kind, std::int64_t value) {
   if (kind == ScenarioNumberKind::seed) return static_cast<std::uint64_t>(value);
   return value;
 }
-
-struct ValueOf {
-  const Sweep& sweep;
-  std::size_t key;
-  std::int64_t member;
-
-  [[nodiscard]] ScenarioNumberKind kind() const { return sweep.vary[key].kind; }
-  [[nodiscard]] double unit_draw() const {
-    return split_mix64_unit(sweep.seed, static_cast<std::uint64_t>(member) * sweep.vary.size() + key);
-  }
-
-  SweepNumber operator()(const UniformDraw& range) const {
-    const double u = unit_draw();
-    if (kind() == ScenarioNumberKind::real) return range.low + (range.high - range.low) * u;
-    // Far from 0 the sum can round up to high + 1.
-    return in_kind(kind(), std::min(std::floor(range.low + (range.high - range.low + 1.0) * u), range.high));
-  }
-  SweepNumber operator()(const ChoiceDraw& choice) const {
-    return choice.values[static_cast<std::size_t>(unit_draw() * static_cast<double>(choice.values.size()))];
-  }
-  SweepNumber operator()(const GridAxis& grid) const {
-    return in_kind(kind(), hyrax::value_of(grid, member / grid.repeats % grid.count));
-  }
-  SweepNumber operator()(const MemberNumber&) const { return in_kind(kind(), member); }
-};
-
-struct ExtremesOf {
-  ScenarioNumberKind kind;
-  std::int64_t members;
-
-  std::vector<SweepNumber> operator()(const UniformDraw& range) const {
-    return {in_kind(kind, range.low), in_kind(kind, range.high)};
-  }
-  std::vector<SweepNumber> operator()(const ChoiceDraw& choice) const { return choice.values; }
-  std::vector<SweepNumber> operator()(const GridAxis& grid) const {
-    return {in_kind(kind, grid.low), in_kind(kind, grid.high)};
-  }
-  std::vector<SweepNumber> operator()(const MemberNumber&) const {
-    return {in_kind(kind, std::int64_t{0}), in_kind(kind, members - 1)};
-  }
-};
 
 void set(const NumberField& field, const SweepNumber& number) {
   std::visit([](auto* at, auto value) { *at = static_cast<std::remove_pointer_t<decltype(at)>>(value); },
@@ -104,11 +57,27 @@ double value_of(const GridAxis& grid, std::int64_t index) {
 
 SweepNumber value_of(const Sweep& sweep, std::size_t key, std::int64_t member) {
   assert(key < sweep.vary.size() && member >= 0 && member < sweep.members);
-  return std::visit(ValueOf{sweep, key, member}, sweep.vary[key].variation);
+  const auto& [pointer, kind, variation] = sweep.vary[key];
+  if (std::holds_alternative<MemberNumber>(variation)) return in_kind(kind, member);
+  if (const auto* const grid = std::get_if<GridAxis>(&variation))
+    return in_kind(kind, value_of(*grid, member / grid->repeats % grid->count));
+  const double u = split_mix64_unit(sweep.seed, static_cast<std::uint64_t>(member) * sweep.vary.size() + key);
+  if (const auto* const choice = std::get_if<ChoiceDraw>(&variation))
+    return choice->values[static_cast<std::size_t>(u * static_cast<double>(choice->values.size()))];
+  const auto& range = std::get<UniformDraw>(variation);
+  if (kind == ScenarioNumberKind::real) return range.low + (range.high - range.low) * u;
+  // Far from 0 the sum can round up to high + 1.
+  return in_kind(kind, std::min(std::floor(range.low + (range.high - range.low + 1.0) * u), range.high));
 }
 
 std::vector<SweepNumber> extremes_of(const Sweep& sweep, std::size_t key) {
-  return std::visit(ExtremesOf{sweep.vary[key].kind, sweep.members}, sweep.vary[key].variation);
+  const auto& [pointer, kind, variation] = sweep.vary[key];
+  if (const auto* const choice = std::get_if<ChoiceDraw>(&variation)) return choice->values;
+  if (const auto* const range = std::get_if<UniformDraw>(&variation))
+    return {in_kind(kind, range->low), in_kind(kind, range->high)};
+  if (const auto* const grid = std::get_if<GridAxis>(&variation))
+    return {in_kind(kind, grid->low), in_kind(kind, grid->high)};
+  return {in_kind(kind, std::int64_t{0}), in_kind(kind, sweep.members - 1)};
 }
 
 double as_double(const SweepNumber& number) {

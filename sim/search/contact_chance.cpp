@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "sim/replay/replay.h"
@@ -12,34 +11,12 @@
 namespace hyrax {
 namespace {
 
-struct ContactSteps {
-  Wall wall;
-  std::int64_t first = 0;
-  std::int64_t last = 0;
-  bool operator==(const ContactSteps&) const = default;
-};
-
-class ContactList final : public RowSink {
- public:
-  [[nodiscard]] Wants wants() const override { return {.contacts = true}; }
-  void contact_began(const Contact& contact) override {
-    contacts_.push_back({contact.wall, contact.step, contact.last_step});
-  }
-  void contact_ended(std::int64_t index, std::int64_t last_step) override {
-    contacts_[static_cast<std::size_t>(index)].last = last_step;
-  }
-  [[nodiscard]] std::vector<ContactSteps> take() { return std::move(contacts_); }
-
- private:
-  std::vector<ContactSteps> contacts_;
-};
-
-std::vector<ContactSteps> contacts_of(const Core& core, const Scenario& scenario, std::int64_t steps) {
-  ContactList list;
-  Replay run(core, scenario, {&list});
+std::vector<Contact> contacts_of(const Core& core, const Scenario& scenario, std::int64_t steps) {
+  ContactRecorder recorder;
+  Replay run(core, scenario, recorder);
   run.play_to(steps);
   static_cast<void>(run.finish());
-  return list.take();
+  return recorder.contacts();
 }
 
 // A point of the square of half-width `outer` without that of half-width `inner`, each as likely: the
@@ -72,12 +49,12 @@ ContactChance contact_chance(const Core& core, const Scenario& scenario, std::op
   chance.drawn_part = 1.0 - kept * kept;
   if (kept >= 1.0) return chance;
   Scenario moved = scenario;
-  const std::vector<ContactSteps> contacts = contacts_of(core, moved, chance.steps);
+  const std::vector<Contact> contacts = contacts_of(core, moved, chance.steps);
   Draws draws(seed);
   for (std::int64_t start = 0; start < starts; ++start) {
     const Position by = between_squares(*margin_px, chance.within_px, draws);
     moved.start = {scenario.start.x_px + by.x_px, scenario.start.y_px + by.y_px};
-    chance.changed.add(contacts_of(core, moved, chance.steps) != contacts);
+    chance.changed.add(!std::ranges::equal(contacts_of(core, moved, chance.steps), contacts, has_same_steps));
   }
   return chance;
 }

@@ -15,9 +15,7 @@ namespace {
 class DigestSink : public RowSink {
  public:
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t row = 0; row < batch.size(); ++row) hash_.add(batch.row(row));
-  }
+  void row(const Row& row) override { hash_.add(row); }
   [[nodiscard]] Digest finish() { return hash_.value(); }
 
  private:
@@ -67,6 +65,7 @@ CheckedRun check_run(const Core& core, const Scenario& scenario, std::span<const
                  .measures = watch.measures(),
                  .last_speed_px_per_s = watch.last_speed_px_per_s(),
                  .knife_edges = watch.knife_edges()};
+  if (report_steps) report_steps(run.summary.steps);
   const auto record_equal = [&run](Invariant invariant, const Digest& hash) {
     const double slack = hash == run.summary.state_hash ? 0.0 : -1.0;
     run.measures[static_cast<std::size_t>(invariant)].add(slack, run.summary.steps);

@@ -16,35 +16,25 @@ std::int64_t frame_of(const Event& event) { return std::get<std::int64_t>(event.
 
 // Of the events that are left, a release without its grab becomes the fling that it also is, and a grab while
 // held goes.
-void pair_grabs(std::vector<Event>& events) {
+std::vector<Event> paired(const std::vector<Event>& events) {
   bool is_held = false;
   std::vector<Event> paired;
-  for (Event& event : events) {
+  for (Event event : events) {
     const auto* const release = std::get_if<Release>(&event.action);
     const bool is_grab = std::holds_alternative<Grab>(event.action);
     if (is_grab && is_held) continue;
     if (release != nullptr && !is_held) event.action = Fling{release->velocity};
     is_held = is_grab || (is_held && release == nullptr);
-    paired.push_back(event);
+    paired.push_back(std::move(event));
   }
-  events = std::move(paired);
+  return paired;
 }
 
 // In order, before the end, each `grab` while not held and each `release` while held.
 bool are_good(const std::vector<Event>& events, std::int64_t steps) {
-  bool is_held = false;
-  std::int64_t frame = 0;
-  for (const Event& event : events) {
-    if (frame_of(event) < frame || frame_of(event) >= steps) return false;
-    frame = frame_of(event);
-    const auto* const resize = std::get_if<Resize>(&event.action);
-    if (resize != nullptr && !resize->window && !resize->sprite) return false;
-    const bool is_grab = std::holds_alternative<Grab>(event.action);
-    const bool is_release = std::holds_alternative<Release>(event.action);
-    if ((is_grab && is_held) || (is_release && !is_held)) return false;
-    is_held = is_grab || (is_held && !is_release);
-  }
-  return true;
+  if (!std::ranges::is_sorted(events, {}, frame_of) || paired(events) != events) return false;
+  if (!events.empty() && (frame_of(events.front()) < 0 || frame_of(events.back()) >= steps)) return false;
+  return std::ranges::none_of(events, [](const Event& event) { return event.action == Action(Resize()); });
 }
 
 }  // namespace
@@ -71,7 +61,7 @@ Scenario without_frames(const Scenario& scenario, std::int64_t first, std::int64
                 [&](const Event& event) { return frame_of(event) >= first && frame_of(event) < last; });
   for (Event& event : shorter.events)
     if (frame_of(event) >= last) event.when = frame_of(event) - (last - first);
-  pair_grabs(shorter.events);
+  shorter.events = paired(shorter.events);
   return shorter;
 }
 
@@ -80,7 +70,7 @@ Scenario without_events(const Scenario& scenario, std::size_t first, std::size_t
   Scenario simpler = scenario;
   simpler.events.erase(simpler.events.begin() + static_cast<std::ptrdiff_t>(first),
                        simpler.events.begin() + static_cast<std::ptrdiff_t>(last));
-  pair_grabs(simpler.events);
+  simpler.events = paired(simpler.events);
   return simpler;
 }
 

@@ -29,12 +29,9 @@ StepWatch::StepWatch(const Core& core, const Scenario& scenario,
       constants_(core.constants.value_or(Constants())),
       inputs_(scenario, inputs_of(scenario, step_count(scenario))) {}
 
-void StepWatch::rows(const Columns& batch) {
-  for (std::size_t row = 0; row < batch.size(); ++row) check(batch.row(row));
-  if (report_steps_ && batch.size() > 0) report_steps_(before_.step);
-}
-
-void StepWatch::check(const Row& row) {
+void StepWatch::row(const Row& row) {
+  constexpr std::int64_t kStepsBetweenReports = 4096;
+  if (report_steps_ && (row.step + 1) % kStepsBetweenReports == 0) report_steps_(row.step);
   check_finite(row);
   speed_before_px_per_s_ = speed_px_per_s_;
   speed_px_per_s_ = std::max(std::fabs(row.vx_px_per_s), std::fabs(row.vy_px_per_s));

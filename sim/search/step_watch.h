@@ -21,7 +21,7 @@ class StepWatch : public RowSink {
             const std::function<void(std::int64_t)>& report_steps = {});
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = 1}; }
-  void rows(const Columns& batch) override;
+  void row(const Row& row) override;
 
   [[nodiscard]] const InvariantMeasures& measures() const { return measures_; }
   /// The larger of both speeds' magnitudes, in the last two rows: a cycle at rest has one row of speed 0.
@@ -40,7 +40,6 @@ class StepWatch : public RowSink {
     Bounds bounds;
   };
 
-  void check(const Row& row);
   void start_from(const State& body, Bounds bounds);
   void check_finite(const Row& row);
   void check_bounds(const Step& step);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -73,12 +74,13 @@ inline constexpr std::array<std::uint8_t, 5> kContactFlags = {1, 2, 4, 8, kRestB
 inline constexpr std::array<std::string_view, 5> kContactFlagNames = {"left", "right", "top", "ground",
                                                                       "rest"};
 
-inline constexpr ColumnOf<Contact> kContactColumns[] = {
+using ContactColumn = ColumnOf<Contact>;
+inline constexpr ContactColumn kContactColumns[] = {
     {"step", "", "first clamped row", &Contact::step},
     {"last_step", "", "last clamped row", &Contact::last_step},
     {"wall", "", "wall: 1 left, 2 right, 4 top, 8 ground",
-     ColumnOf<Contact>::Code{[](const Contact& c) { return static_cast<std::uint8_t>(c.wall); },
-                             {kWallNames, true}}},
+     ContactColumn::Code{[](const Contact& c) { return static_cast<std::uint8_t>(c.wall); },
+                         {kWallNames, true}}},
     {"t", "s", "time of the first clamped row", &Contact::t_s},
     {"x", "px", "left edge of the sprite", &Contact::x_px},
     {"y", "px", "top edge of the sprite", &Contact::y_px},
@@ -88,5 +90,7 @@ inline constexpr ColumnOf<Contact> kContactColumns[] = {
     {"vy_after", "px/s", "velocity downwards after it", &Contact::vy_after_px_per_s},
     {"overshoot", "px", "how far past the wall the unclamped position was", &Contact::overshoot_px},
 };
+/// Those behind step, last step and wall.
+inline constexpr std::span kContactQuantities = std::span(kContactColumns).subspan<3>();
 
 }  // namespace hyrax

@@ -30,17 +30,15 @@ class InputPlayback {
     return next_ < inputs_.size() && inputs_[next_].frame <= step;
   }
 
-  [[nodiscard]] bool is_held() const { return is_held_; }
-  [[nodiscard]] Bounds bounds() const { return bounds_of(window_, sprite_); }
+  [[nodiscard]] bool is_held() const { return world_.is_held; }
+  [[nodiscard]] Bounds bounds() const { return world_.bounds(); }
 
  private:
   InputChange apply_due(Row& row);
 
-  Size window_;
-  Size sprite_;
+  World world_;
   std::vector<Input> inputs_;
   std::size_t next_ = 0;
-  bool is_held_ = false;
 };
 
 }  // namespace hyrax

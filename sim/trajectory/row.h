@@ -68,6 +68,11 @@ struct Contact {
   bool operator==(const Contact&) const = default;
 };
 
+/// Whether they are of the same wall, from the same first to the same last step.
+[[nodiscard]] inline bool has_same_steps(const Contact& a, const Contact& b) {
+  return a.step == b.step && a.last_step == b.last_step && a.wall == b.wall;
+}
+
 /// A trajectory holds no more contacts than this; they are counted all the same.
 inline constexpr std::int64_t kContactsRecordedMax = 1'000'000;
 

@@ -1,7 +1,10 @@
 // What receives a run as it is played.
 #pragma once
 
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/row.h"
@@ -22,6 +25,38 @@ struct Block {
   const RowBlock& rows;
 };
 
+/// Reads a block row by row, with steps and times, which a block does not hold. Refers to the rows. A block
+/// that repeats has frames of one dt only.
+class BlockRows {
+ public:
+  /// @param first the state at the first row of the first repetition; @param repetition from 0.
+  BlockRows(const Keyframe& first, const RowBlock& rows, std::int64_t repetition = 0)
+      : rows_(rows), first_(first.row), timeline_(first.timeline) {
+    const std::int64_t rows_before = repetition * static_cast<std::int64_t>(kBlockRows);
+    first_.step += rows_before;
+    timeline_.frames += rows_before;
+    first_.t_s = timeline_.time_s();
+  }
+
+  /// Known even where the block's rows are not.
+  [[nodiscard]] const Row& first() const { return first_; }
+  /// REQUIRES: called once for each row, at most.
+  [[nodiscard]] Row next() {
+    assert(index_ < rows_.size());
+    Row row = rows_.row(index_);
+    if (index_ > 0) timeline_.play(row.dt_s);
+    row.t_s = timeline_.time_s();
+    row.step = first_.step + static_cast<std::int64_t>(index_++);
+    return row;
+  }
+
+ private:
+  const RowBlock& rows_;
+  Row first_;
+  Timeline timeline_;
+  std::size_t index_ = 0;
+};
+
 /// Receives rows, contacts and blocks in order, those that it wants: a replay does not make what no sink
 /// wants.
 class RowSink {
@@ -38,11 +73,15 @@ class RowSink {
   RowSink& operator=(const RowSink&) = delete;
   virtual ~RowSink() = default;
 
-  /// Called when a replay begins, and for rows again after every batch: a sink may want fewer from then on.
+  /// Called when a replay begins, and for rows again after every 4,096: a sink may want fewer from then on.
   [[nodiscard]] virtual Wants wants() const { return {}; }
 
-  /// Wanted rows, in batches of any size.
-  virtual void rows(const Columns& /*batch*/) {}
+  /// A wanted row.
+  virtual void row(const Row& /*row*/) {}
+  /// Rows that are kept, one after another.
+  void rows(const Columns& kept) {
+    for (std::size_t index = 0; index < kept.size(); ++index) row(kept.row(index));
+  }
   /// A contact, at its first step; `last_step` is not known yet. At most kContactsRecordedMax.
   virtual void contact_began(const Contact& /*contact*/) {}
   /// Contact `index` (from 0, in order of contact_began) lasted to `last_step`. Called only for
@@ -52,6 +91,20 @@ class RowSink {
   virtual void repeats(const Repetition& /*repetition*/) {}
   /// A complete block, or `count` blocks that are equal except for step and time.
   virtual void block(const Block& /*block*/, std::int64_t /*count*/) {}
+};
+
+/// Keeps the contacts of a run.
+class ContactRecorder : public RowSink {
+ public:
+  [[nodiscard]] Wants wants() const override { return {.contacts = true}; }
+  void contact_began(const Contact& contact) override { contacts_.push_back(contact); }
+  void contact_ended(std::int64_t index, std::int64_t last_step) override {
+    contacts_[static_cast<std::size_t>(index)].last_step = last_step;
+  }
+  [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
+
+ protected:
+  std::vector<Contact> contacts_;
 };
 
 }  // namespace hyrax

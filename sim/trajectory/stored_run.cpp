@@ -33,10 +33,6 @@ void StoredRun::each_contact(const std::function<void(const Contact&)>& take) co
   for (const Contact& contact : contacts) take(contact);
 }
 
-void RunRecorder::rows(const Columns& batch) {
-  for (std::size_t index = 0; index < batch.size(); ++index) run_.rows.append(batch.row(index));
-}
-
 void RunRecorder::block(const Block& block, std::int64_t count) {
   if (!run_.blocks.empty()) {
     StoredBlock& last = run_.blocks.back();

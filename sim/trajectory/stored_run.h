@@ -60,7 +60,7 @@ struct StoredRun {
 };
 
 /// Keeps of a run what a StoredRun holds; scenario, hash and steps are its owner's to fill in.
-class RunRecorder : public RowSink {
+class RunRecorder : public ContactRecorder {
  public:
   /// @param steps of the run: decides between rows and blocks.
   explicit RunRecorder(std::int64_t steps) : is_short_(is_stored_as_rows(steps)) {}
@@ -68,14 +68,13 @@ class RunRecorder : public RowSink {
   [[nodiscard]] Wants wants() const override {
     return {.rows_every = is_short_ ? 1 : 0, .contacts = true, .blocks = !is_short_};
   }
-  void rows(const Columns& batch) override;
-  void contact_began(const Contact& contact) override { run_.contacts.push_back(contact); }
-  void contact_ended(std::int64_t index, std::int64_t last_step) override {
-    run_.contacts[static_cast<std::size_t>(index)].last_step = last_step;
-  }
+  void row(const Row& row) override { run_.rows.append(row); }
   void block(const Block& block, std::int64_t count) override;
 
-  [[nodiscard]] StoredRun take() { return std::move(run_); }
+  [[nodiscard]] StoredRun take() {
+    run_.contacts = std::move(contacts_);
+    return std::move(run_);
+  }
 
  private:
   bool is_short_;

@@ -2,7 +2,6 @@
 
 #include <cassert>
 
-#include "sim/trajectory/block_rows.h"
 #include "sim/trajectory/stored_run.h"
 
 namespace hyrax {
@@ -12,17 +11,13 @@ RowSink::Wants WaypointMeter::wants() const {
   return {.blocks = true};
 }
 
-void WaypointMeter::rows(const Columns& batch) {
-  for (std::size_t index = 0; index < batch.size(); ++index) add(batch.row(index));
-}
-
 void WaypointMeter::block(const Block& block, std::int64_t count) {
   BlockRows rows(block.keyframe, block.rows);
-  for (std::size_t index = 0; index < block.rows.size(); ++index) add(rows.next());
+  for (std::size_t index = 0; index < block.rows.size(); ++index) row(rows.next());
   if (count > 1 && !has_all_seconds()) add_repetitions(block, count);
 }
 
-void WaypointMeter::add(const Row& row) {
+void WaypointMeter::row(const Row& row) {
   if (!last_ || row.y_px < found_.apex.y_px) found_.apex = row;
   while (last_ && !has_all_seconds() && is_past_next_second(row.t_s, row.dt_s))
     found_.at_seconds.push_back(*last_);

@@ -24,7 +24,7 @@ class WaypointMeter final : public RowSink {
   explicit WaypointMeter(std::int64_t steps) : steps_(steps) {}
 
   [[nodiscard]] Wants wants() const override;
-  void rows(const Columns& batch) override;
+  void row(const Row& row) override;
   void block(const Block& block, std::int64_t count) override;
 
   /// At the end of the run. REQUIRES: it had a row.
@@ -37,7 +37,6 @@ class WaypointMeter final : public RowSink {
   [[nodiscard]] bool is_past_next_second(double t_s, double dt_s) const {
     return t_s > static_cast<double>(found_.at_seconds.size() + 1) + 1e-9 * dt_s;
   }
-  void add(const Row& row);
   void add_repetitions(const Block& block, std::int64_t count);
 
   std::int64_t steps_;

@@ -141,7 +141,7 @@ bool write_contacts(hid_t file, const StoredRun& run) {
 bool write_rows(hid_t file, const Columns& rows) {
   const h5::Handle group = h5::create_group(file, "trajectory");
   RowTable table(group, static_cast<std::int64_t>(rows.size()));
-  return table.append(rows) && table.finish();
+  return table.write(rows) && table.finish();
 }
 
 bool write_run(hid_t file, const StoredRun& run) {

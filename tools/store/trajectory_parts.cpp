@@ -41,9 +41,8 @@ bool write_inputs(hid_t file, const std::vector<InputRecord>& inputs) {
 RowTable::RowTable(hid_t group, std::int64_t rows)
     : group_(group), rows_(rows), writer_(group, row_columns(Columns()), static_cast<hsize_t>(rows)) {}
 
-bool RowTable::append(const Columns& rows) {
-  if (pending_.size() == 0 && rows.size() >= kBatch) return write(rows);
-  for (std::size_t index = 0; index < rows.size(); ++index) pending_.append(rows.row(index));
+bool RowTable::append(const Row& row) {
+  pending_.append(row);
   if (pending_.size() < kBatch) return true;
   const bool is_written = write(pending_);
   pending_.clear();

@@ -13,20 +13,20 @@ namespace hyrax {
 /// The rows of a run, whose number is known beforehand, written in large batches.
 class RowTable {
  public:
-  /// Smaller batches are collected before they are written.
+  /// So many rows are collected before they are written.
   static constexpr std::size_t kBatch = 65536;
 
   /// Makes the datasets of /trajectory. @param group the open group; @param rows their length.
   RowTable(hid_t group, std::int64_t rows);
 
   /// Each returns false if the file could not be written.
-  [[nodiscard]] bool append(const Columns& rows);
+  [[nodiscard]] bool append(const Row& row);
+  /// A large batch at once. REQUIRES: no row was appended before.
+  [[nodiscard]] bool write(const Columns& rows);
   [[nodiscard]] bool finish();
   void close() { writer_.close(); }
 
  private:
-  [[nodiscard]] bool write(const Columns& rows);
-
   hid_t group_;
   std::int64_t rows_;
   std::int64_t written_ = 0;

@@ -52,7 +52,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scenario& scen
   require(file_.is_open());
 }
 
-void TrajectoryWriter::rows(const Columns& batch) { require(row_table_.append(batch)); }
+void TrajectoryWriter::row(const Row& row) { require(row_table_.append(row)); }
 
 void TrajectoryWriter::contact_began(const Contact& contact) { require(contact_table_.append(contact)); }
 
@@ -98,14 +98,10 @@ TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, 
   write(header + ",contact\n");
 }
 
-void TrajectoryCsv::rows(const Columns& batch) {
-  std::string text;
-  for (std::size_t index = 0; index < batch.size(); ++index) {
-    text += std::to_string(batch.step[index]);
-    for (const RowColumn& column : kRowColumns) text.append(",").append(to_text((batch.*column.also)[index]));
-    text.append(",").append(std::to_string(batch.contact[index])).append("\n");
-  }
-  write(text);
+void TrajectoryCsv::row(const Row& row) {
+  std::string text = std::to_string(row.step);
+  for (const RowColumn& column : kRowColumns) text.append(",").append(to_text(*column.number(row)));
+  write(text.append(",").append(std::to_string(row.contact)).append("\n"));
 }
 
 void TrajectoryCsv::finish() {

@@ -26,7 +26,7 @@ class TrajectoryWriter : public RowSink {
   TrajectoryWriter(const std::string& path, const Scenario& scenario, std::int64_t steps);
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = rows_every_, .contacts = true}; }
-  void rows(const Columns& batch) override;
+  void row(const Row& row) override;
   void contact_began(const Contact& contact) override;
   void contact_ended(std::int64_t index, std::int64_t last_step) override;
 
@@ -70,7 +70,7 @@ class TrajectoryCsv : public RowSink {
   TrajectoryCsv(const std::string& path, const Scenario& scenario, std::int64_t steps);
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = rows_every_, .contacts = false}; }
-  void rows(const Columns& batch) override;
+  void row(const Row& row) override;
   void finish();
 
  private:

@@ -48,7 +48,7 @@ std::string divergence_text(const Divergence& first) {
     return text + "  the hash of the block of 4,096 rows from this step differs\n";
   text += fmt::format("  expected   {}\n  actual     {}\n", value_text(first.field, first.expected),
                       value_text(first.field, first.actual));
-  if (const std::string ulps = ulps_text(first.ulps); !ulps.empty())
+  if (const std::string ulps = ulps_text(first.ulps()); !ulps.empty())
     text += fmt::format("  distance   {}\n", ulps);
   else if (!is_contact_field(first.field) && first.expected && first.actual &&
            std::isfinite(*first.expected - *first.actual))
@@ -182,7 +182,7 @@ Json divergence_json(const std::optional<Divergence>& divergence) {
                       {"field", divergence->field},
                       {"expected", or_null(divergence->expected)},
                       {"actual", or_null(divergence->actual)},
-                      {"ulps", or_null(divergence->ulps)}};
+                      {"ulps", or_null(divergence->ulps())}};
 }
 
 std::string distance_sentence(const TrajectoryDiff& diff) {

@@ -40,9 +40,7 @@ void send_decisive_rows(const Core& core, const StoredRun& run, RowSink& sink) {
     if (end_step >= next.row.step || has_input_within(run.inputs, end_step - 1, next.row.step)) continue;
     replay->play_to(end_step - 1);
     static_cast<void>(replay->finish());
-    Columns row;
-    row.append(next.row);
-    sink.rows(row);
+    sink.row(next.row);
     replay.emplace(core, run.scenario, next, sink);
   }
   replay->play_to(run.steps);

@@ -102,9 +102,7 @@ ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario
   RunComparer comparer(kept,
                        [&](const StoredBlock& block) { return expand(restoring, kept.scenario, block); });
   const RunSummary summary = replay(core, scenario, comparer, judged_options(scenario));
-  ComparedRun compared{comparer.finish({scenario, summary.steps, core.name, hex(summary.state_hash),
-                                        summary.final, inputs_of(scenario, summary.steps)}),
-                       summary};
+  ComparedRun compared{comparer.finish(scenario, core.name, summary), summary};
   if (const std::string changes = scenario_changes(kept.scenario, scenario); !changes.empty())
     compared.comparison.shape += ": " + changes;
   if (!compared.comparison.agrees && summary.at_rest_since_s &&

@@ -146,10 +146,6 @@ RowSink::Wants RunPicture::wants() const {
   return {.rows_every = rows_every_, .all_rows_to = kRowsDrawnFirst, .contacts = true};
 }
 
-void RunPicture::rows(const Columns& batch) {
-  for (std::size_t index = 0; index < batch.size(); ++index) rows_.append(batch.row(index));
-}
-
 void RunPicture::contact_began(const Contact& contact) {
   if (contacts_.size() < kBouncesShownMax) contacts_.push_back(contact);
 }

@@ -80,7 +80,7 @@ class RunPicture final : public RowSink {
   explicit RunPicture(const Scenario& scenario);
 
   [[nodiscard]] Wants wants() const override;
-  void rows(const Columns& batch) override;
+  void row(const Row& row) override { rows_.append(row); }
   void contact_began(const Contact& contact) override;
 
   /// ERRORS: those of write_text_file.

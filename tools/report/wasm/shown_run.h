@@ -29,9 +29,7 @@ class ShownRows final : public RowSink {
   explicit ShownRows(std::int64_t steps) : every_(1 + steps / kRowsShownMax) {}
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = every_, .contacts = true}; }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size(); ++index) columns_.append(batch.row(index));
-  }
+  void row(const Row& row) override { columns_.append(row); }
   void contact_began(const Contact& contact) override {
     if (contacts_.size() < kContactsShownMax) contacts_.push_back(contact);
   }
@@ -58,13 +56,12 @@ class EvidenceCheck final : public RowSink {
   [[nodiscard]] Wants wants() const override {
     return {.rows_every = next_row_ < evidence_.rows.size() ? 1 : 0, .blocks = !evidence_.blocks.empty()};
   }
-  void rows(const Columns& batch) override {
-    for (std::size_t index = 0; index < batch.size() && next_row_ < evidence_.rows.size(); ++index) {
-      const Row kept = evidence_.rows.row(next_row_);
-      if (batch.step[index] < kept.step) continue;
-      if (!row_ && !same_bits(kept, batch.row(index))) row_ = kept.step;
-      ++next_row_;
-    }
+  void row(const Row& row) override {
+    if (next_row_ == evidence_.rows.size()) return;
+    const Row kept = evidence_.rows.row(next_row_);
+    if (row.step < kept.step) return;
+    if (!row_ && !same_bits(kept, row)) row_ = kept.step;
+    ++next_row_;
   }
   void block(const Block& block, std::int64_t count) override {
     for (; count > 0 && next_block_ < evidence_.blocks.size(); --count, ++next_block_)

@@ -1,5 +1,5 @@
 // Compiles the header HYRAX_CORE_HEADER as it is, and holds it to its traced step: see record_core.cmake.
-#include "sim/motion/paper_constants.h"
+#include "sim/motion/state.h"
 #include "sim/trace/host/compiled_core.h"
 
 template <class Physics>

@@ -35,7 +35,7 @@ inline std::string said(const Comparison& comparison) {
   std::string text = comparison.agrees ? "agrees" : std::string(name_of(comparison.difference.value()));
   if (!comparison.first) return text;
   text += ", first " + std::string(comparison.first->field) + " at " + std::to_string(comparison.first->step);
-  return comparison.first->ulps ? text + ", " + std::to_string(*comparison.first->ulps) + " ulps" : text;
+  return comparison.first->ulps() ? text + ", " + std::to_string(*comparison.first->ulps()) + " ulps" : text;
 }
 
 /// Of that fault in a row.
@@ -70,12 +70,7 @@ class FaultySink : public RowSink {
   FaultySink(RowSink& sink, Fault fault) : sink_(sink), fault_(std::move(fault)) {}
 
   [[nodiscard]] Wants wants() const override { return sink_.wants(); }
-  void rows(const Columns& batch) override {
-    Columns changed;
-    for (std::size_t index = 0; index < batch.size(); ++index)
-      changed.append(batch.step[index] == fault_.step ? fault_.change(batch.row(index)) : batch.row(index));
-    sink_.rows(changed);
-  }
+  void row(const Row& row) override { sink_.row(row.step == fault_.step ? fault_.change(row) : row); }
   void contact_began(const Contact& contact) override { sink_.contact_began(contact); }
   void contact_ended(std::int64_t index, std::int64_t last_step) override {
     sink_.contact_ended(index, last_step);
@@ -133,8 +128,7 @@ inline Comparison compare(const StoredRun& kept, const Scenario& scenario, const
   } else {
     summary = replay(shipped_core(), scenario, comparer, options);
   }
-  return comparer.finish({scenario, summary.steps, playing.physics, hex(summary.state_hash), summary.final,
-                          inputs_of(scenario, summary.steps)});
+  return comparer.finish(scenario, playing.physics, summary);
 }
 
 }  // namespace hyrax

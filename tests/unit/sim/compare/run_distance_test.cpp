@@ -93,17 +93,18 @@ TEST(RunDistance, ANanIsInfinitelyFar) {
 }
 
 TEST(RunDistance, AContactsQuantitiesHaveTheSameLimits) {
-  for (const ContactField& field : kContactFields) {
-    const double limit = field.name == "contacts/t" ? 1e-9 : 1e-6;
+  for (const ContactColumn& quantity : kContactQuantities) {
+    const double limit = quantity.unit == std::string_view("s") ? 1e-9 : 1e-6;
     const Contact contact{.step = 3};
     Contact other = contact;
+    double& value = other.*std::get<double Contact::*>(quantity.get);
     RunDistance distance;
-    other.*field.value = 0.99 * limit;
+    value = 0.99 * limit;
     distance.add(contact, other);
-    EXPECT_TRUE(distance.is_rounding()) << field.name;
-    other.*field.value = 1.01 * limit;
+    EXPECT_TRUE(distance.is_rounding()) << quantity.name;
+    value = 1.01 * limit;
     distance.add(contact, other);
-    EXPECT_FALSE(distance.is_rounding()) << field.name;
+    EXPECT_FALSE(distance.is_rounding()) << quantity.name;
   }
 }
 

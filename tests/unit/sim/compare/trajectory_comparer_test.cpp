@@ -115,7 +115,7 @@ TEST(TrajectoryComparer, AcceptsNoOtherContactByte) {
   TrajectoryComparer comparer({.abs = 100.0});
   comparer.compare(row_at(4, 1.0, 0), row_at(4, 1.0, 1));
   EXPECT_EQ(comparer.first().value().field, "contact");
-  EXPECT_EQ(comparer.first()->ulps, std::nullopt);
+  EXPECT_EQ(comparer.first()->ulps(), std::nullopt);
 }
 
 TrajectoryComparer compared(const Tolerance& tolerance, const Contact& a, const Contact& b) {

@@ -112,9 +112,7 @@ class FewerAndFewer : public RowSink {
   Wants wants() const override {
     return {.rows_every = steps.empty() || steps.back() < 12'000 ? 1000 : 0, .all_rows_to = 5000};
   }
-  void rows(const Columns& batch) override {
-    steps.insert(steps.end(), batch.step.begin(), batch.step.end());
-  }
+  void row(const Row& row) override { steps.push_back(row.step); }
   void repeats(const Repetition& found) override { repetition = found; }
   std::vector<std::int64_t> steps;
   Repetition repetition;
@@ -128,7 +126,7 @@ TEST(Tee, GivesASinkFewerRowsWhenItRequestsFewer) {
     ASSERT_EQ(sink.steps[static_cast<std::size_t>(step)], step);
   EXPECT_EQ(sink.steps[5001], 6000);
   EXPECT_EQ(sink.steps[5002], 7000);
-  EXPECT_LT(sink.steps.size(), 10'001u);  // It is queried again after a batch.
+  EXPECT_LT(sink.steps.size(), 10'001u);  // It is queried again after 4,096 rows.
   EXPECT_EQ(sink.repetition.from_step, summary.periodic_from_step);
   EXPECT_EQ(sink.repetition.period_steps, summary.period_steps);
 }

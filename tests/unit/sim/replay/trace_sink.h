@@ -91,9 +91,7 @@ class TraceSink : public RowSink {
 
   Wants wants() const override { return wants_; }
 
-  void rows(const Columns& batch) override {
-    for (std::size_t row = 0; row < batch.size(); ++row) rows_.push_back(batch.row(row));
-  }
+  void row(const Row& row) override { rows_.push_back(row); }
   void contact_began(const Contact& contact) override {
     constexpr std::size_t kMany = 10'000;
     if (contacts_.size() == kMany) contacts_.reserve(kContactsRecordedMax);  // A long list is not moved.
