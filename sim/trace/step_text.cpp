@@ -129,12 +129,28 @@ class Writer {
   std::string text_;
 };
 
-template <class Number, class... Format>
-std::optional<Number> number_of(std::string_view digits, Format... format) {
-  Number value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, format...);
+template <class Integer>
+std::optional<Integer> number_of(std::string_view digits, int base = 10) {
+  Integer value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
   if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
   return value;
+}
+
+// Of what hex_of writes; other spellings are found when the text is written again. From integers: libc++
+// reads no real numbers, and these are the same bits whatever this machine's arithmetic does.
+std::optional<double> real_of(std::string_view hex) {
+  if (hex == "inf") return std::numeric_limits<double>::infinity();
+  if (hex == "nan") return std::numeric_limits<double>::quiet_NaN();
+  const std::size_t p = hex.find('p');
+  if (p == std::string_view::npos || p < 3 || hex.size() < p + 3) return std::nullopt;
+  std::string digits(hex.substr(std::min<std::size_t>(p, 4), p - std::min<std::size_t>(p, 4)));
+  digits.resize(13, '0');
+  const auto fraction = number_of<std::uint64_t>(digits, 16);
+  const auto exponent = number_of<int>(hex.substr(p + (hex[p + 1] == '+' ? 2 : 1)));
+  if (!fraction || !exponent || *exponent < -1022 || *exponent > 1023) return std::nullopt;
+  const auto biased = static_cast<std::uint64_t>(hex[2] == '1' ? *exponent + 1023 : 0);
+  return std::bit_cast<double>(biased << 52 | *fraction);
 }
 
 template <std::size_t kSize>
@@ -245,8 +261,7 @@ class Reader {
     return constant ? constants_.emplace(std::string(word), add(*constant)).first->second : kNoIndex;
   }
 
-  // "128", "0.5{0x1p-1}", "0.5{0x1p-1}f". Hex digits are the same bits whatever this machine's arithmetic
-  // does.
+  // "128", "0.5{0x1p-1}", "0.5{0x1p-1}f".
   static std::optional<Expression> constant_of(std::string_view word) {
     const std::size_t brace = word.find('{');
     if (brace == std::string_view::npos) {
@@ -255,9 +270,7 @@ class Reader {
       return Expression{.kind = NumberKind::whole, .value = static_cast<double>(*whole)};
     }
     const bool is_single = word.ends_with('f');
-    std::string_view hex = word.substr(brace + 1, word.find('}') - brace - 1);
-    if (hex.starts_with("0x")) hex.remove_prefix(2);
-    const auto value = number_of<double>(hex, std::chars_format::hex);
+    const auto value = real_of(word.substr(brace + 1, word.find('}') - brace - 1));
     if (!value || (is_single && std::isfinite(*value) && *value > kSingleMax)) return std::nullopt;
     return Expression{.kind = is_single ? NumberKind::single : NumberKind::real, .value = *value};
   }
