@@ -73,6 +73,7 @@ HeldRuns held_runs_of(const ComparedCores& cores, const std::string& kind, const
                       bool is_judged) {
   return of_both(cores, [&](const ComparedCore& core) {
     std::vector<HeldRun> runs;
+    runs.reserve(cases.size());
     for (const HardCase& each : cases)
       runs.push_back(held_run_of(core.at(kind + " " + each.name), each, is_judged));
     return runs;

@@ -374,6 +374,7 @@ void add_recordings(const Card& card, Lines& lines) {
   }
   const std::vector<ScenarioChange> moved = card.moved_recordings();
   std::vector<std::string> names;
+  names.reserve(moved.size());
   for (const ScenarioChange& recording : moved)
     names.push_back(fmt::format("{} {} px", stem(recording.path), rounded(recording.change.end_shift_px, 3)));
   lines.add("recordings", fmt::format("{} of {} end elsewhere", moved.size(), card.recordings));

@@ -222,6 +222,7 @@ RestLine measure_rest(const ComparedCores& cores) {
   };
   return {of_both(cores, [&](const ComparedCore& core) {
     std::vector<double> all_px;
+    all_px.reserve(kLandingRates_hz.size());
     for (const double rate_hz : kLandingRates_hz)
       all_px.push_back(moved_px(core.at(fmt::format("a drop at {:.0f} Hz", rate_hz)), rate_hz));
     return all_px;

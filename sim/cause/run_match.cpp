@@ -47,10 +47,10 @@ class RunMatcher final : public ContactRecorder {
     match_.times &= same_bits(summary.final.t_s, run_.final.t_s);
     std::size_t next = 0;
     run_.each_contact([&](const Contact& contact) {
-      match_.contacts &= next < contacts_.size() && is_same(contact, contacts_[next]);
+      match_.contacts &= next < contacts().size() && is_same(contact, contacts()[next]);
       ++next;
     });
-    match_.contacts &= next == contacts_.size() && summary.contacts.total() == run_.contacts_total;
+    match_.contacts &= next == contacts().size() && summary.contacts.total() == run_.contacts_total;
     return match_;
   }
 

@@ -103,7 +103,7 @@ std::string RunComparer::contradiction(const Scenario& scenario, const RunSummar
   if (kept_.state_hash != hex(summary.state_hash)) return "state hash";
   if (input_difference(kept_.inputs, inputs_of(scenario, summary.steps))) return "events";
   if (first_difference(kept_.final, summary.final)) return "last row";
-  const auto recorded = static_cast<std::int64_t>(contacts_.size());
+  const auto recorded = static_cast<std::int64_t>(contacts().size());
   if (recorded < kContactsRecordedMax && kept_.contacts_total != recorded) return "number of contacts";
   return "";
 }
@@ -133,12 +133,12 @@ Comparison RunComparer::finish(const Scenario& scenario, std::string_view physic
   for (const Row& row : result_.actual_around)
     if (row.step < std::ssize(kept_.rows.step))
       result_.expected_around.push_back(kept_.rows.row(static_cast<std::size_t>(row.step)));
-  result_.contacts = contact_changes(kept_.contacts, contacts_);
+  result_.contacts = contact_changes(kept_.contacts, contacts());
   compare_ends(summary.final);
   if (!result_.first && result_.contacts.is_none()) {
-    result_.first = first_difference(kept_.contacts, contacts_);
-    for (std::size_t index = 0; index < contacts_.size(); ++index)
-      distance_.add(kept_.contacts[index], contacts_[index]);
+    result_.first = first_difference(kept_.contacts, contacts());
+    for (std::size_t index = 0; index < contacts().size(); ++index)
+      distance_.add(kept_.contacts[index], contacts()[index]);
   }
   result_.largest = distance_.largest();
   result_.shape = difference_in_shape(scenario, summary);

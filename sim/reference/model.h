@@ -5,23 +5,24 @@
 
 namespace hyrax {
 
-/// Gravity is >= 0, air_drag 0.5 .. 1. The reference never sees the shipped core, so these numbers are
-/// repeated here, and tests use others: air_drag = 1 for flight without drag, another air_drag with its
-/// model_rate_hz for drag that is normalised by rate. Source: "Use of physics in hyrax.exe", table 1.
+/// The paper's table; the reference never sees the shipped core, so these numbers are repeated here.
+/// Source: "Use of physics in hyrax.exe", table 1.
+[[nodiscard]] constexpr Constants paper_constants() {
+  return {.gravity_px_per_s2 = 1200.0,
+          .restitution = 0.6,
+          .air_drag = 0.999,
+          .ground_friction = 0.8,
+          .rest_threshold_px_per_s = 5.0};
+}
+
+/// Gravity is >= 0, air_drag 0.5 .. 1. Tests use others than the paper's: air_drag = 1 for flight without
+/// drag, another air_drag with its model_rate_hz for drag that is normalised by rate.
 struct Model : Constants {
-  constexpr Model()
-      : Constants{.gravity_px_per_s2 = 1200.0,
-                  .restitution = 0.6,
-                  .air_drag = 0.999,
-                  .ground_friction = 0.8,
-                  .rest_threshold_px_per_s = 5.0} {}
+  constexpr Model() : Constants(paper_constants()) {}
   /// Drag and friction as at 60 Hz.
   constexpr explicit Model(const Constants& constants) : Constants(constants) {}
 
   double model_rate_hz = 60.0;  ///< Frame rate at which air_drag is a law of nature.
 };
-
-/// The table as the constants of a core.
-[[nodiscard]] constexpr Constants paper_constants() { return Model(); }
 
 }  // namespace hyrax

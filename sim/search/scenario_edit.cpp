@@ -25,7 +25,7 @@ std::vector<Event> paired(const std::vector<Event>& events) {
     if (is_grab && is_held) continue;
     if (release != nullptr && !is_held) event.action = Fling{release->velocity};
     is_held = is_grab || (is_held && release == nullptr);
-    paired.push_back(std::move(event));
+    paired.push_back(event);
   }
   return paired;
 }

@@ -21,7 +21,7 @@ struct Complexity {
   std::int64_t clock = 0;   ///< 0: a rate, 1: one dt, 2: recorded, 3: jittered.
   std::int64_t digits = 0;  ///< Of all numbers, in decimal.
   /// The simpler is less.
-  auto operator<=>(const Complexity&) const = default;  // NOLINT(modernize-use-nullptr): nobody wrote a 0.
+  auto operator<=>(const Complexity&) const = default;  // NOLINT(modernize-use-nullptr): there is no 0.
 };
 /// REQUIRES: a plain scenario (scenario_edit.h).
 [[nodiscard]] Complexity complexity_of(const Scenario& scenario);

@@ -66,7 +66,7 @@ struct StepComparison {
   StepIndex left = kNoIndex;  ///< Of expressions.
   StepIndex right = kNoIndex;
   Relation relation = Relation::less;
-  auto operator<=>(const StepComparison&) const = default;
+  auto operator<=>(const StepComparison&) const = default;  // NOLINT(modernize-use-nullptr): there is no 0.
 };
 
 /// The comparison of expressions of other numbers, those of an equality in their order.
@@ -83,14 +83,14 @@ struct StepComparison {
 struct StepOutcome {
   StepIndex comparison = kNoIndex;  ///< In TracedStep::comparisons.
   bool holds = false;
-  auto operator<=>(const StepOutcome&) const = default;
+  auto operator<=>(const StepOutcome&) const = default;  // NOLINT(modernize-use-nullptr): there is no 0.
 };
 
 /// One way through a function: taken where all outcomes are as here.
 struct StepPath {
   std::vector<StepOutcome> outcomes;  ///< In the order in which they were made; each comparison once.
   std::vector<StepIndex> members;     ///< The expression of every member at the end.
-  auto operator<=>(const StepPath&) const = default;
+  auto operator<=>(const StepPath&) const = default;  // NOLINT(modernize-use-nullptr): there is no 0.
 };
 
 inline constexpr std::size_t kCoreFunctions = 5;

@@ -36,7 +36,7 @@ InputChange InputPlayback::apply_due(Row& row) {
     body.change.ends_arc |= !std::holds_alternative<Hitch>(action);
     body.change.grabs |= std::holds_alternative<Grab>(action);
   }
-  world_ = body;
+  world_ = static_cast<const World&>(body);
   set_state(row, body.state);
   return body.change;
 }

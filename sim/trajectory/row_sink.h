@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sim/trajectory/columns.h"
@@ -104,6 +105,9 @@ class ContactRecorder : public RowSink {
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
 
  protected:
+  std::vector<Contact> take_contacts() { return std::move(contacts_); }
+
+ private:
   std::vector<Contact> contacts_;
 };
 

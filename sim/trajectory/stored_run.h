@@ -72,7 +72,7 @@ class RunRecorder : public ContactRecorder {
   void block(const Block& block, std::int64_t count) override;
 
   [[nodiscard]] StoredRun take() {
-    run_.contacts = std::move(contacts_);
+    run_.contacts = take_contacts();
     return std::move(run_);
   }
 
