@@ -99,9 +99,9 @@ TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, 
 }
 
 void TrajectoryCsv::row(const Row& row) {
-  std::string text = std::to_string(row.step);
-  for (const RowColumn& column : kRowColumns) text.append(",").append(to_text(*column.number(row)));
-  write(text.append(",").append(std::to_string(row.contact)).append("\n"));
+  line_.assign(std::to_string(row.step));
+  for (const RowColumn& column : kRowColumns) line_.append(",").append(to_text(*column.number(row)));
+  write(line_.append(",").append(std::to_string(row.contact)).append("\n"));
 }
 
 void TrajectoryCsv::finish() {

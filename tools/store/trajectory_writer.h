@@ -85,6 +85,7 @@ class TrajectoryCsv : public RowSink {
   std::int64_t rows_every_;
   std::optional<AtomicFile> target_;  // Nothing for standard output.
   std::unique_ptr<std::FILE, Close> file_;
+  std::string line_;  // Keeps its memory from row to row.
 };
 
 }  // namespace hyrax
