@@ -1,6 +1,7 @@
 // How studies show what they found: tables of records, medians and shares with their intervals.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <fmt/format.h>
@@ -16,6 +17,8 @@ class StudyTable {
  public:
   StudyTable(const std::string& name, const std::string& long_name, const Records& records)
       : table_{name, long_name, {}}, records_(records) {}
+  /// As printed text: without a name.
+  explicit StudyTable(const Records& records) : StudyTable("", "", records) {}
 
   /// See column_of.
   template <class Get>
@@ -24,16 +27,33 @@ class StudyTable {
     table_.columns.push_back(column_of(name, unit, long_name, records_, get, digits));
     return *this;
   }
+  /// As printed text and JSON have it: without a long name.
+  template <class Get>
+  StudyTable& add(const std::string& name, const std::string& unit, const Get& get, int digits = 4) {
+    return add(name, unit, "", get, digits);
+  }
   /// Columns of the median, low and high of a Band. @param median the first column's name.
   template <class Get>
   StudyTable& add_band(const std::string& name, const std::string& unit, const std::string& what,
                        const Get& get, const std::string& median) {
-    const auto part = [&get](double Band::*each) {
-      return [&get, each](const auto& record) { return std::invoke(get, record).*each; };
-    };
-    return add(median, unit, what + ", median", part(&Band::median))
-        .add(name + "_low", unit, what + ", 10 %", part(&Band::low))
-        .add(name + "_high", unit, what + ", 90 %", part(&Band::high));
+    return add(median, unit, what + ", median", part(get, &Band::median))
+        .add(name + "_low", unit, what + ", 10 %", part(get, &Band::low))
+        .add(name + "_high", unit, what + ", 90 %", part(get, &Band::high));
+  }
+  /// Columns of a MedianEstimate. @param what the first column's long name.
+  template <class Get>
+  StudyTable& add_estimate(const std::string& name, const std::string& unit, const std::string& what,
+                           const Get& get) {
+    return add(name, unit, what, part(get, &MedianEstimate::median))
+        .add(name + "_low", unit, "95 % interval of the median, low end", part(get, &MedianEstimate::low))
+        .add(name + "_high", unit, "95 % interval of the median, high end", part(get, &MedianEstimate::high));
+  }
+  /// Columns of the count of a Share and of the interval of its part. @param what the first one's long name.
+  template <class Get>
+  StudyTable& add_share(const std::string& name, const std::string& what, const Get& get) {
+    return add(name, "1", what, part(get, &Share::count))
+        .add(name + "_share_low", "1", "95 % interval of their share", part(get, &Share::low))
+        .add(name + "_share_high", "1", "95 % interval of their share", part(get, &Share::high));
   }
 
   /// Column::key of the last column.
@@ -45,6 +65,11 @@ class StudyTable {
   operator Table() const { return table_; }  // NOLINT(google-explicit-constructor): a table is what it is.
 
  private:
+  // A member of what `get` gives.
+  static auto part(const auto& get, auto member) {
+    return [&get, member](const auto& record) { return std::invoke(member, std::invoke(get, record)); };
+  }
+
   Table table_;
   const Records& records_;
 };

@@ -53,8 +53,8 @@ BLOCK = re.compile(r"(?:^<!-- varies: (?P<varies>[^\n]*) -->\n)?"
 RUN = {"console", "json", "python"}
 # What documents name in backquotes though no source has it: how it was called before, placeholders, programs of others,
 # what sources put together, and what only tests have.
-NAMED_NOWHERE = set("""cost_lower_quartile cost_upper_quartile steps_astray OTHER-BUILD u_i mpirun pre-commit-config python3-numpy
-    my_physics-replay my_physics-sim data-core data-first-difference data-ready data-replay data-state-hash
+NAMED_NOWHERE = set("""cost_lower_quartile cost_upper_quartile cost_low cost_high steps_astray OTHER-BUILD u_i mpirun pre-commit-config
+    python3-numpy my_physics-replay my_physics-sim data-core data-first-difference data-ready data-replay data-state-hash
     DCMAKE_PREFIX_PATH hyrax-figures many-bounces fling-2""".split())
 NOT_RUN = {"sh", "cmake", "cpp", "text"}
 RUNS_LONG = "HYRAX_LONG_BLOCKS" in os.environ or "--update" in sys.argv

@@ -79,12 +79,12 @@ Table rate_table(const std::vector<KeptAtRate>& rates) {
 
 Table shown_rates(const std::vector<KeptAtRate>& rates) {
   return StudyTable("rates", "", rates)
-      .add("method", "", "", [](OneRate each) { return kBounceMethodTexts[index_of(each.method)]; })
-      .add("rate,_Hz", "", "",
+      .add("method", "", [](OneRate each) { return kBounceMethodTexts[index_of(each.method)]; })
+      .add("rate,_Hz", "",
            [](OneRate each) { return each.rate_hz == 0.0 ? "-" : fmt::format("{:g}", each.rate_hz); })
-      .add("after_a_minute", "", "", [](OneRate each) { return interval_text(each.minute, 3); })
-      .add("after_ten_minutes", "", "", [](OneRate each) { return interval_text(each.ten_minutes, 3); })
-      .add("half_to_twice", "", "",
+      .add("after_a_minute", "", [](OneRate each) { return interval_text(each.minute, 3); })
+      .add("after_ten_minutes", "", [](OneRate each) { return interval_text(each.ten_minutes, 3); })
+      .add("half_to_twice", "",
            [](OneRate each) { return fmt::format("{} of {}", each.about_kept.count, each.about_kept.of); });
 }
 

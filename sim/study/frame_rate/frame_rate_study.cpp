@@ -71,12 +71,8 @@ Table shift_table(const std::vector<DisplayShift>& shifts) {
       .add_band("shift", "px", "from 60 Hz", &DisplayShift::shift_px, "shift_median")
       .add_band("off", "px", "from the exact fling", &DisplayShift::off_px, "off_median")
       .add("flings", "1", "played", [](S s) { return s.other_contacts.of; })
-      .add("other_contacts", "1", "flings that meet a side wall or the top another number of times",
-           [](S s) { return s.other_contacts.count; })
-      .add("other_contacts_share_low", "1", "95 % interval of their share",
-           [](S s) { return s.other_contacts.low(); })
-      .add("other_contacts_share_high", "1", "95 % interval of their share",
-           [](S s) { return s.other_contacts.high(); });
+      .add_share("other_contacts", "flings that meet a side wall or the top another number of times",
+                 &DisplayShift::other_contacts);
 }
 
 // As printed: by the paper's step and by time, every frame the same.
@@ -102,9 +98,9 @@ Table shown_shifts(const FrameRateStudy& study) {
 
 Table shown_scores(const std::vector<Independence>& scores) {
   return table_by_method("scores", "", scores)
-      .add("spread,_px", "", "", [](const Independence& score) { return interval_text(score.spreads_px); })
-      .add("path", "px", "", &Independence::way_px)
-      .add("score", "1", "", &Independence::score);
+      .add("spread,_px", "", [](const Independence& score) { return interval_text(score.spreads_px); })
+      .add("path", "px", &Independence::way_px)
+      .add("score", "1", &Independence::score);
 }
 
 // "every frame the same: drag and friction by time spread less in 118 of 121 flings (93 .. 99 %)".

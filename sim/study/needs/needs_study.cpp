@@ -49,12 +49,8 @@ Table part_table(const std::vector<ScenarioNeeds>& scenarios) {
       .add("contacts_moved", "1", "contacts that moved, appeared or vanished",
            [](R r) { return r.part->difference.contacts_moved; })
       .add("end_shift", "px", "distance at the end", [](R r) { return r.part->difference.end_px; })
-      .add("saved", "ns", "time saved per step, median; missing where the path changes",
-           [](R r) { return r.part->saved_ns_per_step.median; })
-      .add("saved_low", "ns", "95 % interval of the median, low end",
-           [](R r) { return r.part->saved_ns_per_step.low; })
-      .add("saved_high", "ns", "95 % interval of the median, high end",
-           [](R r) { return r.part->saved_ns_per_step.high; })
+      .add_estimate("saved", "ns", "time saved per step, median; missing where the path changes",
+                    [](R r) { return r.part->saved_ns_per_step; })
       .add("step", "ns", "time of a step with all parts, median",
            [](R r) { return r.needs->step_ns.median; });
 }
@@ -107,13 +103,13 @@ Table cheapest_table(const std::vector<ScenarioNeeds>& scenarios) {
 Table parts_summary(const ScenarioNeeds& needs) {
   using P = const PartNeed&;
   return StudyTable("parts", "", needs.parts)
-      .add("part", "", "", &PartNeed::part)
-      .add("verdict", "", "", [](P part) { return name_of(part.need); })
-      .add("path", "px", "", [](P part) { return part.difference.path_px; })
-      .add("contacts_moved", "1", "", [](P part) { return part.difference.contacts_moved; })
-      .add("end", "px", "", [](P part) { return part.difference.end_px; })
-      .add("saved", "ns/step", "", [](P part) { return part.saved_ns_per_step.median; })
-      .add("saves", "", "", &PartNeed::saves);
+      .add("part", "", &PartNeed::part)
+      .add("verdict", "", [](P part) { return name_of(part.need); })
+      .add("path", "px", [](P part) { return part.difference.path_px; })
+      .add("contacts_moved", "1", [](P part) { return part.difference.contacts_moved; })
+      .add("end", "px", [](P part) { return part.difference.end_px; })
+      .add("saved", "ns/step", [](P part) { return part.saved_ns_per_step.median; })
+      .add("saves", "", &PartNeed::saves);
 }
 
 // The JSON member `cheapest` of a scenario.
@@ -137,18 +133,18 @@ std::string paths_text(const std::set<std::uint32_t>& taken, const StepProgram& 
 std::vector<Table> summary_of(const std::vector<ScenarioNeeds>& scenarios, double within_px,
                               const StepProgram* core_step) {
   const auto paths = core_step == nullptr ? kNotGiven : static_cast<double>(path_count(*core_step));
-  return {{.columns = {column_of_one("within", "px", within_px), column_of_one("paths", "1", paths),
-                       column_of_one("paths_taken", "1", std::ssize(paths_taken(scenarios)))},
-           .shape = JsonShape::members},
-          scenario_table("scenes", "", scenarios)
-              .add("steps", "1", "", &ScenarioNeeds::steps)
-              .add("step", "ns", "", [](Needs needs) { return needs.step_ns.median; })
-              .add("parts", "", "", parts_summary)
-              .add("paths_taken", "1", "", path_count_taken)
-              .add("without_all_unneeded", "px", "",
-                   [](Needs needs) { return needs.without_all_unneeded.path_px; })
-              .add("cheapest", "", "", cheapest_summary),
-          {"exercised_by_none", "", {{"part", "", "", never_exercised(scenarios)}}, JsonShape::values}};
+  return {
+      {.columns = {column_of_one("within", "px", within_px), column_of_one("paths", "1", paths),
+                   column_of_one("paths_taken", "1", std::ssize(paths_taken(scenarios)))},
+       .shape = JsonShape::members},
+      scenario_table("scenes", "", scenarios)
+          .add("steps", "1", &ScenarioNeeds::steps)
+          .add("step", "ns", [](Needs needs) { return needs.step_ns.median; })
+          .add("parts", "", parts_summary)
+          .add("paths_taken", "1", path_count_taken)
+          .add("without_all_unneeded", "px", [](Needs needs) { return needs.without_all_unneeded.path_px; })
+          .add("cheapest", "", cheapest_summary),
+      {"exercised_by_none", "", {{"part", "", "", never_exercised(scenarios)}}, JsonShape::values}};
 }
 
 // A scenario's parts as they are printed; what is not exercised has no difference.
@@ -161,18 +157,17 @@ Table printed_parts(const ScenarioNeeds& needs) {
     };
   };
   return StudyTable("parts", "", parts)
-      .add("left_out", "", "", &PartNeed::part)
-      .add("path_moves", "px", "", moved([](D difference) { return difference.path_px; }), 3)
-      .add("contacts_moved", "1", "", moved([](D difference) { return double(difference.contacts_moved); }),
-           3)
-      .add("end_moves", "px", "", moved([](D difference) { return difference.end_px; }), 3)
+      .add("left_out", "", &PartNeed::part)
+      .add("path_moves", "px", moved([](D difference) { return difference.path_px; }), 3)
+      .add("contacts_moved", "1", moved([](D difference) { return double(difference.contacts_moved); }), 3)
+      .add("end_moves", "px", moved([](D difference) { return difference.end_px; }), 3)
       .add(
-          "saves", "ns", "",
+          "saves", "ns",
           [](const PartNeed& part) {
             return part.saves() ? std::round(100.0 * part.saved_ns_per_step.median) / 100.0 : kNotGiven;
           },
           3)
-      .add("verdict", "", "", [](const PartNeed& part) { return name_of(part.need); });
+      .add("verdict", "", [](const PartNeed& part) { return name_of(part.need); });
 }
 
 std::string cheapest_text(const ScenarioNeeds& needs, double within_px) {

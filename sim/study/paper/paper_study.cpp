@@ -11,6 +11,7 @@
 #include "sim/result/number_text.h"
 #include "sim/study/paper/paper_claim.h"
 #include "sim/study/study.h"
+#include "sim/study/study_table.h"
 
 namespace hyrax {
 namespace {
@@ -38,20 +39,18 @@ auto range_end(std::size_t end) {
 
 Table claim_table(const std::vector<Claim>& claims) {
   const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
-  return {
-      "claims",
-      "the paper's sentences against the core",
-      {column_of("claim", "", "name of the claim", claims, &Claim::id),
-       column_of("section", "", "section of the paper", claims, &Claim::section),
-       column_of("sentence", "", "sentence of the paper, shortened", claims, &Claim::sentence),
-       column_of("measured", "", "what was measured", claims, &Claim::measured),
-       column_of("expected", "", "the number, in its unit, if the sentence holds", claims, &Claim::expected),
-       column_of("number", "", "the measured value; of many the median", claims, &Claim::number),
-       column_of("number_low", "", "low end of the range of many values", claims, range_end(0)),
-       column_of("number_high", "", "high end of the range of many values", claims, range_end(1)),
-       column_of("number_unit", "", "unit of the number", claims, &Claim::unit),
-       column_of("verdict", "", "holds, holds when, does not hold, or not measured", claims, verdict),
-       column_of("remark", "", "when it holds, or what the number means", claims, &Claim::remark)}};
+  return StudyTable("claims", "the paper's sentences against the core", claims)
+      .add("claim", "", "name of the claim", &Claim::id)
+      .add("section", "", "section of the paper", &Claim::section)
+      .add("sentence", "", "sentence of the paper, shortened", &Claim::sentence)
+      .add("measured", "", "what was measured", &Claim::measured)
+      .add("expected", "", "the number, in its unit, if the sentence holds", &Claim::expected)
+      .add("number", "", "the measured value; of many the median", &Claim::number)
+      .add("number_low", "", "low end of the range of many values", range_end(0))
+      .add("number_high", "", "high end of the range of many values", range_end(1))
+      .add("number_unit", "", "unit of the number", &Claim::unit)
+      .add("verdict", "", "holds, holds when, does not hold, or not measured", verdict)
+      .add("remark", "", "when it holds, or what the number means", &Claim::remark);
 }
 
 // The array of the JSON document.
@@ -115,13 +114,12 @@ Verdict verdict_of(const std::vector<Claim>& claims) {
     return fmt::format("{} ({} .. {})", text, rounded(claim.range->front()), rounded(claim.range->back()));
   };
   const auto verdict = [](const Claim& claim) { return name_of(claim.verdict); };
-  return {{std::move(sentence), Table{"claims",
-                                      "",
-                                      {column_of("claim", "", "", claims, &Claim::id),
-                                       column_of("verdict", "", "", claims, verdict),
-                                       column_of("expected", "", "", claims, &Claim::expected),
-                                       column_of("measured", "", "", claims, number),
-                                       column_of("remark", "", "", claims, &Claim::remark)}}},
+  return {{std::move(sentence), StudyTable("claims", "", claims)
+                                    .add("claim", "", &Claim::id)
+                                    .add("verdict", "", verdict)
+                                    .add("expected", "", &Claim::expected)
+                                    .add("measured", "", number)
+                                    .add("remark", "", &Claim::remark)},
           {}};
 }
 

@@ -88,13 +88,14 @@ std::vector<Table> summary_of(const RestResults& results) {
     return column.name == "gain" || column.name == "unforeseen" || column.name == "time_low" ||
            column.name == "time_high" || column.name == "seed";
   });
-  return {boundary_table(results.boundaries).add("agrees", "", "", &RestBoundary::agrees), std::move(rates)};
+  return {boundary_table(results.boundaries).add("agrees", "", &RestBoundary::agrees), std::move(rates)};
 }
 
 Table shown_boundaries(const std::vector<RestBoundary>& boundaries) {
   BoundaryTable table("boundaries", "", boundaries);
-  return add_rates(table.add("boundary", "", "", &RestBoundary::text))
-      .add("", "", "", [](const RestBoundary& each) { return each.agrees() ? "agrees" : "differs"; });
+  return add_rates(table.add("boundary", "", &RestBoundary::text)).add("", "", [](const RestBoundary& each) {
+    return each.agrees() ? "agrees" : "differs";
+  });
 }
 
 Table shown_displays(const std::vector<RateEnds>& map) {
@@ -103,13 +104,13 @@ Table shown_displays(const std::vector<RateEnds>& map) {
     return std::find(kDisplays_hz.begin(), kDisplays_hz.end(), ends.rate_hz) != kDisplays_hz.end();
   });
   StudyTable table("displays", "", shown);
-  table.add("display", "Hz", "", &RateEnds::rate_hz);
+  table.add("display", "Hz", &RateEnds::rate_hz);
   for (const FinalState state : {FinalState::zero_speed, FinalState::two_cycle, FinalState::residual_speed})
-    table.add(std::string(text_of(state)) + ",_%", "", "", [state](const RateEnds& ends) {
+    table.add(std::string(text_of(state)) + ",_%", "", [state](const RateEnds& ends) {
       const Share share = ends.share(state);
       return interval_text(ends.percent(state), 100.0 * share.low(), 100.0 * share.high());
     });
-  return table.add("settles_after,_s", "", "", [](const RateEnds& ends) {
+  return table.add("settles_after,_s", "", [](const RateEnds& ends) {
     return ends.settles_s ? interval_text(*ends.settles_s, 2) : "-";
   });
 }
@@ -130,10 +131,10 @@ Table shown_bounces(const std::vector<DropBounce>& bounces) {
     rates.push_back({rate_hz, sum / static_cast<double>(values.size()), least, most});
   }
   return StudyTable("restitution", "", rates)
-      .add("display", "Hz", "", &AtRate::rate_hz)
-      .add("effective_restitution", "1", "", &AtRate::mean)
-      .add("least", "1", "", &AtRate::least)
-      .add("most", "1", "", &AtRate::most);
+      .add("display", "Hz", &AtRate::rate_hz)
+      .add("effective_restitution", "1", &AtRate::mean)
+      .add("least", "1", &AtRate::least)
+      .add("most", "1", &AtRate::most);
 }
 
 std::string stillness_text(const std::vector<RateEnds>& map) {

@@ -11,6 +11,7 @@
 #include "sim/result/number_text.h"
 #include "sim/study/speed_error/speed_error.h"
 #include "sim/study/study.h"
+#include "sim/study/study_table.h"
 
 namespace hyrax {
 namespace {
@@ -38,7 +39,7 @@ std::string order_text(const SpeedError& study, std::size_t problem, std::size_t
 // "187 (185 .. 190)": the median and its interval; "-": not measured.
 std::string cost_text(const Cost& cost) {
   if (!cost.is_measured()) return "-";
-  return fmt::format("{:.0f} ({:.0f} .. {:.0f})", cost.time_ns.median, cost.time_ns.low, cost.time_ns.high);
+  return interval_text(cost.time_ns.median, cost.time_ns.low, cost.time_ns.high);
 }
 
 std::string band_text(const Band& band) {
@@ -72,15 +73,14 @@ Table methods_text(const SpeedError& study, std::size_t problem) {
     if (best != nullptr && at_60 != nullptr) lines.push_back({method, at_60, best});
   }
   using L = const Line&;
-  return {
-      .columns = {
-          column_of("method", "", "", lines, [&](L l) { return study.methods[l.method].label; }),
-          column_of("order", "", "", lines, [&](L l) { return order_text(study, problem, l.method); }),
-          column_of("error_at_60_Hz", "px", "", lines, [](L l) { return l.at_60->errors.position_px; }),
-          column_of("cost_at_60_Hz,_ns/s", "", "", lines, [](L l) { return cost_text(l.at_60->cost); }),
-          column_of("set-up,_ns", "", "", lines, [&](L l) { return set_up_text(study, problem, l.method); }),
-          column_of("least_error", "px", "", lines, [](L l) { return l.best->errors.position_px; }),
-          column_of("at", "Hz", "", lines, [](L l) { return l.best->rate_hz; })}};
+  return StudyTable(lines)
+      .add("method", "", [&](L l) { return study.methods[l.method].label; })
+      .add("order", "", [&](L l) { return order_text(study, problem, l.method); })
+      .add("error_at_60_Hz", "px", [](L l) { return l.at_60->errors.position_px; })
+      .add("cost_at_60_Hz,_ns/s", "", [](L l) { return cost_text(l.at_60->cost); })
+      .add("set-up,_ns", "", [&](L l) { return set_up_text(study, problem, l.method); })
+      .add("least_error", "px", [](L l) { return l.best->errors.position_px; })
+      .add("at", "Hz", [](L l) { return l.best->rate_hz; });
 }
 
 // A line each of GSL's steppers, at the loosest tolerance that ends near enough; nothing where they do not
@@ -103,13 +103,12 @@ std::optional<Table> gsl_text(const SpeedError& study, std::size_t problem) {
   }
   if (lines.empty()) return std::nullopt;
   using L = const Line&;
-  return Table{
-      .columns = {
-          column_of("stepper", "", "", lines, [&](L l) { return study.methods[l.method].label; }),
-          column_of("end_only", "px", "", lines, [](L l) { return l.end_only->errors.end_px; }),
-          column_of("60_rows", "px", "", lines, [](L l) { return l.rows->errors.position_px; }),
-          column_of("cost,_end_only,_ns/s", "", "", lines, [](L l) { return cost_text(l.end_only->cost); }),
-          column_of("cost,_60_rows,_ns/s", "", "", lines, [](L l) { return cost_text(l.rows->cost); })}};
+  return StudyTable(lines)
+      .add("stepper", "", [&](L l) { return study.methods[l.method].label; })
+      .add("end_only", "px", [](L l) { return l.end_only->errors.end_px; })
+      .add("60_rows", "px", [](L l) { return l.rows->errors.position_px; })
+      .add("cost,_end_only,_ns/s", "", [](L l) { return cost_text(l.end_only->cost); })
+      .add("cost,_60_rows,_ns/s", "", [](L l) { return cost_text(l.rows->cost); });
 }
 
 // The cheapest, and how many others the noise hides behind it.
@@ -134,26 +133,26 @@ Table cheapest_text(const SpeedError& study, std::size_t problem) {
   const auto paper = [&](A a) {
     return a.paper_point ? fmt::format("{:.0f} Hz", study.points[*a.paper_point].rate_hz) : "at no rate";
   };
-  return {
-      .columns = {column_of("for_an_error_below", "px", "", answers, &CheapestBelow::error_px),
-                  column_of("the_cheapest_is", "", "", answers, [&](A a) { return cheapest_name(study, a); }),
-                  column_of("at", "ns/s", "", answers, cost(&CheapestBelow::point), 3),
-                  column_of("the_paper's_step_needs", "", "", answers, paper),
-                  column_of("at", "ns/s", "", answers, cost(&CheapestBelow::paper_point), 3)}};
+  return StudyTable(answers)
+      .add("for_an_error_below", "px", &CheapestBelow::error_px)
+      .add("the_cheapest_is", "", [&](A a) { return cheapest_name(study, a); })
+      .add("at", "ns/s", cost(&CheapestBelow::point), 3)
+      .add("the_paper's_step_needs", "", paper)
+      .add("at", "ns/s", cost(&CheapestBelow::paper_point), 3);
 }
 
 // A line each method at 60 Hz, over flings like the problem.
 Table bands_text(const std::vector<MethodBands>& bands, const SpeedError& study) {
   using B = const MethodBands&;
-  return {.columns = {
-              column_of("method", "", "", bands, [&](B b) { return study.methods[b.method].label; }),
-              column_of("largest_distance,_px", "", "", bands, [](B b) { return band_text(b.position_px); }),
-              column_of("at_the_end,_px", "", "", bands, [](B b) { return band_text(b.end_px); }),
-              column_of("ends_nearer_in", "", "", bands,
-                        [](B b) { return fmt::format("{} of {}", b.nearer.count, b.nearer.of); }),
-              column_of("other_contacts_in", "", "", bands, [](B b) {
-                return fmt::format("{} of {}", b.other_contacts.count, b.other_contacts.of);
-              })}};
+  const auto count = [](Share MethodBands::*share) {
+    return [share](B b) { return fmt::format("{} of {}", (b.*share).count, (b.*share).of); };
+  };
+  return StudyTable(bands)
+      .add("method", "", [&](B b) { return study.methods[b.method].label; })
+      .add("largest_distance,_px", "", [](B b) { return band_text(b.position_px); })
+      .add("at_the_end,_px", "", [](B b) { return band_text(b.end_px); })
+      .add("ends_nearer_in", "", count(&MethodBands::nearer))
+      .add("other_contacts_in", "", count(&MethodBands::other_contacts));
 }
 
 // The bands of a problem: what is played, the table, and what they say of the exact flight step.
