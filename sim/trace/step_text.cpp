@@ -330,6 +330,7 @@ std::optional<TracedStep> read_step(std::string_view text) {
   const std::size_t end = text.rfind("checksum: ");
   if (text.size() > kTextBytesMax || end == std::string_view::npos) return std::nullopt;
   const std::string_view body = text.substr(0, end);
+  if (text.substr(end) != checksum_line(body)) return std::nullopt;  // Before the work of reading it.
   Reader reader;
   if (!body.starts_with(kFirstLine) || !reader.read(body.substr(kFirstLine.size()))) return std::nullopt;
   const TracedStep written = in_order(reader.step());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/cause/run_match.h"
 #include "sim/core/contact_kernel.h"
@@ -141,7 +142,9 @@ void CoreCheck::judge_differences(const std::string& scenarios_folder) {
   const bool is_judged = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
   if (!is_judged || !accepted_core_ || !program_step_) return;
   const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
-  static_cast<LibraryNotice&>(verdict_) = notice(pair, *accepted_core_, core_, scenarios_folder);
+  LibraryNotice found = notice(pair, *accepted_core_, core_, scenarios_folder);
+  found.is_noticed |= verdict_.is_noticed;  // By another library with this golden folder.
+  static_cast<LibraryNotice&>(verdict_) = std::move(found);
   const bool is_shown = std::ranges::any_of(
       verdict_.unnoticed, [](const UnnoticedDifference& one) { return one.scenario.has_value(); });
   if (is_shown) verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);

@@ -161,8 +161,9 @@ TracedStep counting(double factor, double pull = 1.0) {
   }));
 }
 
-// The verdict on the step, against an accepted counting(0.5) and a library of one scenario.
-CoreVerdict verdict_on(const TracedStep& step, const Scenario& scenario) {
+// The verdict on the step, against an accepted counting(0.5) and libraries: `scenarios` is of one scenario.
+CoreVerdict verdict_on(const TracedStep& step, const Scenario& scenario,
+                       const std::vector<std::string>& libraries = {"scenarios"}) {
   const TempFolder folder;
   std::filesystem::create_directories(folder.at("scenarios"));
   write_bytes(folder.at("scenarios/fling.json"), scenario_file_text(scenario));
@@ -176,7 +177,7 @@ CoreVerdict verdict_on(const TracedStep& step, const Scenario& scenario) {
   const std::string text = step_text(step);
   core.record.step = text;
   CoreCheck check(core, folder.at("golden"), {"accept it", "write them"});
-  check.judge_differences(folder.at("scenarios"));
+  for (const std::string& library : libraries) check.judge_differences(folder.at(library));
   return check.verdict();
 }
 
@@ -186,6 +187,10 @@ TEST(CoreCheck, SeesWhatFurtherMembersHoldInTheScenariosOfTheLibrary) {
     EXPECT_EQ(verdict.status, CoreStatus::changed) << verdict.why;
     EXPECT_TRUE(verdict.is_noticed && verdict.unnoticed.empty());
   }
+}
+
+TEST(CoreCheck, KeepsWhatOneOfTheLibrariesOfAGoldenFolderNoticed) {
+  EXPECT_TRUE(verdict_on(counting(0.25), fling_at(60.0, 9), {"scenarios", "of no scenario"}).is_noticed);
 }
 
 TEST(CoreCheck, ShowsWhatIsUnnoticedByAScenarioThatEvaluatesItBesideAnotherDifference) {
