@@ -57,7 +57,7 @@ Json* member_at(Json& parent, const std::string& token) {
 
 std::string pointer_to(const std::string& pointer, std::string_view token) {
   std::string text = pointer + "/";
-  for (const char c : token) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  for (const char& c : token) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string_view(&c, 1);
   return text;
 }
 

@@ -83,7 +83,10 @@ std::vector<Value> NumberColumn<Value>::read(std::int64_t first, std::int64_t co
   assert(first >= 0 && count >= 0 && first + count <= length_);
   std::vector<Value> values(static_cast<std::size_t>(count));
   if (count == 0) return values;
-  const hid_t type = std::is_same_v<Value, double>         ? H5T_NATIVE_DOUBLE
+  // Codes of an enumeration are read as they are stored: converted, a negative one would be 0.
+  const h5::Handle stored(H5Dget_type(dataset_), H5Tclose);
+  const hid_t type = H5Tget_class(stored) == H5T_ENUM      ? hid_t{stored}
+                     : std::is_same_v<Value, double>       ? H5T_NATIVE_DOUBLE
                      : std::is_same_v<Value, std::int64_t> ? H5T_NATIVE_INT64
                                                            : H5T_NATIVE_UINT8;
   const herr_t result = count == length_

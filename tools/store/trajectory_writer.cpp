@@ -91,20 +91,23 @@ TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, 
     require_disk_space(path, TrajectoryWriter::row_count(steps, rows_every_), kCsvRowBytesMin);
   }
   if (!file_) fail();
-  std::string header = "step";
+  text_ = "step";
   for (const RowColumn& column : kRowColumns)
-    header.append(",").append(
+    text_.append(",").append(
         key_of({.name = column.name, .unit = column.unit, .long_name = "", .values = {}}));
-  write(header + ",contact\n");
+  text_ += ",contact\n";
 }
 
 void TrajectoryCsv::row(const Row& row) {
-  line_.assign(std::to_string(row.step));
-  for (const RowColumn& column : kRowColumns) line_.append(",").append(to_text(*column.number(row)));
-  write(line_.append(",").append(std::to_string(row.contact)).append("\n"));
+  constexpr std::size_t kBatchBytes = 1 << 18;
+  text_ += std::to_string(row.step);
+  for (const RowColumn& column : kRowColumns) text_.append(",").append(to_text(*column.number(row)));
+  text_.append(",").append(std::to_string(row.contact)).append("\n");
+  if (text_.size() >= kBatchBytes) write();
 }
 
 void TrajectoryCsv::finish() {
+  write();
   if (std::fclose(file_.release()) != 0) fail();
   if (target_) target_->commit();
 }
@@ -115,8 +118,9 @@ void TrajectoryCsv::fail() const {
   fail_to_write(path_, errno);
 }
 
-void TrajectoryCsv::write(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail();
+void TrajectoryCsv::write() {
+  if (std::fwrite(text_.data(), 1, text_.size(), file_.get()) != text_.size()) fail();
+  text_.clear();
 }
 
 }  // namespace hyrax

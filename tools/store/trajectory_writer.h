@@ -74,7 +74,7 @@ class TrajectoryCsv : public RowSink {
   void finish();
 
  private:
-  void write(const std::string& text);
+  void write();
   [[noreturn]] void fail() const;
 
   struct Close {
@@ -85,7 +85,7 @@ class TrajectoryCsv : public RowSink {
   std::int64_t rows_every_;
   std::optional<AtomicFile> target_;  // Nothing for standard output.
   std::unique_ptr<std::FILE, Close> file_;
-  std::string line_;  // Keeps its memory from row to row.
+  std::string text_;  // Not yet written.
 };
 
 }  // namespace hyrax

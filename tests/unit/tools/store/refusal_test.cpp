@@ -140,6 +140,17 @@ TEST_F(Refusal, OfADamagedTrajectoryFileIsThatApproved) {
 
   add(set("/contacts/wall", 0, std::uint8_t{3}));
   for (const int kind : {200, 6}) add(set("/events/kind", 0, static_cast<std::uint8_t>(kind)));
+  {
+    write_bytes(path_, whole_);
+    const std::vector<std::int8_t> negative(TrajectoryFile::open(path_).inputs().size(), -1);
+    remove("/events/kind");
+    const h5::Handle file = open();
+    const h5::Handle codes(H5Tenum_create(H5T_STD_I8LE), H5Tclose);
+    ASSERT_GE(H5Tenum_insert(codes, "negative", negative.data()), 0);
+    const h5::Handle kinds = h5::create_dataset(file, "/events/kind", codes, {negative.size()});
+    ASSERT_GE(h5::write_rows(kinds, codes, 0, negative.size(), negative.data()), 0);
+  }
+  add("/events/kind of negative codes");
   expect_approved("tests/unit/tools/store/refused_trajectories.txt", text_);
 }
 
