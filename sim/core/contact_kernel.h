@@ -26,7 +26,7 @@ namespace hyrax {
 
 /// Plays the rows of another kernel, and tells their contacts. With the core's traced step, that is played
 /// once beside each step, from the same state: the walls are those beyond which its comparisons found the
-/// position (sim/trace/step_walls.h). Without one the rows tell them: a step whose row is what the paper's
+/// position (sim/trace/step_program.h). Without one the rows tell them: a step whose row is what the paper's
 /// step with the core's constants makes of the row before has that one's contacts; of any other see
 /// contact_of_rows, and `before` is the velocity before the step, `overshoot` NaN.
 class ContactKernel final : public TracedKernel {

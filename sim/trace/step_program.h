@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "sim/motion/state.h"
 #include "sim/trace/decision_tree.h"
 #include "sim/trace/step_player.h"
-#include "sim/trace/step_walls.h"
 #include "sim/trace/traced_step.h"
 
 namespace hyrax {
@@ -42,6 +42,25 @@ struct StepInstruction {
   StepIndex result = 0;
   std::array<StepIndex, 3> operands = {};  ///< 0 where it has none.
 };
+
+/// The expressions of a velocity; kNoIndex: it cannot be told.
+struct VelocityIndices {
+  StepIndex vx = kNoIndex;
+  StepIndex vy = kNoIndex;
+};
+
+/// A comparison of a position with a wall's bound that decided "beyond".
+struct PathContact {
+  Wall wall = Wall::left;
+  StepIndex position = kNoIndex;  ///< Expressions.
+  StepIndex bound = kNoIndex;
+  VelocityIndices before = {};  ///< At the comparison.
+  VelocityIndices after = {};   ///< At the next wall of the path, or at its end.
+};
+
+/// For each path of update its contacts, in the order in which it has them: each wall at most once. A bound
+/// is the constant 0, or an expression of the sizes. A position is x or y, and what is added to it.
+[[nodiscard]] std::vector<std::vector<PathContact>> find_path_contacts(const TracedStep& step);
 
 class StepProgram {
  public:

@@ -1,4 +1,4 @@
-#include "sim/trace/step_walls.h"
+#include "sim/trace/step_program.h"
 
 #include <algorithm>
 #include <array>

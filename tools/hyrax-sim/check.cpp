@@ -184,8 +184,7 @@ ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
   if (libraries.empty())
     refuse_input("hyrax-sim check: --core: needs a folder named scenarios, or a folder and --golden (found " +
                  request.files.front() + ")");
-  for (const Library& library : libraries)
-    cores.of(library.golden_folder).judge_differences(library.scenarios_folder);
+  cores.judge_differences(libraries);
   Json::Array documents;
   Outcomes outcomes;
   for (const CoreVerdict* const verdict : cores.verdicts()) {
@@ -242,9 +241,9 @@ ExitCode check(const Core& core, CheckRequest& request) {
                      .golden_folder = golden_folder,
                      .cores = CoreChecks(core, arguments, golden_folder)};
   explain(report);
-  for (const Library& library : whole_libraries(request, selection.has_failed_only))
-    if (is_folder(library.golden_folder))
-      report.cores.of(library.golden_folder).judge_differences(library.scenarios_folder);
+  std::vector<Library> libraries = whole_libraries(request, selection.has_failed_only);
+  std::erase_if(libraries, [](const Library& library) { return !is_folder(library.golden_folder); });
+  report.cores.judge_differences(libraries);
   if (request.printing.is_json)
     print_json(check_json(report));
   else

@@ -85,7 +85,7 @@ std::optional<CoreAcceptance> plan(const Core& core, const Library& library, con
     return acceptance;
   }
   CoreCheck differences(core, library.golden_folder, {});
-  differences.judge_differences(library.scenarios_folder);
+  differences.judge_differences({library.scenarios_folder});
   acceptance.differences = differences.verdict();
   return acceptance;
 }

@@ -138,13 +138,11 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   }
 }
 
-void CoreCheck::judge_differences(const std::string& scenarios_folder) {
+void CoreCheck::judge_differences(const std::vector<std::string>& scenarios_folders) {
   const bool is_judged = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
   if (!is_judged || !accepted_core_ || !program_step_) return;
   const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
-  LibraryNotice found = notice(pair, *accepted_core_, core_, scenarios_folder);
-  found.is_noticed |= verdict_.is_noticed;  // By another library with this golden folder.
-  static_cast<LibraryNotice&>(verdict_) = std::move(found);
+  static_cast<LibraryNotice&>(verdict_) = notice(pair, *accepted_core_, core_, scenarios_folders);
   const bool is_shown = std::ranges::any_of(
       verdict_.unnoticed, [](const UnnoticedDifference& one) { return one.scenario.has_value(); });
   if (is_shown) verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);
@@ -179,6 +177,13 @@ CoreChecks::CoreChecks(const Core& core, const std::vector<std::string>& scenari
   // bless accepts a core for a library only.
   if (scenarios.empty() || !libraries_of(scenarios, golden_option).empty())
     commands_ = core_commands(scenarios, golden_option);
+}
+
+void CoreChecks::judge_differences(const std::vector<Library>& libraries) {
+  std::map<std::string, std::vector<std::string>> scenarios_folders;  // By golden folder.
+  for (const Library& library : libraries)
+    scenarios_folders[library.golden_folder].push_back(library.scenarios_folder);
+  for (const auto& [golden_folder, folders] : scenarios_folders) of(golden_folder).judge_differences(folders);
 }
 
 std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_agree) {

@@ -29,17 +29,17 @@ struct UnnoticedDifference {
   std::int64_t steps_tried = 0;
 };
 
-/// What a library's scenarios show of the differences of two cores.
+/// What the scenarios of libraries with one golden folder show of the differences of two cores.
 struct LibraryNotice {
   bool is_noticed = false;  ///< A scenario shows a difference.
   std::vector<UnnoticedDifference> unnoticed;
 };
 
-/// Plays the library by the accepted core, and searches for a scenario for each difference that no row of it
-/// shows: the same on every machine. Scenarios that cannot be read are left out: whoever checks them reports
-/// it.
+/// Plays the libraries by the accepted core, and searches for a scenario for each difference that no row of
+/// them shows: the same on every machine. Scenarios that cannot be read are left out: whoever checks them
+/// reports it.
 [[nodiscard]] LibraryNotice notice(const StepPair& steps, const Core& accepted, const Core& program,
-                                   const std::string& scenarios_folder);
+                                   const std::vector<std::string>& scenarios_folders);
 
 enum class CoreStatus : std::uint8_t {
   none,          ///< No accepted core, or a damaged one.
@@ -92,8 +92,9 @@ class CoreCheck {
 
   /// Scenarios differ, these runs because of the core: counts which each changed constant reproduces alone.
   void take_core_runs(const std::vector<const StoredRun*>& fresh);
-  /// Plays the whole library by the accepted step, and looks for steps that show what it does not notice.
-  void judge_differences(const std::string& scenarios_folder);
+  /// Plays all libraries of the golden folder by the accepted step, and looks for steps that show what it
+  /// does not notice.
+  void judge_differences(const std::vector<std::string>& scenarios_folders);
   /// A scenario took these paths of the program's step.
   void take_paths(const std::set<std::uint32_t>& paths) {
     verdict_.paths_taken.insert(paths.begin(), paths.end());
@@ -120,6 +121,8 @@ class CoreChecks {
   [[nodiscard]] CoreCheck& of(const std::string& golden_folder) {
     return checks_.try_emplace(golden_folder, core_, golden_folder, commands_).first->second;
   }
+  /// Of each golden folder, by all of these libraries that have it: what one shows another need not.
+  void judge_differences(const std::vector<Library>& libraries);
   /// In order of the folders' names.
   [[nodiscard]] std::vector<const CoreVerdict*> verdicts() const {
     std::vector<const CoreVerdict*> verdicts;

@@ -126,12 +126,12 @@ std::vector<UnnoticedDifference> search_unnoticed(const CorePair& cores, const s
 }  // namespace
 
 LibraryNotice notice(const StepPair& steps, const Core& accepted, const Core& program,
-                     const std::string& scenarios_folder) {
+                     const std::vector<std::string>& scenarios_folders) {
   const CorePair cores{steps, accepted, program};
   LibraryNotice found;
   std::vector<bool> noticed(steps.differences().size());
   std::vector<Failure> unlisted;
-  for (const std::string& path : list_scenarios({scenarios_folder}, unlisted)) try {
+  for (const std::string& path : list_scenarios(scenarios_folders, unlisted)) try {
       const bool is_open = std::ranges::find(noticed, false) != noticed.end();
       if (!is_open && (found.is_noticed || steps.are_setters_equal())) break;
       const Scenario scenario = load_scenario(path);
