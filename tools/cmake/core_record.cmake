@@ -28,7 +28,7 @@ set(definitions [==[$<TARGET_PROPERTY:${core},COMPILE_DEFINITIONS>]==])
 set(folders [==[$<TARGET_PROPERTY:${core},INCLUDE_DIRECTORIES>]==])
 set(libraries [==[${hyrax_trace_libraries}]==])
 ")
-  file(GLOB sources ${hyrax_trace_root}/sim/trace/*.* ${hyrax_trace_root}/sim/trace/host/*.*
+  file(GLOB sources CONFIGURE_DEPENDS ${hyrax_trace_root}/sim/trace/*.* ${hyrax_trace_root}/sim/trace/host/*.*
        ${hyrax_trace_root}/sim/trace/host/programs/*.*)
   add_custom_command(
     OUTPUT ${folder}/core_record.cpp
