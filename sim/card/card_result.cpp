@@ -134,23 +134,23 @@ Table scenario_table(const std::vector<ScenarioChange>& changed) {
   const auto of = [](const auto& get) {
     return [get](const ScenarioChange& each) { return std::invoke(get, each.change); };
   };
-  using C = const RunChange&;
   return StudyTable("scenarios", "scenarios that differ", changed)
       .add("scenario", "", "its file", &ScenarioChange::path)
-      .add("class", "", "class of difference", of([](C change) { return name_of(*change.difference); }))
+      .add("class", "", "class of difference",
+           of([](const auto& change) { return name_of(*change.difference); }))
       .add("largest", "px", "largest distance of two rows of the same step",
-           of([](C change) { return change.largest ? change.largest->px : 0.0; }))
+           of([](const auto& change) { return change.largest ? change.largest->px : 0.0; }))
       .key("max_px")
       .add("end", "px", "distance of the last rows", of(&RunChange::end_shift_px))
       .key("end_shift_px")
       .add("contacts_before", "1", "contacts of the base", of(&RunChange::contacts_before))
       .add("contacts_after", "1", "contacts of the candidate", of(&RunChange::contacts_after))
       .add("moved", "1", "contacts of both at another step",
-           of([](C change) { return std::ssize(change.contacts.moved); }))
+           of([](const auto& change) { return std::ssize(change.contacts.moved); }))
       .add("only_before", "1", "contacts of the base alone",
-           of([](C change) { return std::ssize(change.contacts.only_a); }))
+           of([](const auto& change) { return std::ssize(change.contacts.only_a); }))
       .add("only_after", "1", "contacts of the candidate alone",
-           of([](C change) { return std::ssize(change.contacts.only_b); }))
+           of([](const auto& change) { return std::ssize(change.contacts.only_b); }))
       .add("became_non_finite", "", "with the candidate alone", of(&RunChange::became_non_finite))
       .add("no_longer_settles", "", "it settles with the base alone", of(&RunChange::no_longer_settles));
 }
@@ -318,16 +318,17 @@ Table invariant_table(const HardCaseLine& hard) {
 }
 
 Table claim_table(const std::vector<ChangedClaim>& claims) {
-  using C = const ChangedClaim&;
   return StudyTable("claims", "claims of the paper with another verdict", claims)
       .add("claim", "", "section and name", &ChangedClaim::id)
-      .add("before", "", "verdict on the base", [](C claim) { return claim.verdict.before; })
+      .add("before", "", "verdict on the base", [](const auto& claim) { return claim.verdict.before; })
       .key("verdict/before")
-      .add("after", "", "verdict on the candidate", [](C claim) { return claim.verdict.after; })
+      .add("after", "", "verdict on the candidate", [](const auto& claim) { return claim.verdict.after; })
       .key("verdict/after")
-      .add("measured_before", "", "measured on the base", [](C claim) { return claim.number.before; })
+      .add("measured_before", "", "measured on the base",
+           [](const auto& claim) { return claim.number.before; })
       .key("number/before")
-      .add("measured_after", "", "measured on the candidate", [](C claim) { return claim.number.after; })
+      .add("measured_after", "", "measured on the candidate",
+           [](const auto& claim) { return claim.number.after; })
       .key("number/after")
       .add("unit", "", "of what is measured", &ChangedClaim::unit);
 }

@@ -1,6 +1,7 @@
 #include "sim/scenario/schedule.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -200,9 +201,11 @@ Schedule schedule_events(const Scenario& scenario, std::int64_t steps, std::int6
 
 bool same_bits(const Input& a, const Input& b) {
   const auto bits_of = [](Action action) {
-    std::vector<std::pair<std::string_view, std::uint64_t>> bits;  // With paths: a resize may have one size.
+    // With paths: a resize may have one size. None has more numbers than that of both.
+    std::array<std::pair<std::string_view, std::uint64_t>, 4> bits;
+    std::size_t count = 0;
     visit_numbers(action, [&](std::string_view path, const NumberField& field) {
-      bits.emplace_back(path, std::bit_cast<std::uint64_t>(field.value()));
+      bits.at(count++) = {path, std::bit_cast<std::uint64_t>(field.value())};
     });
     return bits;
   };

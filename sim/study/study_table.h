@@ -62,7 +62,7 @@ class StudyTable {
     return *this;
   }
 
-  operator Table() const { return table_; }  // NOLINT(google-explicit-constructor): a table is what it is.
+  operator Table() const { return table_; }  // What it makes.
 
  private:
   // A member of what `get` gives.

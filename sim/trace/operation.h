@@ -49,7 +49,7 @@ inline constexpr std::array<std::string_view, 3> kRelationSigns = {"<", "<=", "=
 
 /// The functions of one and of two numbers that a step may call besides `fma`: one(name, is_fixed), where
 /// IEEE-754 fixes the result or not.
-// Each name stands for a function and for a text. NOLINTNEXTLINE(cppcoreguidelines-macro-usage)
+// Each name stands for a function and for a text.
 #define HYRAX_TRACE_FUNCTIONS(one, two)                                                               \
   one(fabs, true) one(sqrt, true) one(floor, true) one(ceil, true) one(trunc, true) one(round, true)  \
       one(rint, true) one(nearbyint, true) one(cbrt, false) one(exp, false) one(exp2, false)          \

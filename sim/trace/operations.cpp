@@ -28,12 +28,11 @@ OperationFunction call_of(const Expression& call) {
     return call.name == name && call.used_operands().size() == operands;
   };
   if (call.kind == NumberKind::whole) return nullptr;
-    // NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
+    // A function of <cmath> and its name in one word.
 #define HYRAX_ONE(name, is_fixed) \
   if (is_of(#name, 1)) return of_kind([](auto a, auto, auto) { return std::name(a); }, call.kind);
 #define HYRAX_TWO(name, is_fixed) \
   if (is_of(#name, 2)) return of_kind([](auto a, auto b, auto) { return std::name(a, b); }, call.kind);
-  // NOLINTEND(cppcoreguidelines-macro-usage)
   HYRAX_TRACE_FUNCTIONS(HYRAX_ONE, HYRAX_TWO)
 #undef HYRAX_ONE
 #undef HYRAX_TWO

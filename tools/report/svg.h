@@ -74,7 +74,7 @@ class Svg {
   std::string body_;
 };
 
-/// A text as XML and HTML show it. Control characters become blanks, but for line ends that are kept.
+/// A text as XML and HTML show it. Control characters become blanks; @param keeps_lines line ends do not.
 [[nodiscard]] std::string escaped(std::string_view text, bool keeps_lines = false);
 
 /// What is drawn, with its size.

@@ -28,9 +28,7 @@ class Handle {
     return *this;
   }
   ~Handle() { static_cast<void>(close()); }
-  operator hid_t() const {
-    return id_;
-  }  // NOLINT(google-explicit-constructor): an argument of every H5 call.
+  operator hid_t() const { return id_; }  // An argument of every H5 call.
   [[nodiscard]] bool is_open() const { return id_ >= 0; }
   /// Closes now. Returns a negative value if buffered data could not be written.
   [[nodiscard]] herr_t close() {

@@ -131,22 +131,21 @@ Table summary_of(const std::vector<PlayedCase>& cases) {
 Table invariant_table(const std::vector<Judgement>& judgements) {
   std::map<Invariant, InvariantCount> counts;
   for (const Judgement& judgement : judgements) counts[judgement.invariant].add(judgement);
-  using C = const std::pair<const Invariant, InvariantCount>&;
-  const auto text_of = [](C each) { return kInvariantTexts[static_cast<std::size_t>(each.first)]; };
+  const auto text_of = [](const auto& each) { return kInvariantTexts[static_cast<std::size_t>(each.first)]; };
   return StudyTable("invariants", "", counts)
-      .add("invariant", "", [&](C each) { return text_of(each).name; })
-      .add("cases", "1", [](C each) { return each.second.cases; })
-      .add("held", "1", [](C each) { return each.second.held; })
-      .add("expected_failures", "1", [](C each) { return each.second.expected_failures; })
-      .add("broken", "1", [](C each) { return each.second.broken; })
+      .add("invariant", "", [&](const auto& each) { return text_of(each).name; })
+      .add("cases", "1", [](const auto& each) { return each.second.cases; })
+      .add("held", "1", [](const auto& each) { return each.second.held; })
+      .add("expected_failures", "1", [](const auto& each) { return each.second.expected_failures; })
+      .add("broken", "1", [](const auto& each) { return each.second.broken; })
       .add(
-          "least_slack", "1", [](C each) { return each.second.slack; }, 3)
+          "least_slack", "1", [](const auto& each) { return each.second.slack; }, 3)
       .add("unit", "",
-           [&](C each) {
+           [&](const auto& each) {
              const std::string_view unit = text_of(each).unit;
              return unit == "1" ? "" : unit_text(std::string(unit));
            })
-      .add("in_case", "", [](C each) { return each.second.least_slack_case; });
+      .add("in_case", "", [](const auto& each) { return each.second.least_slack_case; });
 }
 
 // What the listing itself breaks in any scenario (is_broken_by_listing) is known without the case's saying

@@ -20,7 +20,7 @@ constexpr auto call(const char* name, Function function, const T&... operands) {
   return Result::of(record_call(name, Result::kNumberKind, Result(operands).index()...));
 }
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): a function of <cmath> and its name in one word.
+// A function of <cmath> and its name in one word.
 #define HYRAX_TRACE_ONE(name, is_fixed)                                                  \
   template <Recording A>                                                                 \
   constexpr auto name(const A& a) {                                                      \
@@ -34,7 +34,6 @@ constexpr auto call(const char* name, Function function, const T&... operands) {
     return call<is_fixed>(                                                                             \
         #name, [](auto x, auto y) { return static_cast<decltype(x)>(__builtin_##name(x, y)); }, a, b); \
   }
-// NOLINTEND(cppcoreguidelines-macro-usage)
 
 HYRAX_TRACE_FUNCTIONS(HYRAX_TRACE_ONE, HYRAX_TRACE_TWO)
 #undef HYRAX_TRACE_ONE
