@@ -1,10 +1,19 @@
 """What a document says of the program in words, its source says too."""
 
 import functools
+import json
+import math
+import pathlib
 import re
+import shutil
+import tempfile
 import unittest
 
+import h5py
+
 from documentation_test import text_of
+from process import run
+from program import PROGRAM
 
 SCHEMA, CMAKE, WALLS = "tools/files/scenario.schema.json", "tools/own_core/hyrax_add_scenarios.cmake", "sim/core/contact_kernel.h"
 RUNS, HEADER, LINES = "tools/report/page/runs.js", "sim/physics/physics.h", "sim/card/card.h"
@@ -193,3 +202,37 @@ class Words(unittest.TestCase):
                 of_source = its[0] if its else r"\A" + "".join(f"(?=.*({re.escape(group)}))" for group in found.groups())
                 again = re.search(of_source, words_of(source), re.IGNORECASE)
                 self.assertEqual(found.groups(), again and again.groups(), source)
+
+    def test_what_runs_and_differences_do_by_the_documents(self):
+        """Words of the documents choose what is given to the program, or what must come of it."""
+        def words(document, pattern):
+            return re.search(pattern, " ".join(text_of(document).split())).groups()
+        same_time, same_frames, remedy, also = words(
+            "scenarios/README.md", r"frame rate\. With `(\w+)` it covers the same time; with `(\w+)` it plays the same number.*?write `(\w+)`, or set `/(\w+)`")
+        first, second, last, bounds, limit = words("scenarios/README.md", r"Rows (\d), K, (\d)K, \.\.\. and the (last|first) one are stored\..*All bounds are (in|ex)clusive\..* at the number at the (latest|earliest), or")
+        zeros, nan, count, contacts = words("golden/README.md", r"\+0 and -0 (differ|agree), and NaN (always|never) fails\..* a value agrees if (any|all) of them .{2,3} met\. Contacts must (always|never) agree\.")
+        self.assertEqual([remedy, also], [same_time, same_frames])
+        start = {key: each for key, each in json.loads(text_of("scenarios/flings/first-fling.json")).items() if key in ("format", "window", "sprite", "start")}
+        expect = {"contacts": {"ground": [8, 8], "left": [0, 1]}, "at_rest_since_s": 9}
+        with tempfile.TemporaryDirectory(prefix="hyrax-") as folder:
+            def write(name, **more):
+                path = pathlib.Path(folder, f"{name}.json")
+                path.write_text(json.dumps({**start, "clock": {"rate_hz": 60}, **more}), encoding="utf-8")
+                return path
+
+            def agrees(dataset, row, altered, *tolerances):
+                shutil.copy(f"{folder}/held.h5", f"{folder}/altered.h5")
+                with h5py.File(f"{folder}/altered.h5", "r+") as file:
+                    file[dataset][row] = altered
+                shutil.copy(f"{folder}/altered.h5", f"{folder}/same.h5")
+                return run(PROGRAM, "diff", f"{'same' if math.isnan(altered) else 'held'}.h5", "altered.h5", "-q", *tolerances, cwd=folder).exit_code == 0
+            paths = [write(name, **{key: 2}) for name, key in (("time", same_time), ("frames", same_frames))]
+            kept = run(PROGRAM, "run", *paths, "--set", "/clock/rate_hz=144", "--set", "/record/every=7", "--json", cwd=folder)
+            self.assertEqual([each["steps"] for each in kept.json["runs"]], [288, 2])
+            with h5py.File(f"{folder}/time.h5") as file:
+                steps = [int(first), *range(7, 289, 7 * (int(second) - 1))]
+                self.assertEqual(list(file["trajectory/step"]), steps + [288] * (last == "last"))
+            held, = run(PROGRAM, "run", write("held", steps=600, start={**start["start"], "vx_px_per_s": 0}, expect=expect), "--json", cwd=folder).json["runs"]
+            self.assertEqual([each["holds"] for each in held["expect"]], [limit == "latest", bounds == "in", bounds == "in"])
+            self.assertEqual([agrees("trajectory/vx", 5, -0.0), agrees("trajectory/x", 5, 60.001, "--abs", "0.1", "--ulps", "1"), agrees("contacts/step", 0, 9, "--abs", "1e9"),
+                              agrees("trajectory/vx", 5, math.nan)], [zeros == "agree", count == "any", contacts == "never", nan == "never"])

@@ -33,7 +33,7 @@ class Reasons(unittest.TestCase):
 
 
 class Slips(unittest.TestCase):
-    """The mutants of a few lines; document_facts_test counts those of the core, and finds each that has a reason."""
+    """The mutants of a few lines; document_numbers_test counts those of the core, and finds each that has a reason."""
 
     def test_statements_that_the_core_has_none_of(self):
         for text, dropped in (

@@ -4,7 +4,6 @@ import json
 import math
 import pathlib
 import re
-import shutil
 import sys
 import tempfile
 import types
@@ -16,9 +15,8 @@ from documentation_test import DOCUMENTS, text_of
 from process import run
 from program import PROGRAM, SOURCE
 
-sys.path[:0] = [str(SOURCE / "tests/platforms"), str(SOURCE / "tests/must_fail/mutation")]
+sys.path.insert(0, str(SOURCE / "tests/must_fail/mutation"))
 import subjects  # noqa: E402 pylint: disable=wrong-import-position
-from rows import BUILDS  # noqa: E402 pylint: disable=wrong-import-position
 
 FORMAT, FILES, CORE, DRIFT = "scenarios/README.md", "golden/README.md", "sim/physics/README.md", "sim/reference/README.md"
 HEADER, SCENARIO, STATE = "sim/physics/physics.h", "sim/scenario/scenario.h", "sim/motion/state.h"
@@ -288,7 +286,7 @@ def computed():
         (CARD, "lands on 18 displays of {} to {} Hz", [min(displays_hz), max(displays_hz)]))
 
 
-class Facts(unittest.TestCase):
+class Numbers(unittest.TestCase):
     """What a reader relies on."""
 
     def test_what_is_stated_is_what_decides_it(self):
@@ -373,74 +371,8 @@ class Facts(unittest.TestCase):
                 self.assertEqual([sum(column.dtype.itemsize * math.prod(column.shape[1:]) for column in columns)],
                                  stated(SWEEPS, "default columns and three inputs are {} bytes a member"))
 
-    def test_sim_has_the_folders_that_are_listed_and_neither_reads_nor_prints(self):
-        listed = re.findall(r"^\| (?:\[(\w+)\]\(.*?\)|`(\w+)`) \|", text_of("sim/README.md"), re.MULTILINE)
-        self.assertEqual(sorted(map("".join, listed)), sorted(path.name for path in (SOURCE / "sim").iterdir() if path.is_dir()))
-        for path in (*(SOURCE / "sim").rglob("*.cpp"), *(SOURCE / "sim").rglob("*.h")):
-            if path.parent != SOURCE / "sim/trace/host":
-                self.assertNotRegex(text_of(path), r"\b(chrono|getenv|fstream|iostream|fopen|setlocale|printf|fputs)\b", path)
-
     def test_every_count_of_scenarios_is_that_of_the_folder(self):
         self.assertEqual(set(re.findall(r"of (\d{3}) (?:agree|differ)", text_of(TESTS))), {str(SCENARIOS), str(SCENARIOS - 1)})
-
-    def test_platforms_are_those_of_the_matrix(self):
-        rows = re.findall(r"^\| ([^|]*) \| ([^|]*) \| ([^|]*) \| [^|]* \| \d+ of \d+ agree", text_of(TESTS), re.MULTILINE)
-        flags = {builder: set(re.findall(r"`([^`]*)`", cell)) for name, builder, cell in rows if name == "x86-64"}
-        by = {each: {row.flags for row in BUILDS if row.name == f"{each} {row.flags}"} for each in ("g++", "clang++", "clang++-22")}
-        self.assertEqual(flags, {"g++ 12": by["g++"], "clang 14, clang 22": by["clang++"]})
-        self.assertEqual(by["clang++"], by["clang++-22"])
-        named = " ".join(name for name, _, _ in rows)
-        self.assertEqual([row.name for row in BUILDS if row.runner and row.name.split()[0].strip(",") not in named], [])
-
-    def test_datasets_of_a_file_are_those_of_the_table(self):
-        rows = re.findall(r"^\| (`/(?:trajectory|contacts|events)/.*?) \| (?:enum )?(\w+) \[([NME])\] \|", text_of(FILES), re.MULTILINE)
-        tabled = {name if name.startswith("/") else f"{names[0].rpartition('/')[0]}/{name}": (kind, length)
-                  for cell, kind, length in rows for names in [re.findall("`(.*?)`", cell)] for name in names}
-        found = {}
-        inputs = re.search(r"`/events/kind` \| enum uint8 \[E\] \| (.*?) \|", text_of(FILES))[1]
-        with h5py.File(SOURCE / "golden/flings/corner-fling.h5") as file:
-            codes = {name: int(code) for name, code in re.findall(r"([a-z-]+) (\d)", inputs)}
-            self.assertEqual(codes, h5py.check_enum_dtype(file["events/kind"].dtype))
-            scale_name = "/trajectory/" + re.search(r"`(\w+)` is the dimension scale of the others", text_of(FILES))[1]
-            self.assertIn("| `/events/frame` | int64 [E] | the frame of each input |", text_of(FILES))
-            self.assertEqual([event["step"] for event in json.loads(file.attrs["scenario"])["events"][:6]], list(file["events/frame"][:6]))
-            lengths = {"trajectory": "N", "contacts": "M", "events": "E"}
-            for group, length in lengths.items():
-                for dataset in file[group].values() if group == "trajectory" else ():
-                    self.assertEqual([scale.name for scale in dataset.dims[0].values()], [] if dataset.name == scale_name else [scale_name])
-                found.update({dataset.name: (dataset.dtype.name, length) for dataset in file[group].values()})
-                self.assertEqual({dataset.shape for dataset in file[group].values()}, {(len(next(iter(file[group].values()))),)})
-            self.assertEqual(set(re.findall(r"`(\w+)`", re.search(r"\| `/`, attributes \|.*?\n", text_of(FILES))[0])) -
-                             set(PHYSICS_CONSTANTS.split(", ")), set(file.attrs) - {"default", "NX_class"})
-        self.assertEqual(tabled, found)
-
-    def test_the_menu_of_hyrax_has_what_is_listed(self):
-        entries = re.findall(r'\{Choice::\w+, (?:state.is_paused \? "&Go on" : )?"(.*?)"', text_of("tools/hyrax/menu.cpp"))
-        listed = " ".join(re.search(r"for the menu: (.*?)\.", text_of(HYRAX), re.DOTALL)[1].split())
-        self.assertEqual(listed.replace("start and save a recording", "start recording, save recording").split(", "),
-                         [entry.replace("&", "").lower().removesuffix(" hyrax") for entry in entries])
-
-    def test_every_nightly_test_is_listed(self):
-        lists = "".join(text_of(path) for path in (SOURCE / "tests").rglob("CMakeLists.txt"))
-        nightly = set(" ".join(re.findall(r"hyrax_label\(nightly ([^)]*)\)", lists)).split())
-        self.assertGreater(len(nightly), 10)
-        listed = re.search(r"^\| `nightly` \| .*", text_of(TESTS), re.MULTILINE)[0]
-        self.assertLessEqual(nightly, set(re.findall(r"`([\w-]+\.[\w-]+)`", listed)))
-
-    def test_columns_of_rows_have_their_units(self):
-        columns = re.findall(r'\{"(\w+)", "([\w/]+)", "[^"]*", &Row::', text_of("sim/trajectory/columns.h"))
-        names, units = re.search(r"`/trajectory/(t`.*?) \| float64 \[N\] \| `units` (.*?)\.", text_of(FILES)).groups()
-        self.assertEqual(list(zip(re.findall(r"\w+", names), units.split(", "), strict=True)), columns)
-        csv = [f"{name}_{unit.replace('/', '_per_')}" for name, unit in columns]
-        self.assertIn(f"`{','.join(['step', *csv, 'contact'])}`", text_of(FILES))
-
-    def test_the_ways_to_end_on_the_floor_have_their_names_in_files(self):
-        names, texts = (re.findall('"(.*?)"', re.search(array + r" = \{(.*?)\}", text_of("sim/study/rest/rest_map.h"))[1])
-                        for array in ("kFinalStateNames", "kTexts"))
-        rows = re.findall(r"^\| .*px/s \| .*Hz \| (.*?) \| (`.*) \|$", text_of(STUDIES), re.MULTILINE)
-        self.assertEqual(len(rows), 4)
-        for ends, codes in rows:
-            self.assertEqual(codes, ", ".join(f"`{name}`" for name, text in zip(names, texts) if text in ends))
 
     def test_what_is_said_of_bounces_is_what_is_printed(self):
         rows = re.findall(r"^  (the paper's step|explicit Euler) +(\d+) +(\S+) \(.*?\) +(\S+) \(", text_of(STUDIES), re.MULTILINE)
@@ -458,35 +390,6 @@ class Facts(unittest.TestCase):
         self.assertRegex(text_of(STUDIES), r"\n  the paper's step +-\d\S+ ± [^`]*```\n\n[^`]*`order`[^`]*The paper's step\n  has a negative one")
         self.assertEqual([float(min(off, key=lambda row: int(row[1]))[0])], stated(STUDIES, "by the paper's step they do so near {} Hz"))
 
-    def test_the_card_of_the_document_is_one_of_the_program(self):
-        text, source = text_of(CARD), re.sub(r'"\s+"', "", text_of("sim/card/core_defect.h"))
-        defects = re.findall(r'"([a-z, ]+): ((?:a fling|setPos)[^"]*)"', source)
-        self.assertEqual(len(defects), 5)
-        for reason, how in defects:
-            self.assertIn(f"\n| {reason} | {how}", text)
-        general = re.findall(r'\{"([\w-]+)", ".*true\}', text_of("sim/search/invariant.h"))
-        self.assertEqual(re.findall("`(.*?)`", re.search(r"Those of any core \((.*?)\)", text)[1]), general)
-        card = re.search(r"```text\n(.*?)```", text, re.DOTALL)[1]
-        lines = re.findall(r"^  ([a-z][a-z' ]*?)  ", card, re.MULTILINE)
-        self.assertEqual(re.findall(r"^\| ([a-z' ]+) \| ", text.partition("| line | measures |")[2], re.MULTILINE), lines)
-        of_program = re.search(r"what is measured: \d+: '(.*)'", text_of("tests/unit/sim/card/measured.txt"))[1]
-        self.assertEqual([*re.sub(r" '' x\d+", "", of_program).split("' '"), "consequence"], lines)
-        same, *classes = (int(each) for each in re.findall(r"\d+", re.search(rf"scenarios: (\d+) of {SCENARIOS} the same(.*)", card)[0].replace(f" of {SCENARIOS}", "")))
-        self.assertEqual(same + sum(classes), SCENARIOS)
-        self.assertIn(f"changed in {classes[-1]} of {SCENARIOS} scenarios: ", card)
-        self.assertIn(f" of {len(list((SOURCE / 'scenarios/recorded').glob('*.json')))} end elsewhere", card)
-        self.assertIn(f" of {int(stated(STUDIES, 'paper: {} claims measured')[0])} change, ", card)
-        before, after, flings = re.search(r"Hz: (\S+) \(.*?\) -> (\S+) \(.*?\) px, \d+ of (\d+) flings", card).groups()
-        self.assertIn(f"lands {after} px apart instead of {before} px (median of {flings}).", card)
-
-    def test_errors_of_contacts_are_what_their_columns_are(self):
-        columns = text_of("sim/reference/drift_columns.h")
-        rows = re.findall(r"^\| ([a-z ]+) \| (.*) \|$", text_of(DRIFT).partition("| column | meaning |")[2].partition("\n\n")[0], re.MULTILINE)
-        self.assertEqual([head for head, _ in rows], ["time error", "overshoot", "energy jump", "restitution"])
-        for head, meaning in rows:
-            described, = re.findall(rf'"([^"]*)",[^"]*"",\s*DriftShown\("{head}"', columns)
-            self.assertTrue(meaning.startswith(described.partition(",")[0]), (meaning, described))
-
     def test_displays_are_those_of_the_scenarios(self):
         scenarios = [json.loads(text_of(path)) for path in (SOURCE / "scenarios/displays").glob("*.json")]
         sizes = [tuple(each["window"].values()) for each in scenarios if each["window"]["width_px"] > 200]
@@ -498,37 +401,3 @@ class Facts(unittest.TestCase):
         self.assertEqual(stated(FORMAT, "frames of {} to {} ms"), [1000 * min(long_s), 1000 * max(long_s)])
         self.assertEqual(stated(FORMAT, "real displays from {} x {} to {} x {} px at {} to {} Hz"),
                          [*min(sizes), *max(sizes), min(rates), max(rates)])
-
-    def test_what_runs_and_differences_do_by_the_documents(self):
-        """Words of the documents choose what is given to the program, or what must come of it."""
-        def words(document, pattern):
-            return re.search(pattern, " ".join(text_of(document).split())).groups()
-        same_time, same_frames, remedy, also = words(
-            FORMAT, r"frame rate\. With `(\w+)` it covers the same time; with `(\w+)` it plays the same number.*?write `(\w+)`, or set `/(\w+)`")
-        first, second, last, bounds, limit = words(FORMAT, r"Rows (\d), K, (\d)K, \.\.\. and the (last|first) one are stored\..*All bounds are (in|ex)clusive\..* at the number at the (latest|earliest), or")
-        zeros, nan, count, contacts = words(FILES, r"\+0 and -0 (differ|agree), and NaN (always|never) fails\..* a value agrees if (any|all) of them .{2,3} met\. Contacts must (always|never) agree\.")
-        self.assertEqual([remedy, also], [same_time, same_frames])
-        start = {key: each for key, each in json.loads(text_of("scenarios/flings/first-fling.json")).items() if key in ("format", "window", "sprite", "start")}
-        expect = {"contacts": {"ground": [8, 8], "left": [0, 1]}, "at_rest_since_s": 9}
-        with tempfile.TemporaryDirectory(prefix="hyrax-") as folder:
-            def write(name, **more):
-                path = pathlib.Path(folder, f"{name}.json")
-                path.write_text(json.dumps({**start, "clock": {"rate_hz": 60}, **more}), encoding="utf-8")
-                return path
-
-            def agrees(dataset, row, altered, *tolerances):
-                shutil.copy(f"{folder}/held.h5", f"{folder}/altered.h5")
-                with h5py.File(f"{folder}/altered.h5", "r+") as file:
-                    file[dataset][row] = altered
-                shutil.copy(f"{folder}/altered.h5", f"{folder}/same.h5")
-                return run(PROGRAM, "diff", f"{'same' if math.isnan(altered) else 'held'}.h5", "altered.h5", "-q", *tolerances, cwd=folder).exit_code == 0
-            paths = [write(name, **{key: 2}) for name, key in (("time", same_time), ("frames", same_frames))]
-            kept = run(PROGRAM, "run", *paths, "--set", "/clock/rate_hz=144", "--set", "/record/every=7", "--json", cwd=folder)
-            self.assertEqual([each["steps"] for each in kept.json["runs"]], [288, 2])
-            with h5py.File(f"{folder}/time.h5") as file:
-                steps = [int(first), *range(7, 289, 7 * (int(second) - 1))]
-                self.assertEqual(list(file["trajectory/step"]), steps + [288] * (last == "last"))
-            held, = run(PROGRAM, "run", write("held", steps=600, start={**start["start"], "vx_px_per_s": 0}, expect=expect), "--json", cwd=folder).json["runs"]
-            self.assertEqual([each["holds"] for each in held["expect"]], [limit == "latest", bounds == "in", bounds == "in"])
-            self.assertEqual([agrees("trajectory/vx", 5, -0.0), agrees("trajectory/x", 5, 60.001, "--abs", "0.1", "--ulps", "1"), agrees("contacts/step", 0, 9, "--abs", "1e9"),
-                              agrees("trajectory/vx", 5, math.nan)], [zeros == "agree", count == "any", contacts == "never", nan == "never"])
