@@ -127,22 +127,24 @@ class CauseFinder {
     return Cause{CauseKind::clock, *time + (input ? "; " + *input : "")};
   }
 
-  // The scenario, its frame times and inputs are the golden file's, but the accepted step does not give its
-  // rows.
+  // The scenario, its frame times and inputs are the golden file's, but the accepted core, playing them, does
+  // not give its rows. The core then plays the recorded steps one by one:
+  // - it does not give the golden file's, though no input is before them: other arithmetic, or edited rows;
+  // - it gives all of the golden file's, and the inputs differ: they came in other frames;
+  // - of this run it does not give only those after an input: an input has another effect.
   [[nodiscard]] Cause step_cause(const StoredRun& golden, const StoredRun& fresh, const Core& core) const {
     if (base_.has_further_members && !match(core, golden.scenario, golden).rows)
       return {CauseKind::unknown, kOtherBits};
-    const StepEvidence kept = evidence_of(core, golden, fresh);
-    if (!kept.has_steps || !kept.gives_free_steps) {
-      if (base_.calls_libm || !kept.has_steps) return {CauseKind::unknown, kOtherBits};
+    const StepEvidence of_golden = evidence_of(core, golden, fresh);
+    if (!of_golden.has_steps || !of_golden.gives_free_steps) {
+      if (base_.calls_libm || !of_golden.has_steps) return {CauseKind::unknown, kOtherBits};
       return {CauseKind::golden, "the golden file's scenario and inputs do not give its rows"};
     }
-    // Its own inputs do give its rows, though this program does not play them in their frames.
-    if (const auto input = input_difference(golden.inputs, fresh.inputs); input && kept.gives_all)
+    if (const auto input = input_difference(golden.inputs, fresh.inputs); input && of_golden.gives_all)
       return {CauseKind::input, *input};
-    const StepEvidence played = evidence_of(core, fresh, golden);
-    if (!kept.gives_all || !played.gives_all || golden.state_hash != fresh.state_hash) {
-      if (played.gives_free_steps && !golden.inputs.empty())
+    const StepEvidence of_fresh = evidence_of(core, fresh, golden);
+    if (!of_golden.gives_all || !of_fresh.gives_all || golden.state_hash != fresh.state_hash) {
+      if (of_fresh.gives_free_steps && !golden.inputs.empty())
         return {CauseKind::input, "an input has another effect"};
       return {CauseKind::unknown, kOtherBits};
     }

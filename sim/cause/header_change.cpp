@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kStatementsMax = 4000;
 
 // Tokens up to `;`, `{`, `}` or a label's `:`, or a directive of the preprocessor; `for (...; ...; ...) {` is
-// one.
+// one, and so is `double a{1.0};`.
 struct HeaderStatement {
   std::vector<std::string_view> tokens;
   std::int64_t line = 0;
@@ -60,9 +60,12 @@ class HeaderReader {
       const std::string_view token = take(length_of_token(text_));
       open_.tokens.push_back(token);
       parentheses_ += token == "(" ? 1 : token == ")" ? -1 : 0;
+      if (token == "{" && (braces_ > 0 || begins_value())) ++braces_;
+      const bool is_brace = braces_ == 0 && (token == "{" || token == "}");
+      if (token == "}" && braces_ > 0) --braces_;
       const bool is_label = token == ":" && open_.tokens.size() == 2;  // As `public:`.
-      const bool is_end = token == ";" && parentheses_ <= 0;
-      if (!is_directive_ && (is_label || is_end || token == "{" || token == "}")) close();
+      const bool is_end = token == ";" && parentheses_ <= 0 && braces_ == 0;
+      if (!is_directive_ && (is_label || is_end || is_brace)) close();
     }
     close();
     return std::move(statements_);
@@ -72,8 +75,21 @@ class HeaderReader {
   void close() {
     if (!open_.tokens.empty()) statements_.push_back(std::move(open_));
     open_ = {};
-    parentheses_ = 0;
+    parentheses_ = braces_ = 0;
     is_directive_ = false;
+  }
+
+  // Whether the `{` that was read last is that of an initial value: of a declaration, not of a class or a
+  // block.
+  [[nodiscard]] bool begins_value() const {
+    const auto& tokens = open_.tokens;
+    if (tokens.size() < 2) return false;
+    if (tokens[tokens.size() - 2] == "=") return true;
+    return is_word(tokens[tokens.size() - 2].front()) && tokens.size() > 2 &&
+           std::ranges::none_of(tokens, [](std::string_view token) {
+             return token == "(" || token == "class" || token == "struct" || token == "union" ||
+                    token == "enum" || token == "namespace";
+           });
   }
 
   std::string_view take(std::size_t length) {
@@ -85,8 +101,15 @@ class HeaderReader {
 
   // Of a blank or a comment; 0: a token comes next.
   static std::size_t length_of_gap(std::string_view rest) {
-    if (rest.starts_with("\\\n")) return 2;
-    if (rest.starts_with("//")) return std::min(rest.find('\n'), rest.size());
+    for (const std::string_view joined : {"\\\n", "\\\r\n"})
+      if (rest.starts_with(joined)) return joined.size();
+    if (rest.starts_with("//")) {
+      std::size_t end = 0;
+      do end = std::min(rest.find('\n', end + 1), rest.size());
+      while (end < rest.size() &&
+             (rest.substr(0, end).ends_with('\\') || rest.substr(0, end).ends_with("\\\r")));
+      return end;
+    }
     if (rest.starts_with("/*")) return std::min(rest.find("*/", 2), rest.size() - 2) + 2;
     return std::string_view(" \t\r\n").find(rest.front()) == std::string_view::npos ? 0 : 1;
   }
@@ -120,7 +143,8 @@ class HeaderReader {
   std::string_view text_;  // That is left.
   std::int64_t line_ = 1;
   bool is_directive_ = false;
-  int parentheses_ = 0;  // Open in this statement.
+  int parentheses_ = 0;  // Open in this statement,
+  int braces_ = 0;       // and those of initial values.
   HeaderStatement open_;
   std::vector<HeaderStatement> statements_;
 };
@@ -128,30 +152,38 @@ class HeaderReader {
 std::optional<double> number_of(std::string_view token) {
   std::string digits(token);
   std::erase(digits, '\'');
+  const bool is_hex = digits.starts_with("0x") || digits.starts_with("0X");
   double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const auto [end, error] =
+      std::from_chars(digits.data() + (is_hex ? 2 : 0), digits.data() + digits.size(), value,
+                      is_hex ? std::chars_format::hex : std::chars_format::general);
   const std::string_view suffix(end, static_cast<std::size_t>(digits.data() + digits.size() - end));
   const bool is_float = suffix == "f" || suffix == "F";
-  if (error != std::errc() || !(suffix.empty() || is_float)) return std::nullopt;
+  if (error != std::errc() || !(suffix.empty() || is_float || suffix == "l" || suffix == "L"))
+    return std::nullopt;
   return is_float ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
-// `... NAME = NUMBER ;`, the number perhaps with a sign; its value as the type has it.
+// `... NAME = NUMBER ;` or `... NAME{NUMBER};`, the number perhaps with a sign; its value as the type has it.
 std::optional<HeaderConstant> constant_of(const HeaderStatement& statement) {
   const auto& tokens = statement.tokens;
-  const bool is_constant = std::ranges::any_of(
-      tokens, [](std::string_view token) { return token == "constexpr" || token == "const"; });
-  const auto equals = std::ranges::find(tokens, "=");
-  if (!is_constant || equals == tokens.begin() || equals == tokens.end()) return std::nullopt;
-  auto next = equals + 1;
-  const bool is_negative = next != tokens.end() && *next == "-";
-  if (is_negative) ++next;
-  if (next == tokens.end() || next + 1 == tokens.end() || *(next + 1) != ";") return std::nullopt;
-  std::optional<double> value = number_of(*next);
+  const auto is = [](std::initializer_list<std::string_view> words) {
+    return [words](std::string_view token) { return std::ranges::find(words, token) != words.end(); };
+  };
+  const auto begin = std::ranges::find_if(tokens, is({"=", "{", "("}));
+  if (begin == tokens.begin() || std::find_if(tokens.begin(), begin, is({"constexpr", "const"})) == begin)
+    return std::nullopt;
+  std::vector<std::string_view> number;
+  std::copy_if(begin, tokens.end(), std::back_inserter(number), [&](std::string_view token) {
+    return !is({"=", "{", "(", "}", ")", ";"})(token);
+  });
+  const bool is_negative = !number.empty() && number.front() == "-";
+  if (number.size() != (is_negative ? 2 : 1)) return std::nullopt;
+  std::optional<double> value = number_of(number.back());
   if (!value) return std::nullopt;
-  if (std::find(tokens.begin(), equals, "float") != equals)
+  if (std::find(tokens.begin(), begin, "float") != begin)
     value = static_cast<double>(static_cast<float>(*value));
-  return HeaderConstant{std::string(*(equals - 1)), is_negative ? -*value : *value};
+  return HeaderConstant{std::string(*(begin - 1)), is_negative ? -*value : *value};
 }
 
 HeaderChange changed(const HeaderStatement& from, const HeaderStatement& to) {
@@ -224,7 +256,40 @@ std::vector<double> header_literals(std::string_view header) {
   return literals;
 }
 
-std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_view current) {
+std::vector<std::string> header_members(std::string_view header) {
+  std::vector<std::string> declared;
+  std::array<std::string, 4> returned;  // By x(), y(), vx() and vy().
+  const std::string* getter = nullptr;
+  std::size_t depth = 0, depth_of_class = 0;  // Of its members; 0: outside.
+  for (const HeaderStatement& statement : HeaderReader(header).statements()) {
+    const auto& tokens = statement.tokens;
+    const auto has = [&](std::string_view token) { return std::ranges::find(tokens, token) != tokens.end(); };
+    if (getter != nullptr && tokens.size() == 3 && tokens[0] == "return")
+      returned[static_cast<std::size_t>(getter - returned.data())] = tokens[1];
+    getter = nullptr;
+    if (statement.closes() && depth-- == depth_of_class) depth_of_class = 0;
+    if (depth_of_class != 0 && depth == depth_of_class) {
+      for (const auto& [name, result] : {std::pair("x", 0), {"y", 1}, {"vx", 2}, {"vy", 3}})
+        if (statement.opens() && has("(") && *(std::ranges::find(tokens, "(") - 1) == name)
+          getter = &returned[static_cast<std::size_t>(result)];
+      const bool is_of_number =
+          tokens[0] == "double" || tokens[0] == "float" || tokens[0] == "int" || tokens[0] == "bool";
+      if (is_of_number && tokens.back() == ";" && !has("("))
+        for (std::size_t next = 1; next + 1 < tokens.size(); ++next)
+          if (tokens[next - 1] == "," || next == 1) declared.emplace_back(tokens[next]);
+    }
+    if (statement.opens()) ++depth;
+    if (has("class") && has("physics") && statement.opens()) depth_of_class = depth;
+  }
+  std::vector<std::string> members(returned.begin(), returned.end());
+  for (const std::string& name : returned)
+    if (std::erase(declared, name) != 1) return {};
+  members.insert(members.end(), declared.begin(), declared.end());
+  return members;
+}
+
+std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_view current,
+                                         const std::string& file) {
   const std::vector<HeaderStatement> from = HeaderReader(accepted).statements();
   const std::vector<HeaderStatement> to = HeaderReader(current).statements();
   std::size_t same = 0;  // Statements that both begin with.
@@ -263,12 +328,14 @@ std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_
     }
   }
   gap.flush(changes);
+  for (HeaderChange& change : changes) change.file = file;
   return changes;
 }
 
-std::string change_text(const HeaderChange& change) {
-  return fmt::format("line {:<4} {}: {}", change.line,
-                     kHeaderChangeNames[static_cast<std::size_t>(change.kind)], change.detail);
+std::string change_text(const HeaderChange& change, std::string_view header) {
+  return fmt::format("line {:<4} {}: {}{}", change.line,
+                     kHeaderChangeNames[static_cast<std::size_t>(change.kind)], change.detail,
+                     change.file == header ? "" : fmt::format(" ({})", change.file));
 }
 
 Table changes_table(const std::vector<HeaderChange>& changes) {
@@ -285,24 +352,30 @@ Table changes_table(const std::vector<HeaderChange>& changes) {
           "what changed in the header",
           {column_of("kind", "", "constant, or a statement", changes, kind),
            column_of("detail", "", "what changed", changes, &HeaderChange::detail),
+           column_of("file", "", "in which the line is", changes, &HeaderChange::file),
            column_of("line", "", "of what was removed, in the base", changes, &HeaderChange::line),
            number("from", &HeaderChange::from), number("to", &HeaderChange::to)}};
 }
 
-std::string changes_sentence(const std::vector<HeaderChange>& changes) {
+std::string changes_sentence(const std::vector<HeaderChange>& changes, std::string_view header) {
   std::vector<std::string> parts;
-  std::vector<std::int64_t> current, accepted;  // Lines.
+  std::map<std::pair<std::string, bool>, std::vector<std::int64_t>>
+      lines_of;  // By file, the program's first.
   for (const HeaderChange& change : changes) {
     if (change.kind == HeaderChangeKind::constant) {
       parts.push_back(change.detail);
       continue;
     }
-    auto& lines = change.kind == HeaderChangeKind::removed ? accepted : current;
+    const std::string file = change.file == header ? "" : change.file;
+    auto& lines = lines_of[{file, change.kind == HeaderChangeKind::removed}];
     if (std::ranges::find(lines, change.line) == lines.end()) lines.push_back(change.line);
   }
   std::vector<std::string> places;
-  if (!current.empty()) places.push_back(lines_text(current));
-  if (!accepted.empty()) places.push_back(lines_text(accepted) + " of the accepted header");
+  places.reserve(lines_of.size());
+  for (const auto& [place, lines] : lines_of)
+    places.push_back(lines_text(lines) + (place.first.empty() ? place.second ? " of the accepted header" : ""
+                                          : place.second      ? " of the accepted " + place.first
+                                                              : " of " + place.first));
   if (!places.empty()) parts.push_back(fmt::format("the core changed at {}", fmt::join(places, ", and at ")));
   return fmt::format("{}", fmt::join(parts, "; "));
 }

@@ -27,6 +27,10 @@ struct HeaderConstant {
 /// The numbers of its other statements.
 [[nodiscard]] std::vector<double> header_literals(std::string_view header);
 
+/// The names of the members of `class physics`: those that x(), y(), vx() and vy() return, then the others in
+/// their order. Nothing where they cannot be told, as of members of another type than a number's.
+[[nodiscard]] std::vector<std::string> header_members(std::string_view header);
+
 enum class HeaderChangeKind : std::uint8_t { constant, added, removed, altered };
 inline constexpr std::array<std::string_view, 4> kHeaderChangeNames = {"constant", "added", "removed",
                                                                        "altered"};
@@ -36,19 +40,24 @@ struct HeaderChange {
   std::string detail;       ///< As "GRAVITY 1200 -> 1250", "m_vx *= AIR_DRAG;".
   std::int64_t line = 0;    ///< From 1, in the current header; of what was removed, in the accepted one.
   HeaderConstant from, to;  ///< Of a constant.
+  std::string file = {};    ///< In which `line` is; empty: not known.
 };
 
 /// Statement by statement; comments, blanks and line ends are no change.
-[[nodiscard]] std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_view current);
+/// @param file as HeaderChange::file.
+[[nodiscard]] std::vector<HeaderChange> header_changes(std::string_view accepted, std::string_view current,
+                                                       const std::string& file = {});
 
-/// "line 41   constant: GRAVITY 1200 -> 1250".
-[[nodiscard]] std::string change_text(const HeaderChange& change);
+/// "line 41   constant: GRAVITY 1200 -> 1250"; behind another file than `header` its path.
+[[nodiscard]] std::string change_text(const HeaderChange& change, std::string_view header = {});
 
-/// `changes`: kind, detail, line; from and to of a constant.
+/// `changes`: kind, detail, file, line; from and to of a constant.
 [[nodiscard]] Table changes_table(const std::vector<HeaderChange>& changes);
 
-/// "GRAVITY 1200 -> 1250", "the core changed at lines 41 and 48", or both. REQUIRES: there are changes.
-[[nodiscard]] std::string changes_sentence(const std::vector<HeaderChange>& changes);
+/// "GRAVITY 1200 -> 1250", "the core changed at lines 41 and 48, and at line 3 of pull.h", or both. REQUIRES:
+/// there are changes. @param header the file whose name is left out.
+[[nodiscard]] std::string changes_sentence(const std::vector<HeaderChange>& changes,
+                                           std::string_view header = {});
 
 /// Of a core's step against another's.
 struct StepProof {

@@ -173,7 +173,7 @@ bool gives(const Core& core, const ObservedStep& observed) {
   RestAnchor rest;
   RowBlock rows;
   StretchLog log;
-  core.kernel->play(stretch, after, rest, rows, log);
+  core.stepper->play(stretch, after, rest, rows, log);
   return same_bits(after.state, observed.after);
 }
 

@@ -4,19 +4,19 @@
 #include <functional>
 
 #include "sim/core/core.h"
-#include "sim/core/traced_kernel.h"
+#include "sim/core/traced_stepper.h"
 
 namespace hyrax {
 
 /// Passes on every step that is computed: a replay skips those that repeat.
-class WatchedKernel final : public TracedKernel {
+class WatchedStepper final : public TracedStepper {
  public:
   /// @param bodies of the traced steps, before the step; they are left as it makes them.
   using OnStep = std::function<void(const StepInput&, std::span<TracedBody> bodies)>;
 
-  WatchedKernel(std::shared_ptr<const Kernel> kernel, std::vector<std::shared_ptr<const StepProgram>> steps,
-                OnStep on_step)
-      : TracedKernel(std::move(kernel), std::move(steps)), on_step_(std::move(on_step)) {}
+  WatchedStepper(std::shared_ptr<const Stepper> stepper,
+                 std::vector<std::shared_ptr<const StepProgram>> steps, OnStep on_step)
+      : TracedStepper(std::move(stepper), std::move(steps)), on_step_(std::move(on_step)) {}
 
  private:
   void tell(const Stretch& stretch, const State& from, std::span<TracedBody> bodies, std::size_t first_row,
@@ -36,9 +36,9 @@ class WatchedKernel final : public TracedKernel {
 
 /// The core, each step of its replays passed on, with bodies of the traced steps.
 [[nodiscard]] inline Core watched(Core core, std::vector<std::shared_ptr<const StepProgram>> steps,
-                                  WatchedKernel::OnStep on_step) {
-  core.kernel =
-      std::make_shared<const WatchedKernel>(std::move(core.kernel), std::move(steps), std::move(on_step));
+                                  WatchedStepper::OnStep on_step) {
+  core.stepper =
+      std::make_shared<const WatchedStepper>(std::move(core.stepper), std::move(steps), std::move(on_step));
   return core;
 }
 

@@ -17,19 +17,28 @@
 
 namespace hyrax {
 
-/// How many representable doubles lie between a and b, plus one; 0 for equal values, +0 and -0
+/// Of two numbers as their bits: how many representable ones lie between them, plus one.
+template <class Bits>
+[[nodiscard]] constexpr std::uint64_t bits_between(Bits a, Bits b) {
+  // Maps numbers to integers in the same order.
+  const auto ordered = [](Bits bits) {
+    constexpr Bits kSign = Bits{1} << (8 * sizeof(Bits) - 1);
+    return (bits & kSign) != 0 ? kSign - (bits - kSign) : bits + kSign;
+  };
+  const Bits low = ordered(a);
+  const Bits high = ordered(b);
+  return low < high ? high - low : low - high;
+}
+
+/// How many representable numbers of the type lie between a and b, plus one; 0 for equal values, +0 and -0
 /// among them. Nothing where either is NaN.
 [[nodiscard]] constexpr std::optional<std::uint64_t> ulps_between(double a, double b) {
   if (a != a || b != b) return std::nullopt;
-  // Maps doubles to integers in the same order.
-  const auto ordered = [](double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
-    return (bits & kSign) != 0 ? kSign - (bits - kSign) : bits + kSign;
-  };
-  const std::uint64_t low = ordered(a);
-  const std::uint64_t high = ordered(b);
-  return low < high ? high - low : low - high;
+  return bits_between(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b));
+}
+[[nodiscard]] constexpr std::optional<std::uint64_t> ulps_between(float a, float b) {
+  if (a != a || b != b) return std::nullopt;
+  return bits_between(std::bit_cast<std::uint32_t>(a), std::bit_cast<std::uint32_t>(b));
 }
 
 /// Of a difference, the widest that applies; in order, the narrowest first.
@@ -97,6 +106,17 @@ struct Divergence {
   return agrees(a, b) || (&quantity == &kContactQuantities.back() && std::isnan(a) && std::isnan(b));
 }
 
+struct ContactCounts {
+  std::int64_t moved = 0, vanished = 0, appeared = 0;
+  bool is_cut = false;  ///< At least so many: ContactChanges::is_cut.
+  [[nodiscard]] std::int64_t total() const { return moved + vanished + appeared; }
+  ContactCounts& operator+=(const ContactCounts& more) {
+    moved += more.moved, vanished += more.vanished, appeared += more.appeared;
+    is_cut |= more.is_cut;
+    return *this;
+  }
+};
+
 /// How the contacts of two runs differ. A moved contact is one of the same wall at another step.
 struct ContactChanges {
   struct Moved {
@@ -108,12 +128,20 @@ struct ContactChanges {
   std::vector<Contact> only_b;
   bool is_cut = false;  ///< A list holds no more (kContactsRecordedMax): compared up to its end.
   [[nodiscard]] bool is_none() const { return total() == 0; }
-  /// Contacts that moved, that only the first run has, and that only the second has.
-  [[nodiscard]] std::int64_t total() const {
-    return static_cast<std::int64_t>(moved.size() + only_a.size() + only_b.size());
+  [[nodiscard]] std::int64_t total() const { return counts().total(); }
+  [[nodiscard]] ContactCounts counts() const {
+    return {std::ssize(moved), std::ssize(only_a), std::ssize(only_b), is_cut};
   }
 };
 
+/// How a run ended.
+struct RunEnd {
+  Row row = {};
+  bool is_rest_known = true;  ///< Else the rows that say when it settled are not known.
+  std::optional<double> settled_since_s = {};
+};
+
+/// Two runs, as one differs from the other; every text and document about it is made of this.
 struct Comparison {
   bool agrees = true;
   std::optional<DifferenceClass> difference;  ///< Where they do not agree.
@@ -121,13 +149,17 @@ struct Comparison {
   std::string physics;  ///< How the names of the physics models differ, a sentence; sets no class.
   std::optional<Divergence> first;
   ContactChanges contacts;
-  /// Over all steps of both runs; nothing if no position differs. Of rows that are not known it says nothing.
-  std::optional<WorstDistance> largest;
-  bool has_unknown_rows = false;  ///< Rows of blocks that could not be replayed.
-  /// Distance of the final rows, where both runs have settled.
-  std::optional<double> rest_shift_px;
+  Distance distance;
+  RunEnd expected_end;
+  RunEnd actual_end;
   std::vector<Row> expected_around;  ///< Rows near the first divergence, as far as they are known.
   std::vector<Row> actual_around;
+
+  /// Distance of the final rows, where both runs have settled.
+  [[nodiscard]] std::optional<double> rest_shift_px() const {
+    if (!expected_end.settled_since_s || !actual_end.settled_since_s) return std::nullopt;
+    return distance_px(state_of(expected_end.row), state_of(actual_end.row));
+  }
 };
 
 /// The class of a difference in rows or contacts.

@@ -7,47 +7,42 @@
 namespace hyrax {
 namespace {
 
-std::string text_of(double value) {
+std::string text_of(const Interval& interval) {
+  if (interval.low == interval.high) return shortest_text(interval.high);
+  if (std::isinf(interval.low)) return "at most " + shortest_text(interval.high);
+  return shortest_text(interval.low) + " .. " + shortest_text(interval.high);
+}
+
+}  // namespace
+
+std::string shortest_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-std::string text_of(const Interval& interval) {
-  if (interval.low == interval.high) return text_of(interval.high);
-  if (std::isinf(interval.low)) return "at most " + text_of(interval.high);
-  return text_of(interval.low) + " .. " + text_of(interval.high);
+void Judge::is(const char* rule, const std::optional<bool>& wanted, bool measured) {
+  if (wanted) verdicts_.push_back({rule, *wanted ? "true" : "false", *wanted == measured, measured});
 }
 
-class Judge {
- public:
-  std::vector<Expectation> take() { return std::move(verdicts_); }
+void Judge::within(const std::string& rule, const std::optional<Interval>& wanted,
+                   const std::optional<double>& measured) {
+  if (!wanted) return;
+  Expectation verdict{rule, text_of(*wanted), false, {}, wanted};
+  if (measured) {
+    verdict.holds = *measured >= wanted->low && *measured <= wanted->high;
+    verdict.measured = *measured;
+  }
+  verdicts_.push_back(std::move(verdict));
+}
 
-  void is(const char* rule, const std::optional<bool>& wanted, bool measured) {
-    if (wanted) verdicts_.push_back({rule, *wanted ? "true" : "false", *wanted == measured, measured});
-  }
-  // What was not measured, as the moment of rest of a run that does not rest, is never within.
-  void within(const std::string& rule, const std::optional<Interval>& wanted,
-              const std::optional<double>& measured) {
-    if (!wanted) return;
-    Expectation verdict{rule, text_of(*wanted), false, {}, wanted};
-    if (measured) {
-      verdict.holds = *measured >= wanted->low && *measured <= wanted->high;
-      verdict.measured = *measured;
-    }
-    verdicts_.push_back(std::move(verdict));
-  }
-  void at_most(const char* rule, const std::optional<double>& wanted, const std::optional<double>& measured) {
-    if (wanted) within(rule, Interval{-std::numeric_limits<double>::infinity(), *wanted}, measured);
-  }
-  void equals(const char* rule, const std::optional<std::string>& wanted, const std::string& measured) {
-    if (wanted) verdicts_.push_back({rule, *wanted, *wanted == measured, measured});
-  }
+void Judge::at_most(const char* rule, const std::optional<double>& wanted,
+                    const std::optional<double>& measured) {
+  if (wanted) within(rule, Interval{-std::numeric_limits<double>::infinity(), *wanted}, measured);
+}
 
- private:
-  std::vector<Expectation> verdicts_;
-};
-
-}  // namespace
+void Judge::equals(const char* rule, const std::optional<std::string>& wanted, const std::string& measured) {
+  if (wanted) verdicts_.push_back({rule, *wanted, *wanted == measured, measured});
+}
 
 std::vector<Expectation> judge(const Expect& expect, const RunSummary& summary,
                                const std::optional<RunErrors>& errors) {

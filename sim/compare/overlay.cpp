@@ -49,8 +49,11 @@ void Overlay::add(const Row& a, const Row& b) {
 }
 
 Figure Overlay::figure(const Texts& texts) const {
-  const auto& [right_px, bottom_px] = texts.bounds;
-  std::vector<Series> scene = {{.name = "walls, for the corner",
+  const double right_px = texts.window.width_px, bottom_px = texts.window.height_px;
+  const auto centre = [&](const Position& corner) {
+    return Position{corner.x_px + 0.5 * texts.sprite.width_px, corner.y_px + 0.5 * texts.sprite.height_px};
+  };
+  std::vector<Series> scene = {{.name = "window",
                                 .look = {.tone = Tone::faint, .width_px = 1.0},
                                 .x = {0.0, right_px, right_px, 0.0, 0.0},
                                 .y = {0.0, 0.0, bottom_px, bottom_px, 0.0}},
@@ -60,18 +63,20 @@ Figure Overlay::figure(const Texts& texts) const {
   std::vector<Pair> pairs = kept_;
   if (seen_ > 0) pairs.push_back(farthest_);
   for (const Pair& pair : pairs) {
-    scene[1].x.push_back(pair.a.x_px);
-    scene[1].y.push_back(pair.a.y_px);
-    scene[2].x.push_back(pair.b.x_px);
-    scene[2].y.push_back(pair.b.y_px);
+    const Position a = centre(pair.a), b = centre(pair.b);
+    scene[1].x.push_back(a.x_px);
+    scene[1].y.push_back(a.y_px);
+    scene[2].x.push_back(b.x_px);
+    scene[2].y.push_back(b.y_px);
     distance.x.push_back(pair.t_s);
     distance.y.push_back(pair.px);
   }
   const auto mark = [&](const std::string& name, const std::optional<Pair>& at, Marker marker) {
     Series points{.name = name, .look = {.form = Form::points, .marker = marker, .marker_size = 1.2}};
     if (!at) return;
-    points.x = {at->a.x_px, at->b.x_px};
-    points.y = {at->a.y_px, at->b.y_px};
+    const Position a = centre(at->a), b = centre(at->b);
+    points.x = {a.x_px, b.x_px};
+    points.y = {a.y_px, b.y_px};
     scene.push_back(std::move(points));
   };
   mark("start", start_, Marker::ring);
@@ -84,8 +89,8 @@ Figure Overlay::figure(const Texts& texts) const {
                  .when_empty = start_ ? "the same place at every time" : "no row is finite in both"};
   if (!first_difference_) distance.x = distance.y = {};
   over_time.series = {std::move(distance)};
-  Plot paths{.x = {.label = "x, px"},
-             .y = {.label = "y, px, downwards", .is_reversed = true},
+  Plot paths{.x = {.label = "x of the centre, px"},
+             .y = {.label = "y of the centre, px, downwards", .is_reversed = true},
              .series = std::move(scene),
              .has_equal_scales = true};
   figure.body = std::vector<Plot>{std::move(paths), std::move(over_time)};

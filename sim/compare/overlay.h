@@ -26,7 +26,8 @@ class Overlay {
     std::string subtitle;
     std::string a;  ///< Names of the runs.
     std::string b;
-    Bounds bounds;  ///< Of the corner at the start: drawn as walls.
+    Size window;  ///< At the start: drawn as walls,
+    Size sprite;  ///< whose centre the paths are of.
   };
   [[nodiscard]] Figure figure(const Texts& texts) const;
 

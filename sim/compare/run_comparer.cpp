@@ -70,7 +70,7 @@ void RunComparer::compare(const StoredBlock& kept, const Block& played, std::int
     if (!result_.first) result_.first = find_by_checks(kept, kept_rows.first().step, played.rows);
     distance_.add(kept_rows.first(), played_rows.first());
     distance_.add_unknown();
-    result_.has_unknown_rows = true;
+    result_.distance.has_unknown_rows = true;
   }
   for (std::size_t index = 0; index < std::min(expected.size(), played.rows.size()); ++index) {
     Row a = kept_rows.next();
@@ -133,14 +133,22 @@ Comparison RunComparer::finish(const Scenario& scenario, std::string_view physic
   for (const Row& row : result_.actual_around)
     if (row.step < std::ssize(kept_.rows.step))
       result_.expected_around.push_back(kept_.rows.row(static_cast<std::size_t>(row.step)));
-  result_.contacts = contact_changes(kept_.contacts, contacts());
+  const auto of_one_source = [&](std::vector<Contact> contacts) {
+    std::erase_if(contacts,
+                  [&](const Contact& each) { return (static_cast<int>(each.wall) & other_walls_) != 0; });
+    return contacts;
+  };
+  result_.contacts = contact_changes(of_one_source(kept_.contacts), of_one_source(contacts()));
   compare_ends(summary.final);
-  if (!result_.first && result_.contacts.is_none()) {
+  if (!result_.first && result_.contacts.is_none() && other_walls_ == 0) {
     result_.first = first_difference(kept_.contacts, contacts());
     for (std::size_t index = 0; index < contacts().size(); ++index)
       distance_.add(kept_.contacts[index], contacts()[index]);
   }
-  result_.largest = distance_.largest();
+  result_.distance.largest = distance_.largest();
+  result_.distance.is_at_equal_times = distance_.has_other_dt();
+  result_.expected_end = {.row = kept_.final, .is_rest_known = false};
+  result_.actual_end = {.row = summary.final, .settled_since_s = summary.at_rest_since_s};
   result_.shape = difference_in_shape(scenario, summary);
   if (kept_.physics != physics)
     result_.physics = "the golden file is of physics model '" + kept_.physics + "', this program is of '" +

@@ -21,7 +21,9 @@ class RunComparer : public ContactRecorder {
   using Expand = std::function<RowBlock(const StoredBlock&)>;
 
   /// Refers to `kept`. REQUIRES: `expand` is a function.
-  RunComparer(const StoredRun& kept, Expand expand) : kept_(kept), expand_(std::move(expand)) {}
+  /// @param other_walls whose contacts have another source in both runs: they set no class.
+  RunComparer(const StoredRun& kept, Expand expand, int other_walls = 0)
+      : kept_(kept), expand_(std::move(expand)), other_walls_(other_walls), distance_(other_walls) {}
 
   [[nodiscard]] Wants wants() const override {
     return {.rows_every = kept_.blocks.empty() ? 1 : 0, .contacts = true, .blocks = !kept_.blocks.empty()};
@@ -29,6 +31,8 @@ class RunComparer : public ContactRecorder {
   void row(const Row& actual) override;
   void block(const Block& block, std::int64_t count) override;
 
+  /// The distance is that of steps; where it should be taken at equal times, it only says so. Since when the
+  /// kept run has settled is not known yet.
   /// @param scenario that was played; physics by which model; summary of that run.
   [[nodiscard]] Comparison finish(const Scenario& scenario, std::string_view physics,
                                   const RunSummary& summary);
@@ -45,6 +49,7 @@ class RunComparer : public ContactRecorder {
 
   const StoredRun& kept_;
   Expand expand_;
+  int other_walls_;
   std::size_t kept_block_ = 0;        // The kept block that the next block is compared with,
   std::int64_t kept_block_used_ = 0;  // and how many of its repetitions were.
   RowBlock expanded_;                 // The rows of kept block `expanded_block_`; empty if not known.

@@ -42,10 +42,11 @@ double distance_px(const State& a, const State& b) {
 
 void RunDistance::add(const Row& a, const Row& b) {
   assert(a.step == b.step);
-  is_rounding_ = is_rounding_ && a.contact == b.contact && are_within_rounding(kRowColumns, a, b);
-  has_other_walls_ = has_other_walls_ || ((a.contact ^ b.contact) & ~kRestBit) != 0;
-  const double px = distance_px(state_of(a), state_of(b));
-  if (px > (largest_ ? largest_->px : 0.0)) largest_ = {px, a.step};
+  const int other = (a.contact ^ b.contact) & walls_;
+  is_rounding_ = is_rounding_ && other == 0 && are_within_rounding(kRowColumns, a, b);
+  has_other_walls_ = has_other_walls_ || (other & ~kRestBit) != 0;
+  has_other_dt_ = has_other_dt_ || !same_bits(a.dt_s, b.dt_s);
+  take_larger(largest_, {distance_px(state_of(a), state_of(b)), a.step, a.t_s});
 }
 
 void RunDistance::add(const Contact& a, const Contact& b) {

@@ -4,20 +4,27 @@
 #include <limits>
 
 #include "sim/motion/step.h"
+#include "sim/trajectory/state_hash.h"
 
 namespace hyrax {
 
-State Core::stopped(const State& body) const {
-  Keyframe frame;
-  set_state(frame.row, body);
-  kernel->apply(Stop{}, frame);
-  return state_of(frame.row);
+std::string CoreRecord::checksum() const {
+  const std::string_view text = step.empty() ? header : step;
+  return text.empty() ? "" : hex(digest(std::as_bytes(std::span(text))));
 }
 
-// In the largest window there is, most flights meet no wall. One that does flies again at the same velocity
-// in the middle of the window: its speeds are those of the flight, and so is its distance, to the rounding of
-// such a place. If that distance is speed times dt, as the listing moves, the position is exact; else to
-// that rounding.
+std::string Core::sources() const {
+  std::string walls;
+  for (const Wall wall : kWalls)
+    if (touches(walls_of_rows, wall)) walls.append(walls.empty() ? "" : ", ").append(name_of(wall));
+  if (walls.empty()) return "";
+  return walls_of_rows == kAllWalls ? "from the rows" : walls + " from the rows";
+}
+
+// Flies in the largest window there is, in which most flights meet no wall. One that meets a wall is repeated
+// from the middle of the window, with the same velocity. There its velocities are right, and the distance
+// flown is right up to the rounding of a coordinate near 1e9 px. Where it equals the listing's, new velocity
+// times dt, up to that rounding, the listing's is used, which is exact.
 State Core::flight(const State& body, double dt_s) const {
   constexpr int kSide_px = std::numeric_limits<int>::max();
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();

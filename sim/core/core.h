@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "sim/core/core_record.h"
-#include "sim/core/kernel.h"
+#include "sim/core/stepper.h"
 #include "sim/trace/listing_step.h"
 
 namespace hyrax {
@@ -21,27 +22,29 @@ struct Core {
   /// Its header and its step, as text.
   CoreRecord record = {};
   /// Whether its step is the paper's with constants of its own, by that text.
-  StepShape shape = {};
+  PaperMatch paper_match = {};
   /// By which its runs are measured as the paper's model: those of a class of that name, whatever its step,
-  /// or of another core, or class with other names, of the same shape. Nothing: they cannot be.
+  /// or of another core, or class with other names, with the paper's step. Nothing: they cannot be.
   std::optional<Constants> constants = {};
-  std::shared_ptr<const Kernel> kernel = {};
+  /// A contact byte: those whose contacts the rows tell; of others the step's comparisons decide.
+  std::uint8_t walls_of_rows = 0;
+  std::shared_ptr<const Stepper> stepper = {};
 
+  /// walls_of_rows: "from the rows"; of some walls "left, top from the rows"; empty of none.
+  [[nodiscard]] std::string sources() const;
   /// One call of update, or several with one dt. REQUIRES, of all functions here: bounds that are whole
   /// numbers within the range of int.
   [[nodiscard]] State step(const State& body, double dt_s, const Bounds& bounds) const {
-    return kernel->steps(body, dt_s, bounds, 1);
+    return stepper->steps(body, dt_s, bounds, 1);
   }
   [[nodiscard]] State steps(const State& body, double dt_s, const Bounds& bounds, std::int64_t count) const {
-    return kernel->steps(body, dt_s, bounds, count);
+    return stepper->steps(body, dt_s, bounds, count);
   }
   /// Calls of update through the frames, each in so many equal parts.
   [[nodiscard]] State played(const State& body, std::span<const double> frames_s, const Bounds& bounds,
                              int parts = 1) const {
-    return kernel->played(body, frames_s, bounds, parts);
+    return stepper->played(body, frames_s, bounds, parts);
   }
-  /// resetVelocity.
-  [[nodiscard]] State stopped(const State& body) const;
   /// One call of update without walls. REQUIRES: constants.
   [[nodiscard]] State flight(const State& body, double dt_s) const;
 };

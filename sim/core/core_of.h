@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "sim/core/core.h"
-#include "sim/core/kernel_of.h"
+#include "sim/core/stepper_of.h"
 #include "sim/motion/state.h"
 
 namespace hyrax {
@@ -14,8 +14,9 @@ template <class Class>
 struct ClassCores {
   using Core = Class;
 
+  // Not as a list: its numbers may be narrower.
   [[nodiscard]] Class make(const State& state) const {
-    return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
+    return Class(state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s);
   }
   [[nodiscard]] Constants constants() const requires HasPaperConstants<Class> {
     return constants_of<Class>();
@@ -30,8 +31,8 @@ template <class Class>
                 "hyrax: class physics must be trivially copyable: a run goes on with a copy of it");
   Core core{.name = name, .record = record};
   if constexpr (HasPaperConstants<Class>) core.constants = constants_of<Class>();
-  if (record.is_listing) core.shape.constants = core.constants;
-  core.kernel = std::make_shared<const KernelOf<ClassCores<Class>>>(
+  if (record.is_listing) core.paper_match.constants = core.constants;
+  core.stepper = std::make_shared<const StepperOf<ClassCores<Class>>>(
       ClassCores<Class>(),
       StepFacts{.is_listing = record.is_listing, .has_further_members = !record.is_listing});
   if (record.complete != nullptr) record.complete(core);

@@ -1,6 +1,6 @@
 #include "sim/core/listing_core.h"
 
-#include "sim/core/kernel_of.h"
+#include "sim/core/stepper_of.h"
 #include "sim/motion/step.h"
 #include "sim/trajectory/physics_model.h"
 
@@ -23,10 +23,10 @@ struct ListingCores : StepCores<ConstantsStep> {
 
 Core listing_core(const Constants& constants) {
   return {.name = kPhysicsModel,
-          .shape = {constants},
+          .paper_match = {constants},
           .constants = constants,
-          .kernel = std::make_shared<const KernelOf<ListingCores>>(ListingCores{{{constants}}},
-                                                                   StepFacts{.is_listing = true})};
+          .stepper = std::make_shared<const StepperOf<ListingCores>>(ListingCores{{{constants}}},
+                                                                     StepFacts{.is_listing = true})};
 }
 
 }  // namespace hyrax

@@ -7,7 +7,7 @@
 namespace hyrax {
 
 /// A core whose step is a value: what a replay plays in place of class physics.
-/// Has the interface of class physics that a kernel asks for (sim/core/kernel_of.h).
+/// Has the interface of class physics that a stepper asks for (sim/core/stepper_of.h).
 /// @tparam Step copied with each core: `step(State&, double dt_s, const Bounds&)`.
 template <class Step>
 class StepCore : World {
@@ -30,7 +30,7 @@ class StepCore : World {
   Step step_;
 };
 
-/// Makes cores of a step, for a kernel (sim/core/kernel_of.h).
+/// Makes cores of a step, for a stepper (sim/core/stepper_of.h).
 template <class Step>
 struct StepCores {
   using Core = StepCore<Step>;

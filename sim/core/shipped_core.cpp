@@ -2,6 +2,7 @@
 
 #include "sim/core/core_of.h"
 #include "sim/physics/physics.h"
+#include "sim/physics/strict_arithmetic.h"  // Refuses flags that change its bits.
 #include "sim/trajectory/physics_model.h"
 
 namespace hyrax {

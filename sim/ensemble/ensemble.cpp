@@ -187,9 +187,9 @@ class EnsemblePlayer::Batch {
 
 EnsemblePlayer::EnsemblePlayer(const Core& core, const Sweep& sweep, const KernelSet* kernels)
     : core_(core), sweep_(sweep) {
-  if (!core.shape.constants || needs_replay(sweep)) return;
+  if (!core.paper_match.constants || needs_replay(sweep)) return;
   if (kernels == nullptr) kernels = &kernel_sets().front();
-  batch_ = std::make_unique<Batch>(sweep, *kernels, *core.shape.constants);
+  batch_ = std::make_unique<Batch>(sweep, *kernels, *core.paper_match.constants);
 }
 EnsemblePlayer::~EnsemblePlayer() = default;
 

@@ -47,7 +47,7 @@ struct StepTally {
   }
 };
 
-/// Plays members of a sweep: those of a core of the paper's shape by kernels, those of any other step by
+/// Plays members of a sweep: those of a core with the paper's step by kernels, those of any other step by
 /// step, to the same bits. One a thread.
 class EnsemblePlayer {
  public:

@@ -165,7 +165,7 @@ struct Draws {
 };
 
 // The dt of a lane's next frame; operations as in sim/scenario/frame_clock.cpp.
-struct FrameTimes {
+struct LaneFrameClock {
   Real dt, amount;
   Draws draws;
   Word frame;
@@ -209,7 +209,7 @@ struct Group {
 
   Bodies b;
   Real dt, gravity_dt;
-  FrameTimes frame_times;
+  LaneFrameClock frame_clock;
   Track track;
   Times times;
   Extremes extremes;
@@ -220,7 +220,7 @@ struct Group {
     dt = load(lanes.dt_s, lane);
     gravity_dt = hn::Mul(laws.gravity, dt);
     if constexpr (!kIsFixed)
-      frame_times = {
+      frame_clock = {
           dt, load(lanes.amount, lane), {load(lanes.draw, lane)}, load(lanes.frame, lane), lanes.trace};
     if constexpr (kIsTracked)
       track = {load(lanes.walls, lane), hn::Zero(Words()), load(lanes.anchor_x_px, lane),
@@ -239,8 +239,8 @@ struct Group {
     store(b.vx, lanes.vx_px_per_s, lane);
     store(b.vy, lanes.vy_px_per_s, lane);
     if constexpr (!kIsFixed) {
-      store(frame_times.draws.state, lanes.draw, lane);
-      store(frame_times.frame, lanes.frame, lane);
+      store(frame_clock.draws.state, lanes.draw, lane);
+      store(frame_clock.frame, lanes.frame, lane);
     }
     if constexpr (kIsTracked) {
       store(track.walls, lanes.walls, lane);
@@ -267,7 +267,7 @@ struct Group {
 
   HWY_INLINE Mask play(const Laws& laws, LaneClock clock, double step_number) {
     if constexpr (!kIsFixed) {
-      dt = frame_times.next(clock);
+      dt = frame_clock.next(clock);
       gravity_dt = hn::Mul(laws.gravity, dt);
     }
     const StepContact contact = step(laws, b, dt, gravity_dt);

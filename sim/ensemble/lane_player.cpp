@@ -183,7 +183,9 @@ class LanePlayer::Flying {
                                    frames_before + static_cast<std::int64_t>(lanes_.moved[lane]));
   }
 
-  // Frames left after those that need not be computed here.
+  // How many of the `left` frames are still to be computed here. Left out are all of a sprite that lies on
+  // the ground, whose x a simpler kernel moves afterwards (slides_), and whole blocks of one that repeats
+  // itself.
   std::int64_t leave_out(const Leg& leg, std::size_t lane, std::int64_t steps, std::int64_t left) {
     if (is_in(lanes_.is_at_rest, lane) &&
         stays_inside(lanes_.constants, lanes_.x_px[lane], lanes_.vx_px_per_s[lane], leg.dt_s,

@@ -1,6 +1,6 @@
-// The paper's step with its constants, its parts and its order free: what studies vary.
+// The paper's step with its constants and its parts free: what studies vary.
 //
-// With all parts, the paper's order and the constants of class physics it is physics::update bit for bit,
+// With all parts and the constants of class physics it is physics::update bit for bit,
 // to which a test holds it. It moves no sprite in a result that is called exact, but says what a step of the
 // core met on its way: which walls, how fast, how far past them.
 #pragma once
@@ -16,7 +16,7 @@
 namespace hyrax {
 
 /// The parts of the model and of the window.
-enum class Part : std::uint8_t {
+enum class ModelPart : std::uint8_t {
   gravity,
   drag,
   left_wall,
@@ -28,37 +28,29 @@ enum class Part : std::uint8_t {
   rest_rule
 };
 
-inline constexpr std::size_t kPartCount = 9;
-inline constexpr std::array<std::string_view, kPartCount> kPartNames = {
+inline constexpr std::size_t kModelPartCount = 9;
+inline constexpr std::array<std::string_view, kModelPartCount> kModelPartNames = {
     "gravity", "drag", "left wall", "right wall", "top", "ground", "friction", "restitution", "rest rule"};
 
 /// Which parts a step has; all of them at first.
-class Parts {
+class ModelParts {
  public:
-  [[nodiscard]] constexpr bool has(Part part) const {
+  [[nodiscard]] constexpr bool has(ModelPart part) const {
     return (left_out_ >> static_cast<unsigned>(part) & 1u) == 0;
   }
-  constexpr void leave_out(Part part) { left_out_ |= 1u << static_cast<unsigned>(part); }
+  constexpr void leave_out(ModelPart part) { left_out_ |= 1u << static_cast<unsigned>(part); }
 
  private:
   unsigned left_out_ = 0;
 };
 
 /// All parts but one, known when the step is compiled, so that what is left out costs nothing.
-template <Part kPart>
+template <ModelPart kPart>
 struct AllBut {
-  [[nodiscard]] static constexpr bool has(Part part) { return part != kPart; }
+  [[nodiscard]] static constexpr bool has(ModelPart part) { return part != kPart; }
 };
 struct AllParts {
-  [[nodiscard]] static constexpr bool has(Part) { return true; }
-};
-
-enum class StepOrder : std::uint8_t {
-  paper,           ///< Gravity, drag, position, walls in x, walls in y.
-  drag_first,      ///< Drag, gravity, position, walls.
-  position_first,  ///< Position with the old velocity, gravity, drag, walls: explicit Euler.
-  y_walls_first,   ///< As the paper's, with the walls in y before those in x.
-  walls_first,     ///< Walls, gravity, drag, position.
+  [[nodiscard]] static constexpr bool has(ModelPart) { return true; }
 };
 
 /// One step, an operation each. What a part left out does not do: gravity adds nothing, drag and friction
@@ -71,10 +63,10 @@ class ListingStep {
       : constants_(constants), parts_(parts), bounds_(bounds) {}
 
   void pull(State& s, double dt_s) const {
-    if (parts_.has(Part::gravity)) s.vy_px_per_s += constants_.gravity_px_per_s2 * dt_s;
+    if (parts_.has(ModelPart::gravity)) s.vy_px_per_s += constants_.gravity_px_per_s2 * dt_s;
   }
   void drag(State& s) const {
-    if (!parts_.has(Part::drag)) return;
+    if (!parts_.has(ModelPart::drag)) return;
     s.vx_px_per_s *= constants_.air_drag;
     s.vy_px_per_s *= constants_.air_drag;
   }
@@ -90,12 +82,12 @@ class ListingStep {
   }
   /// Returns the wall that clamped as a row's contact byte has it; 0: none.
   std::uint8_t meet_walls_in_x(State& s) const {
-    if (parts_.has(Part::left_wall) && s.x_px < 0.0) {
+    if (parts_.has(ModelPart::left_wall) && s.x_px < 0.0) {
       s.x_px = 0.0;
       s.vx_px_per_s = turned(s.vx_px_per_s);
       return static_cast<std::uint8_t>(Wall::left);
     }
-    if (parts_.has(Part::right_wall) && s.x_px > bounds_.right_px) {
+    if (parts_.has(ModelPart::right_wall) && s.x_px > bounds_.right_px) {
       s.x_px = bounds_.right_px;
       s.vx_px_per_s = turned(s.vx_px_per_s);
       return static_cast<std::uint8_t>(Wall::right);
@@ -103,16 +95,16 @@ class ListingStep {
     return 0;
   }
   std::uint8_t meet_walls_in_y(State& s) const {
-    if (parts_.has(Part::top_wall) && s.y_px < 0.0) {
+    if (parts_.has(ModelPart::top_wall) && s.y_px < 0.0) {
       s.y_px = 0.0;
       s.vy_px_per_s = turned(s.vy_px_per_s);
       return static_cast<std::uint8_t>(Wall::top);
     }
-    if (parts_.has(Part::ground) && s.y_px > bounds_.bottom_px) {
+    if (parts_.has(ModelPart::ground) && s.y_px > bounds_.bottom_px) {
       s.y_px = bounds_.bottom_px;
       s.vy_px_per_s = turned(s.vy_px_per_s);
-      if (parts_.has(Part::friction)) s.vx_px_per_s *= constants_.ground_friction;
-      if (parts_.has(Part::rest_rule) && std::fabs(s.vy_px_per_s) < constants_.rest_threshold_px_per_s)
+      if (parts_.has(ModelPart::friction)) s.vx_px_per_s *= constants_.ground_friction;
+      if (parts_.has(ModelPart::rest_rule) && std::fabs(s.vy_px_per_s) < constants_.rest_threshold_px_per_s)
         s.vy_px_per_s = 0.0;
       return static_cast<std::uint8_t>(Wall::ground);
     }
@@ -128,32 +120,12 @@ class ListingStep {
 
  private:
   [[nodiscard]] double turned(double speed_px_per_s) const {
-    return parts_.has(Part::restitution) ? -speed_px_per_s * constants_.restitution : -speed_px_per_s;
+    return parts_.has(ModelPart::restitution) ? -speed_px_per_s * constants_.restitution : -speed_px_per_s;
   }
 
   Constants constants_;
   PartSet parts_;
   Bounds bounds_;
 };
-
-/// One step with all parts, in any order.
-[[nodiscard]] inline State stepped(const Constants& constants, StepOrder order, State s, double dt_s,
-                                   const Bounds& bounds) {
-  const ListingStep step(constants, AllParts{}, bounds);
-  if (order == StepOrder::position_first) step.move(s, dt_s);
-  if (order == StepOrder::walls_first) {
-    step.meet_walls_in_x(s);
-    step.meet_walls_in_y(s);
-  }
-  if (order == StepOrder::drag_first) step.drag(s);
-  step.pull(s, dt_s);
-  if (order != StepOrder::drag_first) step.drag(s);
-  if (order != StepOrder::position_first) step.move(s, dt_s);
-  if (order == StepOrder::walls_first) return s;
-  if (order == StepOrder::y_walls_first) step.meet_walls_in_y(s);
-  step.meet_walls_in_x(s);
-  if (order != StepOrder::y_walls_first) step.meet_walls_in_y(s);
-  return s;
-}
 
 }  // namespace hyrax

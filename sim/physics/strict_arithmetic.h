@@ -10,8 +10,9 @@
 // Only the must-fail controls of the tests lift these guards, to show that the run-time check
 // catches what they refuse.
 #ifndef HYRAX_CONTROL_WITHOUT_GUARDS
-#ifdef __FAST_MATH__
-#error "hyrax: -ffast-math changes the bits of the core; build without it"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "hyrax: -ffast-math changes the bits of the core, as each of its parts does; build without them"
 #endif
 static_assert(FLT_EVAL_METHOD == 0,
               "hyrax: doubles are kept with excess precision (x87); build for SSE2 or a 64-bit target");

@@ -38,7 +38,7 @@ void ArcCutter::row(const Row& row) {
     non_finite_step_ = row.step;
     return;
   }
-  if (is_open_) {
+  if (is_flying_) {
     if (row.contact == 0)
       fly(row);
     else
@@ -47,7 +47,7 @@ void ArcCutter::row(const Row& row) {
   if (row.step != 0 && row.contact == 0 && !playback_.has_inputs_after(row.step)) return;
   Row start = row;
   const InputChange change = playback_.apply(start);
-  if (is_open_ && change.ends_arc) close(change.grabs ? ArcEnd::hold : ArcEnd::input, nullptr);
+  if (is_flying_ && change.ends_arc) close(change.grabs ? ArcEnd::hold : ArcEnd::input, nullptr);
   const bool begins = row.step == 0 || row.contact != 0 || change.ends_arc;
   if (begins && !playback_.is_held()) open(start);
 }
@@ -68,7 +68,7 @@ void ArcCutter::fly(const Row& row) {
 void ArcCutter::open(const Row& start) {
   start_ = {start, playback_.bounds()};
   steps_ = 0;
-  is_open_ = true;
+  is_flying_ = true;
 }
 
 void ArcCutter::close(ArcEnd ended_by, const Row* clamped) {
@@ -76,11 +76,11 @@ void ArcCutter::close(ArcEnd ended_by, const Row* clamped) {
   if (steps_ >= 2) visitor_.end(ended_by, clamped);
   if (steps_ == 1 || (steps_ == 0 && clamped != nullptr))
     visitor_.short_arc(start_, steps_ == 1 ? &first_row_ : nullptr, clamped);
-  is_open_ = false;
+  is_flying_ = false;
 }
 
 void ArcCutter::finish() {
-  if (is_open_ && steps_ > 0) close(ArcEnd::end, nullptr);
+  if (is_flying_ && steps_ > 0) close(ArcEnd::end, nullptr);
 }
 
 }  // namespace hyrax

@@ -60,6 +60,8 @@ class ArcCutter final : public RowSink {
   /// Ends the arc that the run's last row leaves open.
   void finish();
 
+  /// Its inputs are applied up to the frame after the last row.
+  [[nodiscard]] const InputPlayback& playback() const { return playback_; }
   /// Arcs of fewer than two steps. An arc that no frame follows, at the run's last row, is none.
   [[nodiscard]] std::int64_t skipped_arcs() const { return skipped_arcs_; }
   /// The first row that is not finite (or beyond 1e100, or of a dt that no clock has); nothing from
@@ -74,7 +76,7 @@ class ArcCutter final : public RowSink {
   InputPlayback playback_;
   ArcVisitor& visitor_;
   ArcStart start_;
-  bool is_open_ = false;
+  bool is_flying_ = false;
   std::int64_t steps_ = 0;  // Of the open arc.
   Row first_row_;           // Not handed on before a second one comes.
   std::int64_t skipped_arcs_ = 0;

@@ -52,7 +52,8 @@ ArcMeter::ArcMeter(const Model& model, DriftSink& sink, FlightSolver* solver)
       sink_(sink),
       wants_rows_(sink.wants_rows()),
       solution_(model),
-      walls_(model.gravity_px_per_s2, solution_.log_air_drag(), time_of_impact) {
+      walls_(model.gravity_px_per_s2, solution_.log_air_drag(), time_of_impact),
+      causes_(model.gravity_px_per_s2) {
   if (solver != nullptr) check_.emplace(model, *solver);
 }
 
@@ -139,7 +140,11 @@ void ArcMeter::close(ArcEnd ended_by, std::uint8_t walls, const Row* clamped, bo
   verify();
   count_fault();
   if (is_listed) report_arc();
-  if (!contacts.empty()) summary_.contact_energy += contacts.front().energy_parts;
+  if (contacts.empty()) return;
+  solution_.advance(clamped->dt_s);
+  const double drift = gain(solution_.matched(), seen_from_start(step_from_last(clamped->dt_s)));
+  contacts.front().flight_error_px2_per_s2 = drift - (is_listed ? arc_.energy_drift_end_px2_per_s2 : 0.0);
+  contacts.back().is_second_of_corner = contacts.size() > 1;
   for (const ImpactErrors& contact : contacts)
     report_contact(contact, contact.wall == Wall::ground && (clamped->contact & kRestBit) != 0);
 }
@@ -241,7 +246,7 @@ ImpactErrors ArcMeter::impact_errors(Wall wall, const Row& clamped) {
     contact.time_error_s = clamped.dt_s - impact->t_s;
     if (impact->speed_px_per_s != 0.0)
       contact.effective_restitution = speed_after(wall, clamped) / impact->speed_px_per_s;
-    contact.late_bounce_px2_per_s2 = late_bounce(wall, clamped.dt_s, impact->speed_px_per_s);
+    contact.bounce_error_px2_per_s2 = bounce_error(wall, clamped.dt_s, impact->speed_px_per_s);
     impact->t_s = clamped.dt_s - *contact.time_error_s;  // What is reported is what is checked.
   }
   if (check_) check_->check_impact(wall, clamped.dt_s, impact);
@@ -268,10 +273,10 @@ ContactEnergyParts ArcMeter::contact_energy(const Row& clamped) const {
   return parts;
 }
 
-double ArcMeter::late_bounce(Wall wall, double dt_s, double impact_speed_px_per_s) const {
+double ArcMeter::bounce_error(Wall wall, double dt_s, double impact_speed_px_per_s) const {
   const Row unclamped = step_from_last(dt_s);
   const double speed = std::fabs(is_at_side(wall) ? unclamped.vx_px_per_s : unclamped.vy_px_per_s);
-  return 0.5 * model_.restitution * model_.restitution *
+  return -0.5 * (1.0 - model_.restitution * model_.restitution) *
          ((speed - impact_speed_px_per_s) * (speed + impact_speed_px_per_s));
 }
 
@@ -299,7 +304,10 @@ void ArcMeter::report_arc() {
   ++s.arcs;
   if (!arc_.solves_x) ++s.arcs_without_x;
   s.differing_steps += arc_.differing_steps;
-  s.arc_energy += arc_.energy_parts;
+  if (open_contacts_.empty())
+    causes_.add(arc_.energy_parts);
+  else
+    open_arcs_ += arc_.energy_parts;
   s.reference_energy_px2_per_s2 += gain(first_, solution_.matched());
   drift_of_all_arcs_.add_line(gathered_.drift_fit);
   if (const auto slope = drift_of_all_arcs_.slope_per_s(); slope && model_.gravity_px_per_s2 > 0.0)
@@ -310,13 +318,33 @@ void ArcMeter::report_arc() {
 }
 
 void ArcMeter::report_contact(const ImpactErrors& contact, bool is_stopped) {
-  DriftSummary& s = summary_;
-  ++s.contacts;
-  s.late_bounces_px2_per_s2 += contact.late_bounce_px2_per_s2.value_or(0.0);
-  include_all_worst(s, kImpactColumns, contact, contact.step);
-  if (contact.effective_restitution && !is_stopped)
-    s.effective_restitution.add(*contact.effective_restitution);
+  ++summary_.contacts;
+  if (contact.wall != Wall::ground && open_contacts_.empty()) {
+    include(contact, is_stopped);
+    causes_.add(contact);
+  } else if (open_contacts_.size() < kContactsOpenMax) {
+    open_contacts_.push_back({contact, is_stopped});
+  }
   sink_.contact(contact);
+}
+
+void ArcMeter::include(const ImpactErrors& contact, bool is_stopped) {
+  include_all_worst(summary_, kImpactColumns, contact, contact.step);
+  if (contact.effective_restitution && !is_stopped)
+    summary_.effective_restitution.add(*contact.effective_restitution);
+}
+
+void ArcMeter::settle(std::int64_t end_step, std::optional<std::int64_t> resting_from_step) {
+  if (open_contacts_.empty()) return;
+  for (const OpenContact& open : open_contacts_) {
+    const std::int64_t step = open.errors.step;
+    const bool is_resting = resting_from_step && step >= *resting_from_step && step < end_step;
+    if (!is_resting || open.errors.wall != Wall::ground) include(open.errors, open.is_stopped);
+    if (!is_resting) causes_.add(open.errors);
+  }
+  if (!resting_from_step) causes_.add(open_arcs_);
+  open_arcs_ = {};
+  open_contacts_.clear();
 }
 
 }  // namespace hyrax

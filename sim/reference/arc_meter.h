@@ -12,6 +12,7 @@
 #include "sim/reference/arc_solution.h"
 #include "sim/reference/double_double.h"
 #include "sim/reference/drift.h"
+#include "sim/reference/energy_causes.h"
 #include "sim/reference/flight.h"
 #include "sim/reference/flight_solver.h"
 #include "sim/reference/largest.h"
@@ -106,7 +107,7 @@ class ReferenceCheck {
   /// The largest distance of both solutions in px: of rows, and of the model's last position. None
   /// where the solver failed.
   [[nodiscard]] std::optional<double> apart_px() const;
-  /// What differs by more than drift.h allows, as in ArcErrors; empty: nothing, or the solver is no judge.
+  /// What differs by more than drift.h allows, as in ArcErrors; empty: nothing.
   [[nodiscard]] std::string_view fault(double coordinate_largest_px) const;
 
  private:
@@ -165,6 +166,10 @@ class LineFit {
 
 class ArcMeter final : public ArcVisitor {
  public:
+  /// Of more contacts of a sprite that stays on the floor, and then leaves it without an input, statistics
+  /// know nothing.
+  static constexpr std::size_t kContactsOpenMax = 1 << 16;
+
   /// @param solver checks the closed form where it is not null. Refers to sink and solver.
   ArcMeter(const Model& model, DriftSink& sink, FlightSolver* solver);
 
@@ -173,8 +178,16 @@ class ArcMeter final : public ArcVisitor {
   void end(ArcEnd ended_by, const Row* clamped) override;
   void short_arc(const ArcStart& start, const Row* flown, const Row* clamped) override;
 
+  /// Contacts from one on the ground on enter the statistics once it is known which of them are bounces: all
+  /// since the last call, or without those on the ground from resting_from_step on that began before row
+  /// end_step.
+  void settle(std::int64_t end_step, std::optional<std::int64_t> resting_from_step);
   /// Without what the cutter knows: skipped arcs and the first row that is not finite.
-  [[nodiscard]] const DriftSummary& summary() const { return summary_; }
+  [[nodiscard]] DriftSummary summary() const {
+    DriftSummary summary = summary_;
+    summary.causes = causes_.now();
+    return summary;
+  }
 
  private:
   // What is gathered over the rows of one arc.
@@ -197,12 +210,13 @@ class ArcMeter final : public ArcVisitor {
   void verify();
   [[nodiscard]] ImpactErrors impact_errors(Wall wall, const Row& clamped);
   [[nodiscard]] ContactEnergyParts contact_energy(const Row& clamped) const;
-  [[nodiscard]] double late_bounce(Wall wall, double dt_s, double impact_speed_px_per_s) const;
+  [[nodiscard]] double bounce_error(Wall wall, double dt_s, double impact_speed_px_per_s) const;
   [[nodiscard]] double speed_after(Wall wall, const Row& clamped) const;
   [[nodiscard]] State seen_from_start(const Row& row) const;
   void count_fault();
   void report_arc();
   void report_contact(const ImpactErrors& contact, bool is_stopped);
+  void include(const ImpactErrors& contact, bool is_stopped);
 
   Model model_;
   DriftSink& sink_;
@@ -217,6 +231,13 @@ class ArcMeter final : public ArcVisitor {
   ArcErrors arc_;  // Of the arc so far.
   Gathered gathered_;
   LineFit drift_of_all_arcs_;
+  struct OpenContact {
+    ImpactErrors errors;
+    bool is_stopped = false;
+  };
+  std::vector<OpenContact> open_contacts_;  // The first kContactsOpenMax,
+  ArcEnergyParts open_arcs_;                // and the arcs since the first.
+  EnergyCauseSum causes_;
   DriftSummary summary_;
 };
 

@@ -12,7 +12,7 @@
 
 namespace hyrax {
 
-/// The closed forms have one shape. After n frames of dt = h from speed v, with acceleration g,
+/// The closed forms are alike. After n frames of dt = h from speed v, with acceleration g,
 ///   speed = power v + g h sum,   displacement = h (sum v + g h sum_of_sums).
 template <class Number>
 struct FramePower {

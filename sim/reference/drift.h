@@ -121,9 +121,27 @@ struct ImpactErrors {
   double energy_jump_rel = 0.0;             ///< and that / the arc's scale.
   std::optional<double> effective_restitution = {};  ///< Normal speed after that wall / normal speed at t*.
   ContactEnergyParts energy_parts = {};              ///< In a corner the same for both walls.
-  /// What restitution at the end of the step, early or late, adds over restitution at t*, px^2/s^2: with r
-  /// the ratio of speeds, r^2 / 2 (speed^2 at the step's end - speed^2 at t*), of the normal speed.
-  std::optional<double> late_bounce_px2_per_s2 = {};
+  bool is_second_of_corner = false;
+  /// What the clamped frame adds to the listed arc's energy drift by its flight, before the wall is asked
+  /// for.
+  double flight_error_px2_per_s2 = 0.0;
+  /// What restitution at the end of the step, early or late, takes more than at t*, px^2/s^2, signed: with r
+  /// the ratio of speeds, -(1 - r^2) / 2 (speed^2 at the step's end - speed^2 at t*), of the normal speed.
+  std::optional<double> bounce_error_px2_per_s2 = {};
+};
+
+/// How the energy drift of flights and bounces came about, as the height in px that it lifts the sprite by:
+/// gravity once a step, drag on that path, the lift out of walls, restitution after the wall instead of at
+/// it; and what these do not explain, the flight within the frames of contacts.
+struct EnergyCauses {
+  double gravity = 0.0;
+  double drag = 0.0;
+  double lift = 0.0;
+  double bounce = 0.0;
+  double flight = 0.0;
+
+  /// What is explained.
+  [[nodiscard]] double sum() const { return gravity + drag + lift + bounce; }
 };
 
 /// A row of an arc against the exact flights. Rows of an arc come in order, its first row included.
@@ -210,15 +228,27 @@ struct DriftSummary {
   std::optional<Worst> time_error_s;  ///< The largest in magnitude, with its sign.
   std::optional<Worst> overshoot_px;
   std::optional<Worst> energy_jump_rel;  ///< The largest in magnitude, with its sign.
-  ArcEnergyParts arc_energy;             ///< Sums over the arcs,
-  ContactEnergyParts contact_energy;     ///< the contacts (a corner counts once),
-  double late_bounces_px2_per_s2 = 0.0;  ///< and those with a t*.
+  EnergyCauses causes;                   ///< Of bounces, and of arcs without those between resting contacts.
   /// Energy changes: of the matched ODE along the arcs, and of the run in rows that no arc and no contact has
   /// (arcs of one step, frames in which a contact goes on). With the parts of arcs and contacts they add up
   /// to that of the run without its inputs.
   double reference_energy_px2_per_s2 = 0.0;
   double unlisted_energy_px2_per_s2 = 0.0;
   Spread effective_restitution;
+  struct Rest {
+    double from_s = 0.0;
+    double to_s = 0.0;
+  };
+  std::vector<Rest> rests;         ///< When the sprite was in resting contact: the first kRestsMax times,
+  bool is_resting_at_end = false;  ///< and whether the last of them goes on to the end.
+  static constexpr std::size_t kRestsMax = 1000;
+
+  [[nodiscard]] bool is_at_rest(double t_s) const {
+    for (const Rest& rest : rests)
+      if (rest.from_s <= t_s && (t_s < rest.to_s || (is_resting_at_end && &rest == &rests.back())))
+        return true;
+    return false;
+  }
 };
 
 }  // namespace hyrax

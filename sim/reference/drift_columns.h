@@ -115,10 +115,21 @@ inline constexpr DriftColumn<WholeRun> kWholeColumns[] = {
     {"max_step", "", "row of the largest distance", &WholeRun::max_px_step, "max_px_step"},
     {"energy_end", "px", "energy of the run minus the exact fling's in the last row, as height",
      &WholeRun::energy_end_px},
-    {"energy_max", "px", "largest difference of energies, as height", &WholeRun::energy_max_px},
+    {"energy_max", "px",
+     "largest difference of energies, as height, over rows at which both have had the same contacts",
+     &WholeRun::energy_max_px},
+    {"energy_phase", "px", "the largest over the other rows", &WholeRun::energy_phase_px},
     {"secular", "px/s", "slope of the energy drift in flight, as height", &WholeRun::secular_px_per_s},
     {"contacts_differ_from", "", "row of the first contact that is not the exact fling's; -1: none",
      &WholeRun::contacts_differ_from},
+};
+
+/// Of the document alone.
+inline constexpr DriftColumn<WholeRun> kEnclosureColumns[] = {
+    {"end_low", "px", "end_px for certain: at least", &WholeRun::end_px_low, "end_px_low"},
+    {"end_high", "px", "at most", &WholeRun::end_px_high, "end_px_high"},
+    {"max_low", "px", "max_px for certain: at least", &WholeRun::max_px_low, "max_px_low"},
+    {"max_high", "px", "at most", &WholeRun::max_px_high, "max_px_high"},
 };
 
 inline constexpr ColumnOf<RowErrors> kReferenceRowColumns[] = {
@@ -143,7 +154,7 @@ inline constexpr ColumnOf<RowErrors> kDriftRowColumns[] = {
 /// One row, or none without an exact fling.
 [[nodiscard]] inline Table whole_table(const WholeOutcome& whole) {
   const auto runs = whole.run ? std::vector{*whole.run} : std::vector<WholeRun>();
-  return {.name = "whole", .columns = columns_of(kWholeColumns, runs), .shape = JsonShape::one};
+  return {.name = "whole", .columns = columns_of(kWholeColumns, runs), .form = JsonForm::one};
 }
 
 }  // namespace hyrax

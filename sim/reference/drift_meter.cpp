@@ -4,8 +4,31 @@ namespace hyrax {
 
 void DriftMeter::row(const Row& row) {
   if (is_over_) return;
+  const double floor_px = cutter_.playback().bounds().bottom_px;
+  const bool is_before_input = cutter_.playback().has_inputs_after(row.step);
   cutter_.row(row);
+  const bool was_open = resting_.open_from_step().has_value();
+  resting_.row(row.step, last_.contact, row.contact, row.y_px, floor_px);
+  if (!was_open) {
+    open_from_s_ = row.t_s;
+    has_gone_on_ = resting_.has_gone_on();
+  }
+  last_ = row;
+  if (is_before_input)
+    end_stretch(row.step);
+  else if (!resting_.open_from_step())
+    meter_.settle(row.step, std::nullopt);
   if (periods_) judge_period(row.step);
+}
+
+void DriftMeter::end_stretch(std::int64_t step) {
+  resting_.end(step);
+  meter_.settle(step, resting_.from_step());
+  if (!resting_.from_step()) return;
+  if (has_gone_on_ && !rests_.empty())
+    rests_.back().to_s = last_.t_s;
+  else if (rests_.size() < DriftSummary::kRestsMax)
+    rests_.push_back({open_from_s_, last_.t_s});
 }
 
 // Complete periods are looked at only where skipping them saves time.
@@ -39,7 +62,11 @@ DriftSummary DriftMeter::summary() const {
 
 DriftSummary DriftMeter::finish() {
   cutter_.finish();
-  return summary();
+  end_stretch(is_over_ ? steps_ : last_.step);
+  DriftSummary result = summary();
+  result.rests = rests_;
+  result.is_resting_at_end = resting_.from_step().has_value();
+  return result;
 }
 
 }  // namespace hyrax

@@ -11,6 +11,7 @@
 #include "sim/reference/drift.h"
 #include "sim/reference/flight_solver.h"
 #include "sim/reference/model.h"
+#include "sim/trajectory/resting_contact.h"
 
 namespace hyrax {
 
@@ -43,9 +44,15 @@ class DriftMeter final : public RowSink {
 
   [[nodiscard]] DriftSummary summary() const;
   void judge_period(std::int64_t step);
+  void end_stretch(std::int64_t step);
 
   ArcMeter meter_;
   ArcCutter cutter_;
+  RestingContact resting_;
+  double open_from_s_ = 0.0;  // Time of its open_from_step,
+  bool has_gone_on_ = false;  // of a rest that goes on.
+  std::vector<DriftSummary::Rest> rests_;
+  Row last_;
   std::int64_t steps_;
   std::optional<Periods> periods_;
   bool is_over_ = false;  // The periods to come are like one that was measured.

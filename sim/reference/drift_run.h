@@ -26,6 +26,7 @@ struct DriftRun {
   double simulated_s = 0.0;
   std::string note;        ///< On the origin of the rows; may be empty.
   std::string checked_by;  ///< The second solution of every arc: "GSL rk8pd, tolerance 1e-12"; empty: none.
+  bool is_checked_by_default = true;  ///< If not, a difference is the second solution's.
   Model model;
 
   DriftSummary summary;

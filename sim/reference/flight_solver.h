@@ -28,10 +28,6 @@ class FlightSolver {
   [[nodiscard]] virtual std::optional<Position> model(double t_s) = 0;
   /// As hyrax::time_of_impact. A solver that failed returns NaN.
   [[nodiscard]] virtual std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) = 0;
-
-  /// Whether its distance from the closed form must be within the bounds that drift.h gives. A solver asked
-  /// for with a lower accuracy shows its own error there.
-  [[nodiscard]] virtual bool is_accurate() const = 0;
 };
 
 }  // namespace hyrax

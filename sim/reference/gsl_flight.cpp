@@ -106,8 +106,7 @@ class AxisFlight {
 class GslFlight final : public FlightSolver {
  public:
   GslFlight(const GslOptions& options, const Model& model)
-      : is_accurate_(options.stepper == GslStepper::rk8pd && options.tolerance <= 1e-12),
-        gravity_px_per_s2_(model.gravity_px_per_s2),
+      : gravity_px_per_s2_(model.gravity_px_per_s2),
         drag_per_frame_(-std::log(model.air_drag)),
         model_rate_per_s_(drag_per_frame_ * model.model_rate_hz),
         in_y_(options, 1),
@@ -146,12 +145,9 @@ class GslFlight final : public FlightSolver {
     return Impact{*t_s, axis_.after(*t_s).speed_px_per_s, approach.drag_rate_per_s};
   }
 
-  [[nodiscard]] bool is_accurate() const override { return is_accurate_; }
-
  private:
   GslDriver& driver() { return solves_x_ ? in_both_ : in_y_; }
 
-  bool is_accurate_;
   double gravity_px_per_s2_;
   double drag_per_frame_;
   double model_rate_per_s_;

@@ -21,6 +21,7 @@ inline constexpr std::array<std::string_view, 11> kGslStepperNames = {
 struct GslOptions {
   GslStepper stepper = GslStepper::rk8pd;
   double tolerance = 1e-12;  ///< Of a step, absolute and relative; kGslToleranceMin .. kGslToleranceMax.
+  bool operator==(const GslOptions&) const = default;
 };
 
 /// Below it the rounding of a step exceeds its tolerance.
@@ -35,8 +36,7 @@ inline constexpr unsigned long kGslStepsPerFrameMax = 10'000;
 /// Rounding stays below 1e-14 of the path, however many frames there are.
 ///
 /// The model's flight takes at most 700 steps of rk8pd: once drag has taken all of the first speed, it is a
-/// line. A crossing is bracketed between states solved by GSL, and found by Brent's method. Accurate is rk8pd
-/// at 1e-12 or less.
+/// line. A crossing is bracketed between states solved by GSL, and found by Brent's method.
 ///
 /// REQUIRES: options within their limits. Turns GSL's own error handler off, for the whole program.
 /// ERRORS: std::bad_alloc.

@@ -77,7 +77,11 @@ void MarginMeter::decide_walls(const Row& row, Wall near, Wall far, const Axis& 
   if (is_near) return;
   const double far_px = place_px(far, playback_.bounds());
   const double inside_px = ((far_px - step.from_px) + half_ulp(far_px)) - step.move_px;
-  consider(decision(far), row, touches(row.contact, far), inside_px, -1.0, axis.position);
+  // On the far wall rounding takes away whatever does not clamp: a step put the sprite there, and what
+  // changes the decision is the speed of this step alone.
+  const bool is_on_far = step.from_px == far_px && last_.step > 0;
+  const Slope slope = is_on_far ? Slope{0.0, row.dt_s * axis.speed_by_speed} : axis.position;
+  consider(decision(far), row, touches(row.contact, far), inside_px, -1.0, slope);
 }
 
 void MarginMeter::clamp(const Row& row, double vy_unclamped_px_per_s) {

@@ -122,7 +122,6 @@ std::optional<double> ReferenceCheck::apart_px() const {
 std::string_view ReferenceCheck::fault(double coordinate_largest_px) const {
   const Gathered& g = gathered_;
   if (g.has_failed) return "the second solver failed";
-  if (!solver_.is_accurate()) return {};
   const double px_max = kSolversApart_px + kSolversApart_rel * coordinate_largest_px;
   const double speed_largest_px_per_s = std::sqrt(g.speed_largest_squared);
   const double px_per_s_max = kSolversApart_px_per_s + kSolversApart_rel * speed_largest_px_per_s;

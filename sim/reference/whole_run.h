@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/reference/enclosed_fling.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/reference/model.h"
 #include "sim/trajectory/input_playback.h"
+#include "sim/trajectory/resting_contact.h"
 #include "sim/trajectory/row_sink.h"
 
 namespace hyrax {
@@ -19,10 +21,17 @@ namespace hyrax {
 struct WholeRun {
   double end_px = 0.0;
   double max_px = 0.0;
-  std::int64_t max_px_step = 0;            ///< The first row of that distance.
-  double energy_end_px = 0.0;              ///< Signed.
-  double energy_max_px = 0.0;              ///< Magnitude.
+  std::int64_t max_px_step = 0;  ///< The first row of that distance.
+  double energy_end_px = 0.0;    ///< Signed.
+  /// Magnitudes: the largest before the resting contact, over rows at which run and exact fling have had the
+  /// same number of contacts at each wall since the last input that set the velocity; and over all others, in
+  /// which one of them has bounced, and the other not yet.
+  double energy_max_px = 0.0;
+  double energy_phase_px = 0.0;
   std::optional<double> secular_px_per_s;  ///< DriftSummary's.
+  /// Bounds of end_px and max_px, against the exact fling of the constants' binary64 values; none where they
+  /// were not asked for, or something cannot be decided.
+  std::optional<double> end_px_low, end_px_high, max_px_low, max_px_high;
   /// Row of the first contact, counted in order since the last input until the exact fling slides, whose wall
   /// is not that of the exact impact.
   std::optional<std::int64_t> contacts_differ_from;
@@ -36,7 +45,9 @@ struct WholeRow {
 
 struct WholeOutcome {
   std::optional<WholeRun> run;
-  std::string why_not;  ///< Why there is no exact fling.
+  std::string why_not;        ///< Why there is no exact fling.
+  bool is_fault = false;      ///< The reference is at fault: the exact fling left its bounds.
+  std::string enclosure_why;  ///< What cannot be decided for the bounds of end_px and max_px.
 };
 
 /// Gets every row of a run, live or from a file, and flies the exact fling with the run's inputs and sizes.
@@ -48,19 +59,25 @@ class WholeMeter final : public RowSink {
   /// @param inputs of the scenario, as they were applied.
   /// @param each gets every row that is compared, if there is one to call. Where the run repeats itself to
   /// its end, and the exact fling is at rest, later rows are as those before.
+  /// @param encloses whether end_px and max_px get bounds: some microseconds a row.
   WholeMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model = {},
-             std::function<void(const WholeRow&)> each = nullptr);
+             std::function<void(const WholeRow&)> each = nullptr, bool encloses = false);
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = is_over_ ? 0 : 1}; }
   void row(const Row& row) override;
   void repeats(const Repetition& repetition) override { repetition_ = repetition; }
-  [[nodiscard]] const WholeOutcome& outcome() const { return outcome_; }
+  /// After the last row.
+  [[nodiscard]] WholeOutcome finish();
 
  private:
-  void start(const Row& from);
+  void start(const Row& from, const InputChange& change);
+  void enclose(const Row& row);
   void compare(const Row& row);
   void compare_contacts(const Row& row);
-  void end_without(std::string why);
+  void compare_energies(const Row& row);
+  void settle_energies(bool are_resting);
+  void end_stretch();
+  void end_without(std::string why, bool is_fault = false);
 
   InputPlayback playback_;
   FixedLaws laws_;
@@ -77,9 +94,16 @@ class WholeMeter final : public RowSink {
   std::vector<Met> met_;  // The run's contacts since from_s_,
   std::size_t compared_ = 0;
   std::uint8_t contact_before_ = 0;
+  WallCounts ahead_;         // How many more contacts the run has had than the exact fling,
+  std::size_t counted_ = 0;  // of whose impacts so many are counted.
+  Row last_;
+  RestingContact resting_;
+  double open_energy_max_px_ = 0.0;
   std::optional<Repetition> repetition_;
   bool is_over_ = false;
   std::function<void(const WholeRow&)> each_;
+  std::optional<EnclosedFling> enclosed_;
+  EnclosedState within_;  // The exact state at the last row.
   WholeOutcome outcome_;
 };
 

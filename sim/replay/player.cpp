@@ -28,7 +28,7 @@ Replay::Replay(const Core& core, const Scenario& scenario, std::vector<RowSink*>
                const Keyframe& from, std::int64_t first_step)
     : scenario_(scenario),
       options_(options),
-      kernel_(core.kernel),
+      stepper_(core.stepper),
       clock_(scenario.clock),
       steps_(step_count(scenario)),
       event_frames_(schedule_events(scenario, steps_).frames),
@@ -75,7 +75,7 @@ Stretch Replay::stretch(std::int64_t frames) const {
 void Replay::apply_events() {
   for (; next_event_ < event_frames_.size() && event_frames_[next_event_] == step(); ++next_event_) {
     const Action& action = scenario_.events[next_event_].action;
-    kernel_->apply(action, now_);
+    stepper_->apply(action, now_);
     search_.reset();
     cycle_.reset();
     if (const auto* hitch = std::get_if<Hitch>(&action)) hitch_dt_s_ = hitch->dt_s;
@@ -114,7 +114,7 @@ void Replay::search_repetition(std::int64_t end, std::int64_t stretch_end) {
   play_batch(next);
   if (summary_.non_finite_step) return;
   const std::int64_t period = step() - search_->step;
-  if (log_.met_anchor && stretch_end - step() > 2 * period) {
+  if (log_->met_anchor && stretch_end - step() > 2 * period) {
     cycle_ = make_cycle(period);
     if (stretch_end < steps_) return;
     // An event changes the state of its frame's row, which then does not repeat.
@@ -123,7 +123,7 @@ void Replay::search_repetition(std::int64_t end, std::int64_t stretch_end) {
     summary_.periodic_from_step = from_step;
     summary_.period_steps = period;
     tee_.repeats({from_step, period});
-  } else if (log_.met_anchor || step() == search_end) {
+  } else if (log_->met_anchor || step() == search_end) {
     const auto window = std::min<std::int64_t>(search_->window + search_->window / 16, kBlockRows);
     search_ = {body(), step(), window};
   }
@@ -143,7 +143,7 @@ void Replay::play_batch(const Stretch& stretch) {
   const std::size_t rows_before = block_.size();
   const RestAnchor rest_before = rest_;
   CoreBody moved = body();
-  kernel_->play(stretch, moved, rest_, block_, log_);
+  stepper_->play(stretch, moved, rest_, block_, *log_);
   if (!is_finite(moved.state)) {
     rest_ = rest_before;
     cut_to_first_non_finite(stretch, rows_before);
@@ -152,7 +152,7 @@ void Replay::play_batch(const Stretch& stretch) {
     summary_.had_drag = true;
     summary_.had_gravity |= std::any_of(dt_s_.begin(), dt_s_.end(), [](double dt_s) { return dt_s > 0.0; });
   }
-  summary_.steps_computed += log_.frames;
+  summary_.steps_computed += log_->frames;
   now_.core_object = std::move(moved.object);
   pass_on(rows_before);
   if (block_.room() == 0) close_block();
@@ -166,16 +166,17 @@ void Replay::cut_to_first_non_finite(Stretch stretch, std::size_t rows_before) {
   block_.shrink(rows_before);
   stretch.frames = static_cast<std::int64_t>(row - rows_before) + 1;
   CoreBody moved = body();
-  kernel_->play(stretch, moved, rest_, block_, log_);
+  stepper_->play(stretch, moved, rest_, block_, *log_);
   summary_.non_finite_step = step() + stretch.frames;
 }
 
 void Replay::pass_on(std::size_t first_row) {
   const std::int64_t first_step = step() + 1;
   play_time();
-  count_clamps(log_, 1);
-  pass_on_changes(log_, first_step);
-  if (log_.moved_offset >= 0) rest_.t_s = time_in_batch_s(log_.moved_offset);
+  count_clamps(*log_, 1);
+  follow_floor(first_row, first_step);
+  pass_on_changes(*log_, first_step);
+  if (log_->moved_offset >= 0) rest_.t_s = time_in_batch_s(log_->moved_offset);
   const auto row_at = [&](std::int64_t offset) {
     Row row = block_.row(first_row + static_cast<std::size_t>(offset));
     row.step = first_step + offset;
@@ -183,17 +184,17 @@ void Replay::pass_on(std::size_t first_row) {
     return row;
   };
   if (options_.checks_bounds)
-    for (std::int64_t offset = 0; offset < log_.frames; ++offset) check_bounds(row_at(offset));
-  while (tee_.next_row() < first_step + log_.frames) tee_.row(row_at(tee_.next_row() - first_step));
-  now_.row = row_at(log_.frames - 1);
+    for (std::int64_t offset = 0; offset < log_->frames; ++offset) check_bounds(row_at(offset));
+  while (tee_.next_row() < first_step + log_->frames) tee_.row(row_at(tee_.next_row() - first_step));
+  now_.row = row_at(log_->frames - 1);
   if (first_row == 0) block_keyframe_ = now_;
 }
 
 // Frames of one dt lie in one segment of time, where any row's time is a product away; else each
 // frame may begin a segment, and the times are kept.
 void Replay::play_time() {
-  if (dt_s_.size() == 1) return now_.timeline.play(dt_s_.front(), log_.frames);
-  batch_times_s_.resize(static_cast<std::size_t>(log_.frames));
+  if (dt_s_.size() == 1) return now_.timeline.play(dt_s_.front(), log_->frames);
+  batch_times_s_.resize(static_cast<std::size_t>(log_->frames));
   for (std::size_t offset = 0; offset < batch_times_s_.size(); ++offset) {
     now_.timeline.play(dt_s_[offset]);
     batch_times_s_[offset] = now_.timeline.time_s();
@@ -201,8 +202,30 @@ void Replay::play_time() {
 }
 
 double Replay::time_in_batch_s(std::int64_t offset) const {
-  if (dt_s_.size() == 1) return now_.timeline.time_s(offset + 1 - log_.frames);
+  if (dt_s_.size() == 1) return now_.timeline.time_s(offset + 1 - log_->frames);
   return batch_times_s_[static_cast<std::size_t>(offset)];
+}
+
+// Rows are looked at from a ground contact on until one is off the floor. Where the anchor of rest stays on
+// it, so do they.
+void Replay::follow_floor(std::size_t first_row, std::int64_t first_step) {
+  const double floor_px = bounds_of(now_.window, now_.sprite).bottom_px;
+  const bool is_still = log_->moved_offset < 0 && rest_.y_px == floor_px;
+  std::int64_t offset = 0;
+  const auto look_up_to = [&](std::int64_t end) {
+    for (; resting_.open_from_step() && !is_still && offset < end; ++offset)
+      if (!RestingContact::is_near(block_.row(first_row + static_cast<std::size_t>(offset)).y_px, floor_px))
+        resting_.leave();
+    offset = end;
+  };
+  if (next_event_ > 0 && event_frames_[next_event_ - 1] == first_step - 1) resting_.end(first_step - 1);
+  resting_.enter(first_step, now_.row.contact, block_.row(first_row).contact);
+  for (const ContactChange& change : log_->changes) {
+    if (change.contact.wall != Wall::ground || !change.begins) continue;
+    look_up_to(change.offset);
+    resting_.begin(first_step + change.offset);
+  }
+  look_up_to(log_->frames);
 }
 
 void Replay::pass_on_changes(const StretchLog& log, std::int64_t first_step) {
@@ -239,9 +262,12 @@ void Replay::close_block(std::int64_t count) {
 RunSummary Replay::finish() {
   if (block_.size() > 0) close_block();
   tee_.finish(now_.row);
+  resting_.end(step());
   summary_.steps = step();
   summary_.simulated_s = now_.row.t_s;
-  summary_.contacts = tee_.contacts();
+  summary_.contacts = summary_.bounces = tee_.contacts();
+  summary_.bounces.ground -= resting_.contacts();
+  summary_.resting_contact_from_step = resting_.from_step();
   summary_.final = now_.row;
   summary_.at_rest_since_s = rest_.at_rest_since_s(now_.row.t_s);
   summary_.state_hash = hash_.value();

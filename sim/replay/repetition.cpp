@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <utility>
 
 #include "sim/replay/replay.h"
 
@@ -40,6 +41,7 @@ void Replay::repeat(const Cycle& cycle, std::int64_t end) {
   repeat_clamps(cycle, end);
   repeat_contacts(cycle, end);
   repeat_rest(cycle, end);
+  repeat_floor(cycle, end);
   while (tee_.next_row() <= end) tee_.row(row_in(cycle, tee_.next_row()));
   repeat_blocks(cycle, end);
   now_ = keyframe_in(cycle, end);
@@ -52,7 +54,7 @@ Cycle Replay::make_cycle(std::int64_t period) const {
   cycle.before = body();
   CoreBody moving = cycle.before;
   RestAnchor unused;
-  kernel_->play(stretch(period), moving, unused, cycle.rows, cycle.log);
+  stepper_->play(stretch(period), moving, unused, cycle.rows, *cycle.log);
   multiply(cycle.rows);
   return cycle;
 }
@@ -72,15 +74,15 @@ Keyframe Replay::keyframe_in(const Cycle& cycle, std::int64_t at) const {
     CoreBody moved = cycle.before;
     RestAnchor rest;
     RowBlock rows;
-    StretchLog log;
-    kernel_->play(stretch(cycle.phase(at) + 1), moved, rest, rows, log);
+    Reused<StretchLog> log;
+    stepper_->play(stretch(cycle.phase(at) + 1), moved, rest, rows, *log);
     keyframe.core_object = std::move(moved.object);
   }
   return keyframe;
 }
 
 void Replay::repeat_clamps(const Cycle& cycle, std::int64_t end) {
-  count_clamps(cycle.log, (end - step()) / cycle.period);
+  count_clamps(*cycle.log, (end - step()) / cycle.period);
   for (std::int64_t rest = (end - step()) % cycle.period; rest > 0; --rest) {
     StretchLog one;
     one.rows[cycle.row(step() + rest).contact] = 1;
@@ -89,7 +91,7 @@ void Replay::repeat_clamps(const Cycle& cycle, std::int64_t end) {
 }
 
 void Replay::repeat_contacts(const Cycle& cycle, std::int64_t end) {
-  if (cycle.log.changes.empty()) return;
+  if (cycle.log->changes.empty()) return;
   const std::int64_t period = cycle.period;
   std::int64_t next = step() + 1;
   // Contacts are passed on while the list has room, and for one whole pass more, so that no contact
@@ -101,7 +103,7 @@ void Replay::repeat_contacts(const Cycle& cycle, std::int64_t end) {
     next = last + 1;
   }
   const std::int64_t periods = (end - next + 1) / period;
-  tee_.count_contacts(begun_in(cycle.log, periods));
+  tee_.count_contacts(begun_in(*cycle.log, periods));
   repeat_changes(cycle, next + periods * period, end);
 }
 
@@ -109,7 +111,7 @@ void Replay::repeat_contacts(const Cycle& cycle, std::int64_t end) {
 void Replay::repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last) {
   assert(first > last || cycle.phase(first) + (last - first) < cycle.period);
   const std::int64_t pass_first = first - cycle.phase(first);
-  for (const ContactChange& change : cycle.log.changes) {
+  for (const ContactChange& change : cycle.log->changes) {
     Contact contact = change.contact;
     contact.step = contact.last_step = pass_first + change.offset;
     if (contact.step < first) continue;
@@ -119,8 +121,9 @@ void Replay::repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t
   }
 }
 
-// Which row of a pass becomes the anchor last depends only on which one was it before, so passes
-// repeat too, and those that are equal are jumped over.
+// A pass is one period of rows. The anchor of rest at its end depends only on the anchor at its beginning,
+// which is a row of the pass before. So as soon as two passes end with the same row of the pass as anchor,
+// all passes between them repeat as well: such a lap is jumped over as often as it fits.
 void Replay::repeat_rest(const Cycle& cycle, std::int64_t end) {
   const std::int64_t period = cycle.period;
   std::vector<std::int64_t> step_of_anchor(static_cast<std::size_t>(period), -1);
@@ -145,6 +148,24 @@ void Replay::repeat_rest(const Cycle& cycle, std::int64_t end) {
     seen = *anchor_step;
   }
   if (anchor_step) rest_.t_s = now_.timeline.time_s(*anchor_step - step());
+}
+
+// After one pass all others are like it.
+void Replay::repeat_floor(const Cycle& cycle, std::int64_t end) {
+  const double floor_px = bounds_of(now_.window, now_.sprite).bottom_px;
+  std::uint8_t contact_before = now_.row.contact;
+  std::int64_t at = step();
+  const auto play_to = [&](std::int64_t last) {
+    while (at < last) {
+      const Row row = cycle.row(++at);
+      resting_.row(at, std::exchange(contact_before, row.contact), row.contact, row.y_px, floor_px);
+    }
+  };
+  play_to(std::min(end, at + cycle.period));
+  const std::int64_t passes = (end - at) / cycle.period;
+  resting_.repeat(at, passes, cycle.period, begun_in(*cycle.log, 1).ground);
+  at += passes * cycle.period;
+  play_to(end);
 }
 
 void Replay::repeat_blocks(const Cycle& cycle, std::int64_t end) {

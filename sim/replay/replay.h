@@ -11,6 +11,7 @@
 #include "sim/replay/tee.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/scenario.h"
+#include "sim/trajectory/resting_contact.h"
 #include "sim/trajectory/row_sink.h"
 #include "sim/trajectory/run_summary.h"
 
@@ -27,8 +28,8 @@ struct Cycle {
   std::int64_t period = 0;
   std::int64_t first_step = 0;  ///< Of the first row.
   RowBlock rows;
-  StretchLog log;   ///< Of one period.
-  CoreBody before;  ///< Its first row.
+  Reused<StretchLog> log;  ///< Of one period.
+  CoreBody before;         ///< Its first row.
 
   /// How many rows of a period come before row `step`. REQUIRES: step >= first_step.
   [[nodiscard]] std::int64_t phase(std::int64_t step) const {
@@ -91,6 +92,7 @@ class Replay {
   void pass_on(std::size_t first_row);
   void play_time();
   [[nodiscard]] double time_in_batch_s(std::int64_t offset) const;
+  void follow_floor(std::size_t first_row, std::int64_t first_step);
   void pass_on_changes(const StretchLog& log, std::int64_t first_step);
   void count_clamps(const StretchLog& log, std::int64_t times);
   void check_bounds(const Row& row);
@@ -105,11 +107,12 @@ class Replay {
   void repeat_contacts(const Cycle& cycle, std::int64_t end);
   void repeat_changes(const Cycle& cycle, std::int64_t first, std::int64_t last);
   void repeat_rest(const Cycle& cycle, std::int64_t end);
+  void repeat_floor(const Cycle& cycle, std::int64_t end);
   void repeat_blocks(const Cycle& cycle, std::int64_t end);
 
   const Scenario& scenario_;
   ReplayOptions options_;
-  std::shared_ptr<const Kernel> kernel_;
+  std::shared_ptr<const Stepper> stepper_;
   FrameClock clock_;
   std::int64_t steps_;
   std::vector<std::int64_t> event_frames_;
@@ -123,11 +126,12 @@ class Replay {
   Keyframe block_keyframe_;
   std::vector<double> dt_s_;  // Of the batch: one for all its frames, or one a frame.
   std::vector<double> batch_times_s_;
-  StretchLog log_;
+  Reused<StretchLog> log_;
 
   StateHash hash_;
   Tee tee_;
   RestAnchor rest_;
+  RestingContact resting_;
   RunSummary summary_;
 };
 

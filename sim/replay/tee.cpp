@@ -13,6 +13,7 @@ constexpr std::int64_t kNoRow = std::numeric_limits<std::int64_t>::max();
 Tee::Tee(std::span<RowSink* const> sinks, std::int64_t first_step) {
   for (RowSink* const sink : sinks) {
     Outlet& outlet = outlets_.emplace_back(Outlet{*sink, sink->wants()});
+    outlet.batch->clear();
     outlet.last_row = first_step - 1;
     set_next_row(outlet, first_step - 1);
     wants_blocks_ |= outlet.wants.blocks;
@@ -29,17 +30,17 @@ void Tee::row(const Row& row) {
 }
 
 void Tee::pass(Outlet& outlet, const Row& row) {
-  outlet.batch.append(row);
+  outlet.batch->append(row);
   outlet.last_row = row.step;
-  if (outlet.batch.size() >= kBlockRows) flush(outlet);
+  if (outlet.batch->size() >= kBlockRows) flush(outlet);
   set_next_row(outlet, row.step);
 }
 
 // Late, so that a sink may know already that its rows repeat, and want fewer of them.
 void Tee::flush(Outlet& outlet) {
-  if (outlet.batch.size() == 0) return;
-  outlet.sink.rows(outlet.batch);
-  outlet.batch.clear();
+  if (outlet.batch->size() == 0) return;
+  outlet.sink.rows(*outlet.batch);
+  outlet.batch->clear();
   outlet.wants = outlet.sink.wants();
 }
 

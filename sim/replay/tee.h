@@ -43,7 +43,7 @@ class Tee {
     RowSink::Wants wants;
     std::int64_t next_row = 0;
     std::int64_t last_row = kNone;  // That it got.
-    Columns batch = {};             // Rows that it does not have yet.
+    Reused<Columns> batch = {};     // Rows that it does not have yet.
   };
   struct OpenContact {
     std::int64_t index = kNone;  // Among those passed on.

@@ -20,6 +20,7 @@ namespace hyrax {
   const double place = part * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, values.size() - 1);
+  if (values[below] == values[above]) return values[below];  // Both may be infinite.
   return values[below] + (place - std::floor(place)) * (values[above] - values[below]);
 }
 

@@ -152,25 +152,6 @@ struct Grid {
   std::vector<Cell> cells = {};
 };
 
-struct ListColumn {
-  std::string title = {};  ///< May be empty.
-  double width_px = 0.0;
-  bool is_right = false;        ///< Aligned at the right.
-  std::size_t letters_max = 0;  ///< Longer texts are cut at a word, with an ellipsis; 0: never.
-};
-
-struct ListField {
-  std::string text = {};
-  std::string detail = {};  ///< Below the text, smaller; may be empty.
-  Tone fill = Tone::none;   ///< Behind the text.
-};
-
-/// Lines of text in columns.
-struct Listing {
-  std::vector<ListColumn> columns = {};
-  std::vector<std::vector<ListField>> rows = {};  ///< A field for each column.
-};
-
 struct LegendEntry {
   std::string text = {};
   Look look = {};
@@ -182,7 +163,7 @@ struct Figure {
   std::string subtitle = {};
   std::string note = {};  ///< At the title's right: what else a reader would take wrongly; may be empty.
   Tone note_tone = Tone::vermilion;
-  std::variant<std::vector<Plot>, Grid, Listing> body = {};  ///< Plots are side by side; of one x, stacked.
+  std::variant<std::vector<Plot>, Grid> body = {};  ///< Plots are side by side; of one x, stacked.
   std::vector<LegendEntry> legend = {};
   std::vector<std::string> remarks = {};  ///< Sentences below.
 };

@@ -63,7 +63,7 @@ struct Column {                // NOLINT(misc-no-recursion): copied with the tab
 };
 
 /// What a table is in JSON.
-enum class JsonShape : std::uint8_t {
+enum class JsonForm : std::uint8_t {
   rows,      ///< An array of objects, one a row.
   values,    ///< An array of the first column's values.
   by_first,  ///< An object: keyed by the first column's values, of objects of the other columns.
@@ -75,7 +75,7 @@ struct Table {            // NOLINT(misc-no-recursion)
   std::string name = {};  ///< snake_case, unique within a study.
   std::string long_name = {};
   std::vector<Column> columns = {};  ///< All of one length.
-  JsonShape shape = JsonShape::rows;
+  JsonForm form = JsonForm::rows;
 };
 
 /// Rows of the column.
@@ -168,21 +168,48 @@ struct ColumnOf {
   }
 };
 
+/// The column's values as that type; empty if they were of another.
+template <class Values>
+[[nodiscard]] Values& values_as(Column& column) {
+  if (auto* const values = std::get_if<Values>(&column.values)) return *values;
+  return column.values.template emplace<Values>();
+}
+
+/// Puts a value of each record in place of the column's values, whose memory is used again.
+template <class Record, class Also>
+void set_values(Column& column, const ColumnOf<Record, Also>& described,
+                std::type_identity_t<std::span<const Record>> records) {
+  const auto put = [records](auto& values, const auto& value_of) {
+    values.clear();
+    values.reserve(records.size());
+    for (const Record& record : records) values.push_back(value_of(record));
+  };
+  std::visit(
+      [&](const auto& get) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(get)>, typename ColumnOf<Record, Also>::Code>) {
+          auto& [names, codes] = values_as<Codes>(column);
+          names = get.names;
+          put(codes, get.of);
+        } else {
+          const auto value_of = [&get](const Record& record) {
+            return column_value(std::invoke(get, record));
+          };
+          put(values_as<std::vector<decltype(value_of(*records.begin()))>>(column), value_of);
+        }
+      },
+      described.get);
+}
+
 template <class Record, class Also>
 [[nodiscard]] Column column_of(const ColumnOf<Record, Also>& described,
                                std::type_identity_t<std::span<const Record>> records) {
-  const auto column = [&](const auto& get) -> Column {
-    if constexpr (std::is_same_v<std::decay_t<decltype(get)>, typename ColumnOf<Record, Also>::Code>) {
-      Codes codes{.names = get.names};
-      for (const Record& record : records) codes.codes.push_back(get.of(record));
-      return {described.name, described.unit, described.long_name, std::move(codes)};
-    } else {
-      return column_of(described.name, described.unit, described.long_name, records, get);
-    }
-  };
-  Column made = std::visit(column, described.get);
-  made.key = described.key;
-  return made;
+  Column column{.name = described.name,
+                .unit = described.unit,
+                .long_name = described.long_name,
+                .values = {},
+                .key = described.key};
+  set_values(column, described, records);
+  return column;
 }
 
 /// The records as columns: a table, or a chunk of one.
@@ -190,6 +217,12 @@ template <class Record, class Also>
   std::vector<Column> columns;
   for (const auto& each : described) columns.push_back(column_of(each, records));
   return columns;
+}
+
+/// Another chunk of them. REQUIRES: columns of columns_of.
+void set_columns(std::vector<Column>& columns, const auto& described, const auto& records) {
+  auto column = columns.begin();
+  for (const auto& each : described) set_values(*column++, each, records);
 }
 
 }  // namespace hyrax

@@ -43,7 +43,7 @@ double longest_dt_s(const Clock& clock) {
   return std::min(longest_s, kFrameMax_s);
 }
 
-std::int64_t step_count(const Scenario& scenario) {
+std::int64_t step_count(const ScenarioHead& scenario) {
   if (const auto* trace = std::get_if<RecordedSteps>(&scenario.clock.base))
     return static_cast<std::int64_t>(trace->dt_s.size());
   if (const auto* steps = std::get_if<std::int64_t>(&scenario.length)) return *steps;

@@ -22,7 +22,7 @@ namespace hyrax {
 
 /// Frames to play: `steps`, or ceil(duration_s / dt - 1e-9), or the trace's length.
 /// REQUIRES: a duration has a clock of dt > 0. A duration beyond kStepsMax frames gives kStepsMax + 1.
-[[nodiscard]] std::int64_t step_count(const Scenario& scenario);
+[[nodiscard]] std::int64_t step_count(const ScenarioHead& scenario);
 
 /// dt of frame 0, 1, 2, ... of one clock, before a hitch replaces it. Refers to the clock: it must outlive
 /// this.

@@ -118,19 +118,24 @@ struct Expect {
   bool operator==(const Expect&) const = default;
 };
 
-struct Scenario {
+/// What scenarios of all cores have.
+struct ScenarioHead {
   std::string name;  ///< [a-z0-9-]{1,64}.
   std::optional<std::string> description;
   std::optional<std::string> schema;  ///< `$schema`, for editors.
+  Clock clock;
+  /// Frames to play, or seconds from which they follow; neither where the trace's length says it.
+  std::variant<std::monostate, std::int64_t, double> length;
+  std::int64_t record_every = 1;  ///< Rows 0, K, 2K, ... and the last one are recorded.
+  bool operator==(const ScenarioHead&) const = default;
+};
+
+struct Scenario : ScenarioHead {
   Size window;
   Size sprite;
   Position start;
   Velocity start_velocity;
-  Clock clock;
-  /// Frames to play, or seconds from which they follow; neither where the trace's length says it.
-  std::variant<std::monostate, std::int64_t, double> length;
   std::vector<Event> events;
-  std::int64_t record_every = 1;  ///< Rows 0, K, 2K, ... and the last one are recorded.
   std::optional<Expect> expect;
   bool operator==(const Scenario&) const = default;
 };

@@ -32,12 +32,12 @@ double latest_due_s(double start_s, double dt_s) {
 // Walks the start times of frames forwards, events in order.
 class Walk {
  public:
-  Walk(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max)
-      : clock_(scenario.clock),
-        is_jittered_(scenario.clock.jitter.has_value()),
+  Walk(const Clock& clock, std::int64_t steps, std::int64_t walked_frame_max)
+      : clock_(clock),
+        is_jittered_(clock.jitter.has_value()),
         steps_(steps),
         walked_frame_max_(walked_frame_max) {
-    if (is_jittered_) longest_dt_s_ = longest_dt_s(scenario.clock);
+    if (is_jittered_) longest_dt_s_ = longest_dt_s(clock);
   }
 
   std::int64_t frame() const { return frame_; }
@@ -157,7 +157,8 @@ class Walk {
 };
 
 // Goes to the event's frame; where no later event has a time, without walking there.
-std::optional<ScheduleFault> go_to(Walk& walk, const Event& event, std::int64_t steps, bool is_time_needed) {
+std::optional<ScheduleFault> go_to(Walk& walk, const EventTime& event, std::int64_t steps,
+                                   bool is_time_needed) {
   if (const auto* at_s = std::get_if<double>(&event.when)) return walk.play_to_time(*at_s);
   const std::int64_t step = std::get<std::int64_t>(event.when);
   if (step >= steps) return ScheduleFault::beyond_end;
@@ -167,7 +168,7 @@ std::optional<ScheduleFault> go_to(Walk& walk, const Event& event, std::int64_t 
 }
 
 // One past the last event that has a time.
-std::size_t timed_end(const std::vector<Event>& events) {
+std::size_t timed_end(const std::vector<EventTime>& events) {
   std::size_t end = events.size();
   while (end > 0 && !std::holds_alternative<double>(events[end - 1].when)) --end;
   return end;
@@ -175,12 +176,13 @@ std::size_t timed_end(const std::vector<Event>& events) {
 
 }  // namespace
 
-Schedule schedule_events(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max) {
+Schedule schedule_events(const Clock& clock, const std::vector<EventTime>& events, std::int64_t steps,
+                         std::int64_t walked_frame_max) {
   assert(walked_frame_max > 0);
   Schedule schedule;
-  Walk walk(scenario, steps, walked_frame_max);
-  const std::size_t last_timed = timed_end(scenario.events);
-  for (const Event& event : scenario.events) {
+  Walk walk(clock, steps, walked_frame_max);
+  const std::size_t last_timed = timed_end(events);
+  for (const EventTime& event : events) {
     const std::size_t number = schedule.frames.size();
     if (walk.is_tired() && std::holds_alternative<double>(event.when)) {
       schedule.frames.push_back(-1);
@@ -194,9 +196,19 @@ Schedule schedule_events(const Scenario& scenario, std::int64_t steps, std::int6
       continue;
     }
     schedule.frames.push_back(walk.frame());
-    if (const auto* hitch = std::get_if<Hitch>(&event.action)) walk.hitch(hitch->dt_s);
+    if (event.hitch_dt_s) walk.hitch(*event.hitch_dt_s);
   }
   return schedule;
+}
+
+Schedule schedule_events(const Scenario& scenario, std::int64_t steps, std::int64_t walked_frame_max) {
+  std::vector<EventTime> events;
+  events.reserve(scenario.events.size());
+  for (const Event& event : scenario.events) {
+    const auto* const hitch = std::get_if<Hitch>(&event.action);
+    events.push_back({event.when, hitch == nullptr ? std::nullopt : std::optional(hitch->dt_s)});
+  }
+  return schedule_events(scenario.clock, events, steps, walked_frame_max);
 }
 
 bool same_bits(const Input& a, const Input& b) {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <variant>
 #include <vector>
 
 #include "sim/scenario/scenario.h"
@@ -25,12 +27,21 @@ struct Schedule {
   std::vector<Faulty> faulty;
 };
 
+/// What decides on which frame an event falls, and how it moves later ones.
+struct EventTime {
+  std::variant<std::int64_t, double> when;  ///< As Event::when.
+  std::optional<double> hitch_dt_s;
+};
+
 /// The frame of every event: its `step`, or for `at_s` the first frame whose start time t is
 /// >= at_s - 1e-9 * dt, with dt the clock's base, or that frame's in a trace. Hitches move the
 /// times of all later frames. Takes time in proportion to the frames only under jitter or a trace; where
 /// searches that found no frame have walked `walked_frame_max` frames in all, every later `at_s` has
 /// frame -1 and no fault of its own.
-/// REQUIRES: numbers within the limits of scenario.h; `steps` = step_count(scenario); walked_frame_max > 0.
+/// REQUIRES: numbers within the limits of scenario.h; `steps` = step_count of the scenario; walked_frame_max
+/// > 0.
+[[nodiscard]] Schedule schedule_events(const Clock& clock, const std::vector<EventTime>& events,
+                                       std::int64_t steps, std::int64_t walked_frame_max = kWalkedFrameMax);
 [[nodiscard]] Schedule schedule_events(const Scenario& scenario, std::int64_t steps,
                                        std::int64_t walked_frame_max = kWalkedFrameMax);
 

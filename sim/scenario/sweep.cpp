@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -11,17 +10,34 @@
 namespace hyrax {
 namespace {
 
-// A whole double in the type of the key; 2^64 is the largest seed.
-SweepNumber in_kind(ScenarioNumberKind kind, double value) {
-  if (kind == ScenarioNumberKind::real) return value;
-  if (kind == ScenarioNumberKind::integer) return static_cast<std::int64_t>(value);
-  return value >= 0x1p64 ? ~std::uint64_t{0} : static_cast<std::uint64_t>(value);
-}
-
 SweepNumber in_kind(ScenarioNumberKind kind, std::int64_t value) {
   if (kind == ScenarioNumberKind::real) return static_cast<double>(value);
   if (kind == ScenarioNumberKind::seed) return static_cast<std::uint64_t>(value);
   return value;
+}
+
+// Of a whole number, modulo 2^64.
+std::uint64_t as_bits(const SweepNumber& number) {
+  return std::visit([](auto value) { return static_cast<std::uint64_t>(value); }, number);
+}
+
+// A whole number so much above another one.
+SweepNumber higher(const SweepNumber& low, std::uint64_t distance) {
+  const std::uint64_t sum = as_bits(low) + distance;
+  if (std::holds_alternative<std::int64_t>(low)) return static_cast<std::int64_t>(sum);
+  return sum;
+}
+
+// floor((distance + 1) * part / 2^53), exactly: the product has up to 117 bits. REQUIRES: part < 2^53.
+std::uint64_t share_of(std::uint64_t distance, std::uint64_t part) {
+  constexpr std::uint64_t kLowHalf = 0xFFFFFFFF;
+  const std::uint64_t lowest = (distance & kLowHalf) * (part & kLowHalf);
+  const std::uint64_t middle = (distance >> 32) * (part & kLowHalf) + (lowest >> 32);
+  const std::uint64_t other_middle = (distance & kLowHalf) * (part >> 32) + (middle & kLowHalf);
+  const std::uint64_t low = (other_middle << 32 | (lowest & kLowHalf)) + part;
+  const std::uint64_t carry = low < part ? 1 : 0;
+  const std::uint64_t high = (distance >> 32) * (part >> 32) + (middle >> 32) + (other_middle >> 32) + carry;
+  return high << 11 | low >> 53;
 }
 
 void set(const NumberField& field, const SweepNumber& number) {
@@ -47,12 +63,20 @@ bool is_consistent(const Scenario& scenario) {
 
 }  // namespace
 
-double value_of(const GridAxis& grid, std::int64_t index) {
+std::uint64_t whole_distance(const SweepNumber& low, const SweepNumber& high) {
+  return as_bits(high) - as_bits(low);
+}
+
+SweepNumber value_of(const GridAxis& grid, std::int64_t index) {
   assert(index >= 0 && index < grid.count);
   if (grid.count == 1) return grid.low;
   if (index == grid.count - 1) return grid.high;
-  return grid.low +
-         ((grid.high - grid.low) * static_cast<double>(index)) / static_cast<double>(grid.count - 1);
+  const std::int64_t steps = grid.count - 1;
+  if (const auto* const low = std::get_if<double>(&grid.low))
+    return *low +
+           ((std::get<double>(grid.high) - *low) * static_cast<double>(index)) / static_cast<double>(steps);
+  const std::uint64_t step = whole_distance(grid.low, grid.high) / static_cast<std::uint64_t>(steps);
+  return higher(grid.low, step * static_cast<std::uint64_t>(index));
 }
 
 SweepNumber value_of(const Sweep& sweep, std::size_t key, std::int64_t member) {
@@ -60,23 +84,21 @@ SweepNumber value_of(const Sweep& sweep, std::size_t key, std::int64_t member) {
   const auto& [pointer, kind, variation] = sweep.vary[key];
   if (std::holds_alternative<MemberNumber>(variation)) return in_kind(kind, member);
   if (const auto* const grid = std::get_if<GridAxis>(&variation))
-    return in_kind(kind, value_of(*grid, member / grid->repeats % grid->count));
-  const double u = split_mix64_unit(sweep.seed, static_cast<std::uint64_t>(member) * sweep.vary.size() + key);
+    return value_of(*grid, member / grid->repeats % grid->count);
+  const std::uint64_t draw = static_cast<std::uint64_t>(member) * sweep.vary.size() + key;
+  const double u = split_mix64_unit(sweep.seed, draw);
   if (const auto* const choice = std::get_if<ChoiceDraw>(&variation))
     return choice->values[static_cast<std::size_t>(u * static_cast<double>(choice->values.size()))];
-  const auto& range = std::get<UniformDraw>(variation);
-  if (kind == ScenarioNumberKind::real) return range.low + (range.high - range.low) * u;
-  // Far from 0 the sum can round up to high + 1.
-  return in_kind(kind, std::min(std::floor(range.low + (range.high - range.low + 1.0) * u), range.high));
+  const auto& [low, high] = std::get<UniformDraw>(variation);
+  if (const auto* const real = std::get_if<double>(&low)) return *real + (std::get<double>(high) - *real) * u;
+  return higher(low, share_of(whole_distance(low, high), split_mix64(sweep.seed, draw) >> 11));
 }
 
 std::vector<SweepNumber> extremes_of(const Sweep& sweep, std::size_t key) {
   const auto& [pointer, kind, variation] = sweep.vary[key];
   if (const auto* const choice = std::get_if<ChoiceDraw>(&variation)) return choice->values;
-  if (const auto* const range = std::get_if<UniformDraw>(&variation))
-    return {in_kind(kind, range->low), in_kind(kind, range->high)};
-  if (const auto* const grid = std::get_if<GridAxis>(&variation))
-    return {in_kind(kind, grid->low), in_kind(kind, grid->high)};
+  if (const auto* const range = std::get_if<UniformDraw>(&variation)) return {range->low, range->high};
+  if (const auto* const grid = std::get_if<GridAxis>(&variation)) return {grid->low, grid->high};
   return {in_kind(kind, std::int64_t{0}), in_kind(kind, sweep.members - 1)};
 }
 

@@ -35,26 +35,26 @@ inline constexpr std::int64_t kMembersMax = 1'000'000'000'000;
 /// A number of a scenario in the type of its key: double, std::int64_t, or std::uint64_t for a seed.
 using SweepNumber = std::variant<double, std::int64_t, std::uint64_t>;
 
-/// Drawn: `low + (high - low) * u`; for an integer key `floor(low + (high - low + 1) * u)`, both ends
-/// included.
+/// Drawn: `low + (high - low) * u`; for an integer key or a seed `floor(low + (high - low + 1) * u)` in exact
+/// arithmetic, both ends included.
 struct UniformDraw {
-  double low = 0.0;
-  double high = 0.0;  ///< >= low.
+  SweepNumber low;   ///< In the type of the key, as all numbers here.
+  SweepNumber high;  ///< >= low.
 };
 /// Drawn: entry `floor(u * n)`.
 struct ChoiceDraw {
-  std::vector<SweepNumber> values;  ///< At least one, in the type of the key.
+  std::vector<SweepNumber> values;  ///< At least one.
 };
 /// `count` values from low to high; every combination of all grids is played.
 struct GridAxis {
-  double low = 0.0;
-  double high = 0.0;       ///< >= low.
+  SweepNumber low;
+  SweepNumber high;        ///< >= low; if whole, `high - low` is a multiple of `count - 1`.
   std::int64_t count = 1;  ///< >= 1.
   std::int64_t repeats =
       1;  ///< Consecutive members that share a value: product of the counts of later grids.
 };
 /// Value `index` of a grid: `low + ((high - low) * index) / (count - 1)`, and `high` itself at the end.
-[[nodiscard]] double value_of(const GridAxis& grid, std::int64_t index);
+[[nodiscard]] SweepNumber value_of(const GridAxis& grid, std::int64_t index);
 
 /// The member's number itself.
 struct MemberNumber {};
@@ -89,6 +89,9 @@ struct Sweep {
 /// The value of key `key` in a member. A draw takes u_(member * K + key) of the sweep's seed, with K keys
 /// (sim/scenario/split_mix64.h). REQUIRES: key < vary.size(), 0 <= member < members.
 [[nodiscard]] SweepNumber value_of(const Sweep& sweep, std::size_t key, std::int64_t member);
+
+/// How far a whole number lies above a lower one. REQUIRES: both of one type, low <= high.
+[[nodiscard]] std::uint64_t whole_distance(const SweepNumber& low, const SweepNumber& high);
 
 /// Every value that a key can have lies between these; of a choice, all its values.
 [[nodiscard]] std::vector<SweepNumber> extremes_of(const Sweep& sweep, std::size_t key);

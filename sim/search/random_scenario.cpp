@@ -12,6 +12,10 @@ namespace hyrax {
 namespace {
 
 constexpr double kPowersOfTen[] = {1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
+// Of flings: as displays have them.
+constexpr double kFlingRates_hz[] = {24.0, 25.0,  30.0,  48.0,  50.0,  60.0,  72.0,  75.0,
+                                     90.0, 100.0, 120.0, 144.0, 165.0, 200.0, 240.0, 360.0};
+constexpr std::int64_t kFling_s = 10;
 constexpr double kLongFrames_s[] = {0.1, 0.25, 1.0, 10.0, 1e3, 1e6, 1e9};
 
 // Draws the parts of one scenario. Of any two numbers the draws are statements of their own, so that their
@@ -24,17 +28,22 @@ class Maker {
   [[nodiscard]] std::bitset<kFeatureCount> features() const { return features_; }
 
   Scenario scenario() {
-    Scenario scenario;
-    scenario.window = window_ = any_window();
-    scenario.sprite = sprite_ = any_sprite();
+    Scenario scenario = any_sizes();
     steps_ = any_length();
     scenario.clock = any_clock();
     if (!std::holds_alternative<RecordedSteps>(scenario.clock.base)) scenario.length = steps_;
-    scenario.start = has(Feature::rest) ? on_the_ground() : any_position();
-    const double first_dt_s = FrameClock(scenario.clock).dt_s(0);
-    scenario.start_velocity = has(Feature::rest) ? any_small_velocity(first_dt_s) : any_velocity();
-    if (has(Feature::corners)) start_at_a_corner(scenario);
+    start(scenario);
     scenario.events = any_events();
+    return scenario;
+  }
+
+  Scenario fling() {
+    Scenario scenario = any_sizes();
+    const double rate_hz = draws_.one_of(kFlingRates_hz);
+    scenario.clock.base = FixedRate{rate_hz};
+    if (has(Feature::jitter)) scenario.clock.jitter = any_jitter(1.0 / rate_hz);
+    scenario.length = kFling_s * static_cast<std::int64_t>(rate_hz);
+    start(scenario);
     return scenario;
   }
 
@@ -46,6 +55,19 @@ class Maker {
 
  private:
   [[nodiscard]] bool has(Feature feature) const { return features_[static_cast<std::size_t>(feature)]; }
+
+  Scenario any_sizes() {
+    Scenario scenario;
+    scenario.window = window_ = any_window();
+    scenario.sprite = sprite_ = any_sprite();
+    return scenario;
+  }
+  void start(Scenario& scenario) {
+    scenario.start = has(Feature::rest) ? on_the_ground() : any_position();
+    const double first_dt_s = FrameClock(scenario.clock).dt_s(0);
+    scenario.start_velocity = has(Feature::rest) ? any_small_velocity(first_dt_s) : any_velocity();
+    if (has(Feature::corners)) start_at_a_corner(scenario);
+  }
 
   // Half of all numbers are whole: sums that round seldom hide what sums that round often show.
   double number(double low, double high) {
@@ -231,6 +253,12 @@ class Maker {
 };
 
 }  // namespace
+
+Scenario random_fling(const Core& core, std::uint64_t seed, std::uint64_t number) {
+  Scenario scenario = Maker(split_mix64(seed, number), core.constants).fling();
+  scenario.name = "fling-" + std::to_string(seed) + "-" + std::to_string(number);
+  return scenario;
+}
 
 RandomRun random_run(const Core& core, std::uint64_t seed, std::uint64_t run) {
   Maker maker(split_mix64(seed, run), core.constants);

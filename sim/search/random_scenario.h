@@ -45,4 +45,8 @@ struct RandomRun {
 /// it. The scenario is within all limits of the format; its name is "fuzz-SEED-RUN".
 [[nodiscard]] RandomRun random_run(const Core& core, std::uint64_t seed, std::uint64_t run);
 
+/// A fling of 10 s without events, at the rate of a display, 24 to 360 Hz, with or without jitter; its sizes
+/// and its start are those of random runs.
+[[nodiscard]] Scenario random_fling(const Core& core, std::uint64_t seed, std::uint64_t number);
+
 }  // namespace hyrax

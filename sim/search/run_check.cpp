@@ -80,12 +80,13 @@ bool is_broken_by_listing(Invariant invariant, const Scenario& scenario) {
          (invariant == Invariant::mirror && is_ever_wider_than_window(scenario));
 }
 
-std::optional<Invariant> first_broken(const Scenario& scenario, const InvariantMeasures& measures) {
+std::vector<Invariant> broken_invariants(const Scenario& scenario, const InvariantMeasures& measures) {
+  std::vector<Invariant> broken;
   for (std::size_t index = 0; index < kInvariantCount; ++index) {
     const auto invariant = static_cast<Invariant>(index);
-    if (!measures[index].holds && !is_broken_by_listing(invariant, scenario)) return invariant;
+    if (!measures[index].holds && !is_broken_by_listing(invariant, scenario)) broken.push_back(invariant);
   }
-  return std::nullopt;
+  return broken;
 }
 
 }  // namespace hyrax

@@ -37,8 +37,8 @@ struct CheckedRun {
 /// zero-length frame, and of two side walls that both claim a sprite wider than its window the left one wins.
 [[nodiscard]] bool is_broken_by_listing(Invariant invariant, const Scenario& scenario);
 
-/// The first invariant that does not hold though the listing keeps it; nothing if there is none.
-[[nodiscard]] std::optional<Invariant> first_broken(const Scenario& scenario,
-                                                    const InvariantMeasures& measures);
+/// The invariants that do not hold though the listing keeps them.
+[[nodiscard]] std::vector<Invariant> broken_invariants(const Scenario& scenario,
+                                                       const InvariantMeasures& measures);
 
 }  // namespace hyrax

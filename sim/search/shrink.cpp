@@ -43,7 +43,9 @@ class Shrinker {
   }
 
  private:
-  [[nodiscard]] bool is_exhausted() const { return trials_ >= options_.trials_max; }
+  [[nodiscard]] bool is_exhausted() const {
+    return trials_ >= options_.trials_max || (options_.is_over && options_.is_over());
+  }
   [[nodiscard]] std::int64_t steps() const { return complexity_.steps; }
 
   bool is_failing(const Scenario& scenario) {
@@ -83,7 +85,13 @@ class Shrinker {
 
   void start_later() {
     for (std::int64_t cut = steps(); cut > 0; cut /= 2)
-      while (cut <= steps() && accept(after_frames(core_, best_, cut))) continue;
+      while (cut <= steps() && !is_exhausted() && accept_later(cut)) continue;
+  }
+
+  bool accept_later(std::int64_t cut) {
+    std::optional<Scenario> later =
+        options_.start_later ? options_.start_later(best_, cut) : after_frames(core_, best_, cut);
+    return later && accept(std::move(*later));
   }
 
   void leave_out_events() {

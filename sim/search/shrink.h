@@ -7,6 +7,7 @@
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
@@ -28,6 +29,10 @@ struct Complexity {
 
 struct ShrinkOptions {
   std::int64_t trials_max = 20'000;
+  /// Whether to stop before that; nothing: never.
+  std::function<bool()> is_over = {};
+  /// after_frames, where the core cannot simply be played; gives nothing where it cannot be played so far.
+  std::function<std::optional<Scenario>(const Scenario&, std::int64_t frames)> start_later = {};
   /// Called before each trial with their number so far and the smallest scenario yet.
   std::function<void(std::int64_t trials, const Scenario& smallest)> report = {};
 };
@@ -36,7 +41,7 @@ struct Shrunk {
   Scenario scenario;
   std::int64_t trials = 0;   ///< Scenarios that were tried.
   bool fails_again = false;  ///< Whether `failing` itself fails when it is tried.
-  bool is_complete = false;  ///< Nothing simpler is left to try; else trials_max ended the search.
+  bool is_complete = false;  ///< Nothing simpler is left to try; else a limit ended the search.
 };
 
 /// Tries simpler scenarios in a fixed order as long as one of them fails: frames cut off at the end, a start

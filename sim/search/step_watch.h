@@ -12,8 +12,8 @@
 namespace hyrax {
 
 /// A sink for a run from its start. Its bounds are derived, above the code that computes them, from
-/// the laws alone: gravity G >= 0 and the step's factors, none of them above 1. Of a core of another shape it
-/// checks only that it stays finite and inside.
+/// the laws alone: gravity G >= 0 and the step's factors, none of them above 1. Of a core with another step
+/// it checks only that it stays finite and inside.
 class StepWatch : public RowSink {
  public:
   /// Refers to the core and the scenario. @param report_steps see check_run.
@@ -46,12 +46,8 @@ class StepWatch : public RowSink {
   void check_step_energy(const Step& step);
   void check_energy_ceiling(const Step& step);
   void check_speed(const Step& step);
-  void check_velocity(const Step& step);
-  void check_position(const Step& step);
-  void check_clamp(const Step& step);
-  void check_bounce(const Step& step);
+  void check_listing(const Step& step);
   void check_mirror(const Step& step);
-  void check_y_alone(const Step& step);
   void check_no_time(const Step& step);
   void record(Invariant invariant, double slack, std::int64_t step) {
     measures_[static_cast<std::size_t>(invariant)].add(slack, step);
@@ -72,6 +68,7 @@ class StepWatch : public RowSink {
 
   // Since the last input.
   std::int64_t steps_ = 0;
+  double dt_min_s_ = 0.0;
   double dt_max_s_ = 0.0;
   double energy_y_start_px2_per_s2_ = 0.0;
   double vx_max_px_per_s_ = 0.0;
@@ -79,7 +76,6 @@ class StepWatch : public RowSink {
 
   State mirrored_;
   double mirror_slack_px_ = 0.0;
-  State alone_;  // The same y with no motion in x.
   std::int64_t knife_edges_ = 0;
 };
 

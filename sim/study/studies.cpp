@@ -5,10 +5,7 @@
   ONE(speed_error)         \
   ONE(needs)               \
   ONE(hard_cases)          \
-  ONE(frame_rate)          \
-  ONE(rest)                \
-  ONE(bounces)             \
-  ONE(paper)
+  ONE(frame_rate)
 
 namespace hyrax {
 

@@ -7,7 +7,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sim/core/core.h"
@@ -23,19 +22,12 @@ struct NamedScenario {
   Scenario scenario = {};
 };
 
-/// Verdicts that the user expects, each with the name of what it is about.
-struct ExpectedVerdicts {
-  std::string path = {};  ///< Of their file.
-  std::vector<std::pair<std::string, std::string>> verdicts = {};
-};
-
 /// What the user asked of a study, and what a study may not do itself.
 struct StudyRequest {
   const Core& core;
-  std::vector<NamedScenario> scenarios = {};  ///< Of different names.
-  bool is_quick = false;                      ///< A smaller study, in seconds.
-  std::optional<double> within_px = {};       ///< A tolerance.
-  std::optional<ExpectedVerdicts> expected = {};
+  std::vector<NamedScenario> scenarios = {};          ///< Of different names.
+  bool is_quick = false;                              ///< A smaller study, in seconds.
+  std::optional<double> within_px = {};               ///< A tolerance.
   std::shared_ptr<const StepProgram> core_step = {};  ///< Null: the core's step is not complete.
   std::string machine = {};            ///< Name of the processor, for results that depend on it.
   std::int64_t (*now_ns)() = nullptr;  ///< A clock that never goes back.
@@ -53,8 +45,6 @@ struct Study {
   std::string summary = {};  ///< In a few words, for the help.
   bool takes_scenarios = false;
   bool takes_within = false;
-  bool takes_expected = false;
-  bool is_of_paper = false;            ///< About the paper's constants, not about a core of one's own.
   std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.
   /// ERRORS: RequestRefused.
   Result (*run)(const StudyRequest& request) = nullptr;

@@ -40,13 +40,18 @@ class StudyTable {
         .add(name + "_low", unit, what + ", 10 %", part(get, &Band::low))
         .add(name + "_high", unit, what + ", 90 %", part(get, &Band::high));
   }
-  /// Columns of a MedianEstimate. @param what the first column's long name.
+  /// Columns of a MedianEstimate; JSON, where `key` is given, has the median only. @param what the first
+  /// column's long name.
   template <class Get>
   StudyTable& add_estimate(const std::string& name, const std::string& unit, const std::string& what,
-                           const Get& get) {
+                           const Get& get, const std::string& key = "") {
+    const std::string ends_key = key.empty() ? "" : "-";
     return add(name, unit, what, part(get, &MedianEstimate::median))
+        .key(key)
         .add(name + "_low", unit, "95 % interval of the median, low end", part(get, &MedianEstimate::low))
-        .add(name + "_high", unit, "95 % interval of the median, high end", part(get, &MedianEstimate::high));
+        .key(ends_key)
+        .add(name + "_high", unit, "95 % interval of the median, high end", part(get, &MedianEstimate::high))
+        .key(ends_key);
   }
   /// Columns of the count of a Share and of the interval of its part. @param what the first one's long name.
   template <class Get>

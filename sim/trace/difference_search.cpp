@@ -74,21 +74,22 @@ class Search {
     TracedBody owner(owner_, input.world.state);
     TracedBody other(other_, input.world.state);
     const bool has_further = !owner.further_members().empty() || !other.further_members().empty();
-    bool is_evaluated = false;
+    DifferenceWatch watch;
     for (std::int64_t frame = 1; frame <= (has_further ? kFlingFrames : 1); ++frame) {
+      const BodyPair before{owner, other};
       owner.update(input);
       other.update(input);
       ++result_.steps_tried;
-      is_evaluated |= difference_.is_on_path[owner.path()];
       const State a = {owner.x(), owner.y(), owner.vx(), owner.vy()};
       const State b = {other.x(), other.y(), other.vx(), other.vy()};
       if (!is_finite(a) && !is_finite(b)) break;
-      if (is_evaluated && !same_bits(a, b)) {
+      const bool is_decided = watch.take(difference_, input, before, {owner, other});
+      result_.further_members |= watch.further_members();
+      if (is_decided) {
         result_.found = input;
         result_.frames = frame;
         break;
       }
-      is_evaluated &= !are_further_alike(owner, other);
       // It goes on from the accepted step's row, as a library is played: other differences may change rows.
       (difference_.is_in_accepted ? other : owner).set_row(difference_.is_in_accepted ? a : b);
     }

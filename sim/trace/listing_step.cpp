@@ -25,10 +25,10 @@ constexpr std::array<std::string_view, kConstants> kConstantNames = {"GRAVITY", 
                                                                      "GROUND_FRICTION", "REST_THRESHOLD"};
 
 // The operations of the listing, in its order.
-class Listing {
+class ListingBuilder {
  public:
   // A constant that is NaN is not known: an argument of the paper's name takes its place.
-  explicit Listing(const Constants& constants) {
+  explicit ListingBuilder(const Constants& constants) {
     for (std::size_t place = 0; place < kConstants; ++place) {
       const double value = constants.*kConstantFields[place];
       constants_[place] = std::isnan(value) ? argument(kConstantNames[place]) : constant(value);
@@ -162,11 +162,11 @@ Constants fitted_constants(const TracedStep& step) {
     }
   Constants constants{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
   for (double Constants::*const field : kConstantFields) {
-    auto least = misfit(Listing(constants).step(), step);
+    auto least = misfit(ListingBuilder(constants).step(), step);
     double fitted = kUnknown;
     for (const double number : numbers) {
       constants.*field = number;
-      const auto missing = misfit(Listing(constants).step(), step);
+      const auto missing = misfit(ListingBuilder(constants).step(), step);
       if (missing >= least) continue;
       least = missing;
       fitted = number;
@@ -179,7 +179,7 @@ Constants fitted_constants(const TracedStep& step) {
 std::string difference_of(const TracedStep& step, const Constants& constants) {
   if (step.members != std::vector<NumberKind>(kListingMembers, NumberKind::real))
     return "x, y, vx and vy that are not double";
-  const StepPair pair(Listing(constants).step(), step);
+  const StepPair pair(ListingBuilder(constants).step(), step);
   const auto& differences = pair.differences();
   if (differences.empty()) return "what the constructor or a setter does";
   const auto own = std::ranges::find(differences, false, &StepDifference::is_in_accepted);
@@ -188,9 +188,9 @@ std::string difference_of(const TracedStep& step, const Constants& constants) {
 
 }  // namespace
 
-TracedStep listing_step(const Constants& constants) { return Listing(constants).step(); }
+TracedStep listing_step(const Constants& constants) { return ListingBuilder(constants).step(); }
 
-StepShape shape_of(const TracedStep& step) {
+PaperMatch match_paper(const TracedStep& step) {
   const TracedStep listed = without_further_members(step);
   const Constants constants = fitted_constants(listed);
   if (step_text(listing_step(constants)) == step_text(listed)) return {.constants = constants};

@@ -13,8 +13,8 @@ namespace hyrax {
 [[nodiscard]] TracedStep listing_step(const Constants& constants);
 
 /// How a step stands to the paper's.
-struct StepShape {
-  /// The step has the same shape: its x, y, vx and vy are the paper's with these constants, whatever it does
+struct PaperMatch {
+  /// The step is the paper's: its x, y, vx and vy are the paper's with these constants, whatever it does
   /// with further members.
   std::optional<Constants> constants = {};
   /// Else the first condition or expression that is not the paper's ("dt * vx"), or that only the paper has
@@ -23,6 +23,6 @@ struct StepShape {
 };
 
 /// REQUIRES: a step as canonical() or read_step() return it.
-[[nodiscard]] StepShape shape_of(const TracedStep& step);
+[[nodiscard]] PaperMatch match_paper(const TracedStep& step);
 
 }  // namespace hyrax

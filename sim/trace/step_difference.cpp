@@ -25,15 +25,37 @@ TracedStep part_of(TracedStep step, bool is_update) {
 // Which NaN arose is no difference.
 bool is_same(double p, double q) { return same_bits(p, q) || (std::isnan(p) && std::isnan(q)); }
 
-// Where a row of both results differs.
-bool differs(const TracedBody& a, const TracedBody& b) {
-  return !(is_same(a.x(), b.x()) && is_same(a.y(), b.y()) && is_same(a.vx(), b.vx()) &&
-           is_same(a.vy(), b.vy()));
+// Members that a row shows.
+constexpr MemberBits kRowMembers = 0b1111;
+constexpr MemberBits kAllMembers = ~MemberBits{0};
+
+// Members of both bodies that are not the same, and those that only one of them has.
+MemberBits differing_members(BodyPair& bodies) {
+  const std::span<double> own = bodies.own.members(), other = bodies.other.members();
+  MemberBits bits = 0;
+  for (std::size_t member = 0; member < std::max(own.size(), other.size()); ++member)
+    if (member >= std::min(own.size(), other.size()) || !is_same(own[member], other[member]))
+      bits |= MemberBits{1} << member;
+  return bits;
 }
 
-using Outcomes = std::map<StepIndex, bool>;  // By number of a comparison among both steps.
+// Of these members of `own`: those that are nearer to `other` in `changed`.
+MemberBits nearer_members(MemberBits members, std::span<double> changed, BodyPair& bodies) {
+  const std::span<double> own = bodies.own.members(), other = bodies.other.members();
+  MemberBits bits = 0;
+  for (std::size_t member = 0; member < std::min(own.size(), other.size()); ++member) {
+    const double far = std::fabs(own[member] - other[member]);
+    const double near = std::fabs(changed[member] - other[member]);
+    const bool is_nearer =
+        is_same(changed[member], other[member]) || near < far || (std::isnan(far) && !std::isnan(near));
+    if ((members >> member & 1u) != 0 && is_nearer) bits |= MemberBits{1} << member;
+  }
+  return bits;
+}
 
-bool agree(const Outcomes& a, const Outcomes& b) {
+using PathOutcomes = std::map<StepIndex, bool>;  // By number of a comparison among both steps.
+
+bool agree(const PathOutcomes& a, const PathOutcomes& b) {
   return std::ranges::all_of(a, [&](const auto& outcome) {
     const auto other = b.find(outcome.first);
     return other == b.end() || other->second == outcome.second;
@@ -62,8 +84,8 @@ struct Side {
     return expression.op == Operator::argument || expression.op == Operator::constant ||
            (expression.op == Operator::negate && is_number(expression.operands[0]));
   }
-  [[nodiscard]] Outcomes outcomes_of(const StepPath& path) const {
-    Outcomes outcomes;
+  [[nodiscard]] PathOutcomes outcomes_of(const StepPath& path) const {
+    PathOutcomes outcomes;
     for (const auto& [comparison, holds] : path.outcomes) outcomes[numbers.comparisons[comparison]] = holds;
     return outcomes;
   }
@@ -74,6 +96,17 @@ struct Side {
   std::set<StepIndex> has_comparisons;
   std::vector<std::vector<bool>> evaluated;  // By path, by expression.
 };
+
+// Of a step of more paths, that a difference is evaluated must do.
+constexpr std::size_t kExchangedPathsMax = 512;
+
+// The step with the outcomes of a comparison exchanged, in update.
+std::shared_ptr<const StepProgram> with_outcomes_exchanged(TracedStep step, StepIndex comparison) {
+  for (StepPath& path : step.paths[static_cast<std::size_t>(CoreFunction::update)])
+    for (StepOutcome& outcome : path.outcomes)
+      if (outcome.comparison == comparison) outcome.holds = !outcome.holds;
+  return make_step_program(canonical(step));
+}
 
 class DifferenceFinder {
  public:
@@ -92,9 +125,33 @@ class DifferenceFinder {
   }
 
  private:
-  void add(const Side& side, const std::string& text, std::vector<bool> is_on_path,
-           StepIndex comparison = kNoIndex) {
-    found_.push_back({&side == &accepted_, text, std::move(is_on_path), comparison});
+  // A difference of these paths that, until set_effects, may change every member.
+  StepDifference& add(const Side& side, const std::string& text, std::vector<bool> is_on_path,
+                      StepIndex comparison = kNoIndex) {
+    const std::size_t paths = is_on_path.size();
+    found_.push_back({&side == &accepted_, text, std::move(is_on_path), comparison,
+                      std::vector<MemberBits>(paths, kAllMembers)});
+    return found_.back();
+  }
+
+  // What a difference can change: on each path the members whose expressions contain it, and the outcomes of
+  // comparisons that contain it, exchanged to see what follows. Of a step of very many paths it stays open.
+  // @param is_part by expression, @param is_compared by comparison of the side's step: whether it contains
+  // it.
+  void set_effects(const Side& side, const std::vector<bool>& is_part, const std::vector<bool>& is_compared,
+                   StepDifference& difference) {
+    if (side.paths().size() > kExchangedPathsMax) return;
+    for (std::size_t path = 0; path < side.paths().size(); ++path) {
+      difference.members[path] = 0;
+      for (std::size_t member = 0; member < side.step.members.size(); ++member)
+        if (is_part[side.paths()[path].members[member]]) difference.members[path] |= MemberBits{1} << member;
+    }
+    for (StepIndex index = 0; index < side.step.comparisons.size(); ++index) {
+      if (!is_compared[index] || !side.has_comparisons.contains(side.numbers.comparisons[index])) continue;
+      auto& exchanged = exchanged_[&side == &accepted_ ? 0 : 1][index];
+      if (!exchanged) exchanged = with_outcomes_exchanged(side.step, index);
+      if (exchanged) difference.exchanged.push_back(exchanged);
+    }
   }
 
   // Whether the other step has it, too.
@@ -113,7 +170,10 @@ class DifferenceFinder {
       for (const StepPath& path : side.paths())
         is_on_path.push_back(std::ranges::find(path.outcomes, index, &StepOutcome::comparison) !=
                              path.outcomes.end());
-      add(side, comparison_text(side.step, index, names_), std::move(is_on_path), index);
+      std::vector<bool> is_compared(side.step.comparisons.size());
+      is_compared[index] = true;
+      set_effects(side, std::vector<bool>(side.step.expressions.size()), is_compared,
+                  add(side, comparison_text(side.step, index, names_), std::move(is_on_path), index));
     }
   }
 
@@ -125,7 +185,14 @@ class DifferenceFinder {
         continue;
       std::vector<bool> is_on_path;
       for (const std::vector<bool>& evaluated : side.evaluated) is_on_path.push_back(evaluated[index]);
-      add(side, expression_text(side.step, index, names_), std::move(is_on_path));
+      std::vector<bool> is_part(side.step.expressions.size()), is_compared;
+      for (StepIndex user = index; user < is_part.size(); ++user)
+        is_part[user] = user == index || std::ranges::any_of(side.step.expressions[user].used_operands(),
+                                                             [&](StepIndex part) { return is_part[part]; });
+      for (const StepComparison& comparison : side.step.comparisons)
+        is_compared.push_back(is_part[comparison.left] || is_part[comparison.right]);
+      set_effects(side, is_part, is_compared,
+                  add(side, expression_text(side.step, index, names_), std::move(is_on_path)));
     }
   }
 
@@ -135,7 +202,7 @@ class DifferenceFinder {
     const Side& b = current_;
     const std::vector<bool> is_told_a = told_paths(a);
     const std::vector<bool> is_told_b = told_paths(b);
-    std::map<Outcomes, std::size_t> paths_b;
+    std::map<PathOutcomes, std::size_t> paths_b;
     for (std::size_t q = 0; q < b.paths().size(); ++q) paths_b[b.outcomes_of(b.paths()[q])] = q;
     std::map<StepIndex, std::vector<bool>> found;  // By expression of a.
     const auto compare = [&](std::size_t p, std::size_t q) {
@@ -150,7 +217,7 @@ class DifferenceFinder {
     };
     for (std::size_t p = 0; p < a.paths().size(); ++p) {
       if (is_told_a[p]) continue;
-      const Outcomes outcomes = a.outcomes_of(a.paths()[p]);
+      const PathOutcomes outcomes = a.outcomes_of(a.paths()[p]);
       // A path of the same outcomes is the only one that agrees with this one.
       if (const auto same = paths_b.find(outcomes); same != paths_b.end())
         compare(p, same->second);
@@ -177,38 +244,60 @@ class DifferenceFinder {
   Side accepted_;
   Side current_;
   std::vector<StepDifference> found_;
+  std::array<std::map<StepIndex, std::shared_ptr<const StepProgram>>, 2> exchanged_;  // Of each side.
 };
 
 }  // namespace
 
-bool are_further_alike(TracedBody& a, TracedBody& b) {
-  return std::ranges::equal(a.further_members(), b.further_members(), is_same);
+bool DifferenceWatch::take(const StepDifference& difference, const StepInput& input, BodyPair before,
+                           BodyPair after) {
+  const MemberBits differing = differing_members(after);
+  MemberBits decided = 0;
+  const StepIndex path = after.own.path();
+  if (differing != 0 && difference.is_on_path[path]) {
+    decided = differing & difference.members[path];
+    for (const std::shared_ptr<const StepProgram>& exchanged : difference.exchanged) {
+      TracedBody changed(*exchanged, {});
+      std::ranges::copy(before.own.members(), changed.members().begin());
+      changed.update(input);
+      decided |= nearer_members(differing, changed.members(), after);
+    }
+  }
+  if (further_ != 0 && differing != 0) {
+    TracedBody changed = before.own;
+    const std::span<double> own = changed.members(), other = before.other.members();
+    for (std::size_t member = 0; member < std::min(own.size(), other.size()); ++member)
+      if ((further_ >> member & 1u) != 0) own[member] = other[member];
+    changed.update(input);
+    decided |= nearer_members(differing, changed.members(), after);
+  }
+  further_ = (further_ | decided) & differing & ~kRowMembers;
+  return (decided & kRowMembers) != 0;
 }
 
 StepPair::StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)
     : programs_{make_step_program(accepted), make_step_program(current)},
-      are_setters_equal_(part_of(accepted, false) == part_of(current, false)) {
+      are_setters_equal_(part_of(accepted, false) == part_of(current, false)),
+      unrecorded_(unrecorded_members(accepted) & unrecorded_members(current)) {
   if (part_of(accepted, true) != part_of(current, true))
     differences_ = DifferenceFinder(accepted, current, names).find();
 }
 
-bool StepPair::notice(const StepInput& input, std::span<TracedBody> bodies, std::vector<bool>& evaluated,
-                      std::vector<bool>& noticed) const {
-  assert(noticed.size() == differences_.size() && evaluated.size() == noticed.size());
-  if (bodies.size() < 2) return false;
-  TracedBody& a = bodies[0];
-  TracedBody& b = bodies[1];
-  a.update(input);
-  b.update(input);
-  const bool is_other_row = differs(a, b);
-  const bool is_over = are_further_alike(a, b);
+void StepPair::notice(const StepInput& input, std::span<TracedBody> bodies,
+                      std::vector<DifferenceWatch>& watches, std::vector<bool>& noticed) const {
+  assert(noticed.size() == differences_.size() && watches.size() == noticed.size());
+  if (bodies.size() < 2) return;
+  const BodyPair before{bodies[0], bodies[1]};
+  for (TracedBody& body : bodies) body.update(input);
   for (std::size_t index = 0; index < noticed.size(); ++index) {
     const StepDifference& difference = differences_[index];
-    if (difference.is_on_path[(difference.is_in_accepted ? a : b).path()]) evaluated[index] = true;
-    if (is_other_row && evaluated[index]) noticed[index] = true;
-    if (is_over) evaluated[index] = false;
+    const auto ordered = [&](const TracedBody& accepted, const TracedBody& current) {
+      return difference.is_in_accepted ? BodyPair{accepted, current} : BodyPair{current, accepted};
+    };
+    if (!noticed[index])
+      noticed[index] = watches[index].take(difference, input, ordered(before.own, before.other),
+                                           ordered(bodies[0], bodies[1]));
   }
-  return is_other_row;
 }
 
 }  // namespace hyrax

@@ -14,26 +14,55 @@
 
 namespace hyrax {
 
+/// A bit a member of a step, in their order.
+using MemberBits = std::uint32_t;
+static_assert(kStepMembersMax <= 32);
+
 /// A condition or expression that only one of two complete steps has while both have its operands.
 struct StepDifference {
   bool is_in_accepted = false;  ///< Else in the current step.
   std::string text;  ///< As "vx * AIR_DRAG > 9000", "dt * 1250"; long ones shortened in the middle.
   std::vector<bool> is_on_path;     ///< By path of update of the step that has it: whether it evaluates it.
   StepIndex comparison = kNoIndex;  ///< In that step; kNoIndex: an expression.
+  std::vector<MemberBits> members = {};  ///< By such a path: those whose end it is a part of.
+  /// That step with the outcomes of one comparison exchanged, for each that it is a part of.
+  std::vector<std::shared_ptr<const StepProgram>> exchanged = {};
+};
+
+/// Both bodies of a step, of the step that has a difference and of the other one.
+struct BodyPair {
+  TracedBody own;
+  TracedBody other;
+};
+
+/// Whether a difference decides anything, step after step. Beside others it does where a member ends
+/// otherwise by the two steps, and
+/// - the difference is a part of that end, or
+/// - with the other outcome of a comparison that it is a part of, the member would be nearer to what the
+///   other step makes of it, or
+/// - so it would be with the other step's further members, where the difference decided those.
+class DifferenceWatch {
+ public:
+  /// Returns whether it decides a member that a row shows. @param after one step of both.
+  bool take(const StepDifference& difference, const StepInput& input, BodyPair before, BodyPair after);
+  /// Further members that it decided and that have not been alike since.
+  [[nodiscard]] MemberBits further_members() const { return further_; }
+
+ private:
+  MemberBits further_ = 0;
 };
 
 /// What was found by trying steps.
 struct DifferenceSearch {
-  /// From here both steps differ in a bit while the difference is evaluated, or further members have not been
-  /// alike since it was.
-  std::optional<StepInput> found;
+  std::optional<StepInput> found;  ///< From here the difference decides a row.
   /// After so many frames of found->dt_s; more than 1 only where there are further members.
   std::int64_t frames = 1;
   std::int64_t steps_tried = 0;
+  MemberBits further_members = 0;  ///< That the difference decided in some of these steps.
 };
 
-/// Whether the further members of both are alike; which NaN arose is no difference.
-[[nodiscard]] bool are_further_alike(TracedBody& a, TracedBody& b);
+/// Members that no row depends on, in this step or a later one.
+[[nodiscard]] MemberBits unrecorded_members(const TracedStep& step);
 
 /// Two complete steps, made ready to be compared.
 class StepPair {
@@ -51,10 +80,12 @@ class StepPair {
   /// What plays the accepted step and the current one; null: not playable.
   [[nodiscard]] const std::vector<std::shared_ptr<const StepProgram>>& programs() const { return programs_; }
 
-  /// Takes both steps once; `bodies` are theirs, of one row. Marks in `evaluated` (one a difference) those
-  /// that are evaluated, and if both rows differ in a bit then also in `noticed` all that were since further
-  /// members were last alike. Returns whether the rows differ.
-  bool notice(const StepInput& input, std::span<TracedBody> bodies, std::vector<bool>& evaluated,
+  /// Members that no row of either step depends on.
+  [[nodiscard]] MemberBits unrecorded() const { return unrecorded_; }
+
+  /// Takes both steps once; `bodies` are theirs, of one row. Marks in `noticed` the differences that decide
+  /// the row; of those that are marked already nothing is asked. REQUIRES: a watch a difference.
+  void notice(const StepInput& input, std::span<TracedBody> bodies, std::vector<DifferenceWatch>& watches,
               std::vector<bool>& noticed) const;
 
   /// Looks for a step that shows the difference: states within the limits of scenarios (start 1e12, windows
@@ -67,6 +98,7 @@ class StepPair {
   std::vector<std::shared_ptr<const StepProgram>> programs_;
   std::vector<StepDifference> differences_;
   bool are_setters_equal_;
+  MemberBits unrecorded_;
 };
 
 }  // namespace hyrax

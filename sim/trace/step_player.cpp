@@ -55,8 +55,8 @@ WallMeeting TracedBody::meeting(Wall wall, double dt_s, const Size& window, cons
   };
   for (const PathContact& contact : program_->contacts(path))
     if (contact.wall == wall)
-      return {std::fabs(values[contact.position] - values[contact.bound]), velocity(contact.before),
-              velocity(contact.after)};
+      return {std::fabs(values[contact.position] - values[contact.bound]) / contact.scale,
+              velocity(contact.before), velocity(contact.after)};
   return {};
 }
 

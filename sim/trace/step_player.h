@@ -25,8 +25,8 @@ struct StepInput {
   double dt_s = 0.0;
 };
 
-/// A body moved by a traced step; has the interface of class physics, so that KernelOf plays it
-/// (sim/core/kernel_of.h). Trivially copyable. REQUIRES: the program outlives it.
+/// A body moved by a traced step; has the interface of class physics, so that StepperOf plays it
+/// (sim/core/stepper_of.h). Trivially copyable. REQUIRES: the program outlives it.
 class TracedBody {
  public:
   TracedBody(const StepProgram& program, const State& start);

@@ -91,6 +91,8 @@ std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step) {
   for (StepIndex index = 0; index < step.expressions.size(); ++index)
     if (!is_leaf(step.expressions[index])) program.all_.push_back(instruction_of(step, index));
   program.contacts_ = find_path_contacts(step);
+  for (const std::vector<PathContact>& met : program.contacts_)
+    for (const PathContact& contact : met) program.walls_ |= static_cast<std::uint8_t>(contact.wall);
   return std::make_shared<const StepProgram>(std::move(program));
 }
 

@@ -54,12 +54,16 @@ struct PathContact {
   Wall wall = Wall::left;
   StepIndex position = kNoIndex;  ///< Expressions.
   StepIndex bound = kNoIndex;
+  /// How much both differ for each pixel; NaN: not known, of a wall that two positions of the path are
+  /// beyond.
+  double scale = 1.0;
   VelocityIndices before = {};  ///< At the comparison.
   VelocityIndices after = {};   ///< At the next wall of the path, or at its end.
 };
 
 /// For each path of update its contacts, in the order in which it has them: each wall at most once. A bound
-/// is the constant 0, or an expression of the sizes. A position is x or y, and what is added to it.
+/// is the constant 0, or an expression of the sizes. A position is x or y and what is added to it, perhaps
+/// times a constant; the comparison is solved for it.
 [[nodiscard]] std::vector<std::vector<PathContact>> find_path_contacts(const TracedStep& step);
 
 class StepProgram {
@@ -72,6 +76,8 @@ class StepProgram {
                 std::vector<double>& values) const;
 
   [[nodiscard]] const TracedStep& step() const { return step_; }
+  /// Those that any path meets, as a contact byte: of others no comparison tells.
+  [[nodiscard]] std::uint8_t walls() const { return walls_; }
   /// The walls that a path of update meets, in the order in which it does.
   [[nodiscard]] const std::vector<PathContact>& contacts(StepIndex path) const { return contacts_[path]; }
 
@@ -107,6 +113,7 @@ class StepProgram {
   std::array<Function, kCoreFunctions> functions_;
   std::vector<StepInstruction> all_;  // Of update, by index.
   std::vector<std::vector<PathContact>> contacts_;
+  std::uint8_t walls_ = 0;
 };
 
 }  // namespace hyrax

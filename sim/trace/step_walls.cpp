@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -14,24 +16,33 @@ namespace {
 
 bool is_in_x(Wall wall) { return wall == Wall::left || wall == Wall::right; }
 
-// What an expression says of a position.
+// What an expression says of a position: `factor` times it, and a sum of sizes.
 struct Meaning {
   StepNumberBits depends_on = 0;
-  std::array<int, 2> windows = {};  // The width, height of the window (1: grows with it, -1: falls).
-  bool is_zero = false;
-  char axis = '\0';         // 'x' or 'y' of a position.
-  bool is_negated = false;  // The position grows where this falls.
+  char axis = '\0';                // 'x' or 'y' of a position.
+  double factor = 0.0;             // Below 0: the position grows where this falls.
+  std::array<double, 5> sum = {};  // Factors of the sizes in their order; a constant. Of one that is no sum
+                                   // of sizes those of the window, about.
 
   template <class... Number>
   [[nodiscard]] bool has(Number... numbers) const {
     return (depends_on & bits_of(numbers...)) != 0;
   }
   [[nodiscard]] bool has_others() const { return (depends_on & ~kSizeBits) != 0; }  // That are no sizes.
-  [[nodiscard]] bool has_window() const { return windows[0] != 0 || windows[1] != 0; }
-  [[nodiscard]] bool is_bound() const { return is_zero || (depends_on != 0 && !has_others()); }
+  [[nodiscard]] bool has_window() const { return sum[0] != 0.0 || sum[1] != 0.0; }
+  [[nodiscard]] bool is_zero() const { return depends_on == 0 && sum[4] == 0.0; }
+  [[nodiscard]] bool is_bound() const { return is_zero() || (depends_on != 0 && !has_others()); }
+
+  void add(const Meaning& other, double times) {
+    axis = axis == '\0' ? other.axis : axis;
+    factor += times * other.factor;
+    for (std::size_t part = 0; part < sum.size(); ++part) sum[part] += times * other.sum[part];
+  }
 };
 
 class Meanings {
+  static constexpr std::size_t kFirstSize = static_cast<std::size_t>(StepNumber::window_width);
+
  public:
   explicit Meanings(const TracedStep& step) : dependencies_(dependencies_of(step)) {
     for (const StepPath& path : step.paths_of(CoreFunction::update))
@@ -45,48 +56,65 @@ class Meanings {
   void add(const Expression& expression) {
     const auto index = static_cast<StepIndex>(meanings_.size());
     Meaning meaning{.depends_on = dependencies_[index]};
-    if (expression.op == Operator::argument) {
-      meaning.windows = {expression.name == "window_width", expression.name == "window_height"};
-      if (expression.name == "x" || expression.name == "y") meaning.axis = expression.name[0];
-    }
-    for (const StepIndex operand : expression.used_operands())
-      for (std::size_t size = 0; size < 2; ++size)
-        if (const int window = of(operand).windows[size]; window != 0)
-          meaning.windows[size] = expression.op == Operator::negate ? -window : window;
-    const bool converts = expression.op == Operator::to_real || expression.op == Operator::to_single;
-    meaning.is_zero = expression.op == Operator::constant ? expression.value == 0.0
-                                                          : converts && of(expression.operands[0]).is_zero;
+    const auto operand = [&](std::size_t place) -> const Meaning& { return of(expression.operands[place]); };
     const bool is_fused = expression.op == Operator::call && expression.name == "fma";
-    if (converts || expression.op == Operator::negate) take_axis(expression, 0, meaning);
-    if (is_fused) take_axis(expression, 2, meaning);
-    if (expression.op == Operator::add)
-      for (const std::size_t place : {0U, 1U}) {
-        take_axis(expression, place, meaning);
-        if (of(expression.operands[place]).is_bound())
-          take_clamped(of(expression.operands[1 - place]), meaning);
-      }
-    if (is_fused && of(expression.operands[2]).is_bound()) take_clamped(meaning, meaning);
+    switch (expression.op) {
+      case Operator::constant:
+        meaning.sum[4] = expression.value;
+        break;
+      case Operator::argument:
+        if (expression.name == "x" || expression.name == "y") meaning.axis = expression.name[0];
+        meaning.factor = meaning.axis == '\0' ? 0.0 : 1.0;
+        for (std::size_t size = 0; size < 4; ++size)
+          meaning.sum[size] = meaning.has(static_cast<StepNumber>(kFirstSize + size)) ? 1.0 : 0.0;
+        break;
+      case Operator::negate:
+      case Operator::to_real:
+      case Operator::to_single:
+        meaning.add(operand(0), expression.op == Operator::negate ? -1.0 : 1.0);
+        break;
+      case Operator::add:
+        if (operand(0).axis == '\0' || operand(1).axis == '\0' || operand(0).axis == operand(1).axis)
+          for (const std::size_t place : {0U, 1U}) meaning.add(operand(place), 1.0);
+        for (const std::size_t place : {0U, 1U})
+          if (operand(place).is_bound()) take_clamped(operand(1 - place), meaning);
+        break;
+      case Operator::multiply:
+      case Operator::divide:
+        for (const std::size_t place : {0U, 1U}) {
+          const double by = operand(place).sum[4];
+          if (operand(place).depends_on != 0 || by == 0.0) continue;
+          if (expression.op == Operator::multiply) meaning.add(operand(1 - place), by);
+          if (expression.op == Operator::divide && place == 1) meaning.add(operand(0), 1.0 / by);
+          break;
+        }
+        break;
+      default:
+        if (is_fused) meaning.add(operand(2), 1.0);
+        if (is_fused && operand(2).is_bound()) take_clamped(meaning, meaning);
+    }
+    if (!meaning.has_others() && meaning.sum == std::array<double, 5>{})
+      for (const StepIndex each : expression.used_operands())
+        if (of(each).has_window()) meaning.sum = of(each).sum;
+    if (meaning.factor == 0.0) meaning.axis = '\0';
     // Where a path ends is a position, however it was calculated: a reflected one is no negated one.
     for (std::size_t member = 0; member < 2; ++member)
       if (ends_[member].contains(index) && meaning.has_others() && expression.op != Operator::argument) {
         meaning.axis = "xy"[member];
-        meaning.is_negated = false;
+        meaning.factor = 1.0;
+        meaning.sum = {};
       }
     meanings_.push_back(meaning);
-  }
-
-  void take_axis(const Expression& expression, std::size_t place, Meaning& meaning) const {
-    const Meaning& operand = of(expression.operands[place]);
-    if (operand.axis == '\0') return;
-    meaning.axis = operand.axis;
-    meaning.is_negated = operand.is_negated != (expression.op == Operator::negate);
   }
 
   // A move from a bound to which an earlier part of the step clamped the position.
   static void take_clamped(const Meaning& move, Meaning& meaning) {
     const bool has_x = move.has(StepNumber::x, StepNumber::vx);
-    if (meaning.axis == '\0' && move.has(StepNumber::dt) && has_x != move.has(StepNumber::y, StepNumber::vy))
-      meaning.axis = has_x ? 'x' : 'y';
+    if (meaning.axis != '\0' || !move.has(StepNumber::dt) || has_x == move.has(StepNumber::y, StepNumber::vy))
+      return;
+    meaning.axis = has_x ? 'x' : 'y';
+    meaning.factor = 1.0;
+    meaning.sum = {};
   }
 
   std::vector<StepNumberBits> dependencies_;
@@ -100,6 +128,7 @@ struct WallComparison {
   bool beyond = false;  // The outcome that decides so.
   StepIndex position = kNoIndex;
   StepIndex bound = kNoIndex;
+  double scale = 1.0;                 // How much the sides differ for each pixel.
   bool is_for_large_sprites = false;  // An upper bound of 0.
 };
 
@@ -161,18 +190,8 @@ class WallFinder {
   // `0 < position`. Beside `0 <= position` it asks the same.
   [[nodiscard]] bool is_left_of_zero(StepIndex position, Relation relation) const {
     return std::any_of(step_.comparisons.begin(), step_.comparisons.end(), [&](const StepComparison& other) {
-      return other.left == position && other.relation == relation && meaning(other.right).is_zero;
+      return other.left == position && other.relation == relation && meaning(other.right).is_zero();
     });
-  }
-
-  // Whether an upper bound was taken from the position, so that it is compared with 0.
-  [[nodiscard]] bool is_measured_from_bound(StepIndex position) const {
-    const Expression& sum = step_.expressions[position];
-    if (sum.op != Operator::add) return false;
-    const Meaning& a = meaning(sum.operands[0]);
-    const Meaning& b = meaning(sum.operands[1]);
-    return (a.axis != '\0' && b.is_bound() && b.has_window()) ||
-           (b.axis != '\0' && a.is_bound() && a.has_window());
   }
 
   [[nodiscard]] std::optional<WallComparison> wall_of(const StepComparison& comparison) const {
@@ -182,13 +201,21 @@ class WallFinder {
                         .bound = is_left_position ? comparison.right : comparison.left};
     const Meaning& position = meaning(wall.position);
     const Meaning& bound = meaning(wall.bound);
-    if (position.axis == '\0' || !bound.is_bound()) return std::nullopt;
-    // That the comparison holds means: the position is low.
-    const bool holds_low = is_left_position != position.is_negated;
-    const bool has_upper_bound = bound.has_window() || is_measured_from_bound(wall.position);
+    if (position.axis == '\0' || bound.has_others()) return std::nullopt;
+    // Solved for the position: it is low or high where the comparison holds.
+    Meaning solved;
+    solved.add(bound, 1.0 / position.factor);
+    solved.add(Meaning{.sum = position.sum}, -1.0 / position.factor);
+    const auto& sum = solved.sum;
+    const bool has_sizes = std::any_of(sum.begin(), sum.begin() + 4, [](double size) { return size != 0.0; });
+    if (!has_sizes && (sum[4] != 0.0 || (bound.depends_on != 0 && bound.sum == Meaning().sum)))
+      return std::nullopt;
+    wall.scale = std::fabs(position.factor);
+    const bool holds_low = is_left_position == (position.factor > 0.0);
+    const bool has_upper_bound = sum[position.axis == 'x' ? 0 : 1] >= 0.5;
     // A bound that is 0 since the sprite is larger than the window is compared from above, beside the
     // comparison from below.
-    wall.is_for_large_sprites = !has_upper_bound && !holds_low && !position.is_negated &&
+    wall.is_for_large_sprites = !has_upper_bound && !holds_low && position.factor > 0.0 &&
                                 is_left_of_zero(wall.position, comparison.relation);
     const bool is_upper = has_upper_bound || wall.is_for_large_sprites;
     wall.wall =
@@ -204,8 +231,8 @@ class WallFinder {
       const Meaning& left = meaning(sizes.left);
       const Meaning& right = meaning(sizes.right);
       if (sizes.relation == Relation::equal || !left.is_bound() || !right.is_bound()) return false;
-      const int window = left.windows[in_x ? 0 : 1] - right.windows[in_x ? 0 : 1];
-      return left.has_window() != right.has_window() && window != 0 && (window > 0) == outcome.holds;
+      const double window = left.sum[in_x ? 0 : 1] - right.sum[in_x ? 0 : 1];
+      return left.has_window() != right.has_window() && window != 0.0 && (window > 0.0) == outcome.holds;
     });
   }
 
@@ -213,14 +240,21 @@ class WallFinder {
     std::vector<PathContact> contacts;
     for (const StepOutcome& outcome : path.outcomes) {
       const std::optional<WallComparison>& wall = walls_[outcome.comparison];
-      if (!wall || wall->beyond != outcome.holds || has(contacts, wall->wall)) continue;
+      if (!wall || wall->beyond != outcome.holds) continue;
       if (wall->is_for_large_sprites && !has_large_sprite(path, is_in_x(wall->wall))) continue;
       // A position that was set to 0 is beyond the bound at which the path ends.
       const StepIndex end = path.members[is_in_x(wall->wall) ? 0 : 1];
       const bool is_set = wall->is_for_large_sprites && meaning(end).is_bound() && meaning(end).has_window();
+      if (const auto before = std::ranges::find(contacts, wall->wall, &PathContact::wall);
+          before != contacts.end()) {  // Of two positions beyond it neither is how far.
+        if (before->position != wall->position && !is_set)
+          before->scale = std::numeric_limits<double>::quiet_NaN();
+        continue;
+      }
       contacts.push_back({.wall = wall->wall,
                           .position = is_set ? wall->bound : wall->position,
-                          .bound = is_set ? end : wall->bound});
+                          .bound = is_set ? end : wall->bound,
+                          .scale = is_set ? 1.0 : wall->scale});
     }
     std::ranges::sort(contacts, {}, &PathContact::wall);
     return contacts;

@@ -54,6 +54,8 @@ struct RunSummary {
   std::int64_t steps_computed = 0;  ///< The others repeat exactly and were not computed.
   double simulated_s = 0.0;
   WallCounts contacts{};
+  WallCounts bounces{};  ///< The contacts without the resting contacts (RestingContact).
+  std::optional<std::int64_t> resting_contact_from_step;  ///< RestingContact::from_step.
   WallCounts clamped_steps{};
   std::int64_t rest_steps = 0;  ///< Steps in which the rest rule zeroed the vertical speed.
   Row final;

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "sim/trajectory/reused.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {
@@ -59,12 +60,12 @@ class RowBlock {
  public:
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t room() const { return kBlockRows - size_; }
-  [[nodiscard]] const std::byte* data() const { return bytes_.get(); }
+  [[nodiscard]] const std::byte* data() const { return bytes_->at; }
 
   /// Makes room for `count` further rows and returns where they begin. REQUIRES: count <= room().
   [[nodiscard]] std::byte* extend(std::size_t count) {
     assert(count <= room());
-    std::byte* const begin = bytes_.get() + size_ * kPackedRowBytes;
+    std::byte* const begin = bytes_->at + size_ * kPackedRowBytes;
     size_ += count;
     return begin;
   }
@@ -77,7 +78,7 @@ class RowBlock {
   /// Appends rows `first` .. `first + count - 1` of another block. REQUIRES: they fit.
   void append(const RowBlock& other, std::size_t first, std::size_t count) {
     assert(first + count <= other.size_);
-    std::memcpy(extend(count), other.bytes_.get() + first * kPackedRowBytes, count * kPackedRowBytes);
+    std::memcpy(extend(count), other.bytes_->at + first * kPackedRowBytes, count * kPackedRowBytes);
   }
 
   void append(const Row& row) { pack_row(extend(1), row); }
@@ -85,12 +86,12 @@ class RowBlock {
   /// REQUIRES: index < size().
   void set_contact(std::size_t index, std::uint8_t contact) {
     assert(index < size_);
-    bytes_[index * kPackedRowBytes + kPackedRowBytes - 1] = std::byte{contact};
+    bytes_->at[index * kPackedRowBytes + kPackedRowBytes - 1] = std::byte{contact};
   }
   /// Row `index` of the block, without its step and time. REQUIRES: index < size().
   [[nodiscard]] Row row(std::size_t index) const {
     assert(index < size_);
-    const std::byte* bytes = bytes_.get() + index * kPackedRowBytes;
+    const std::byte* bytes = bytes_->at + index * kPackedRowBytes;
     return {.dt_s = from_little_endian(bytes),
             .x_px = from_little_endian(bytes + 8),
             .y_px = from_little_endian(bytes + 16),
@@ -100,8 +101,11 @@ class RowBlock {
   }
 
  private:
-  std::unique_ptr<std::byte[]> bytes_ =
-      std::make_unique_for_overwrite<std::byte[]>(kBlockRows * kPackedRowBytes);
+  struct Bytes {
+    Bytes() {}  // NOLINT(modernize-use-equals-default): they are not set to 0.
+    std::byte at[kBlockRows * kPackedRowBytes];
+  };
+  Reused<Bytes> bytes_;
   std::size_t size_ = 0;
 };
 

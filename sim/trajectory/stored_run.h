@@ -43,7 +43,8 @@ struct StoredRun {
   Scenario scenario;
   std::string physics;  ///< Physics model.
   std::optional<Constants>
-      constants;  ///< Of the core that played it; nothing where it is not the paper's model.
+      constants;          ///< Of the core that played it; nothing where it is not the paper's model.
+  std::string core = {};  ///< That core's checksum; empty: unknown. No comparison looks at it.
   std::int64_t steps = 0;
   std::string state_hash;           ///< 32 hex digits.
   Columns rows;                     ///< Every row of a short run; else empty.
@@ -53,6 +54,7 @@ struct StoredRun {
   /// Set for a run of too many contacts to hold them: passes all of them on; `contacts` is then empty.
   std::function<void(const std::function<void(const Contact&)>& take)> replay_contacts;
   std::int64_t contacts_total = 0;
+  std::uint8_t walls_of_rows = 0;  ///< Core::walls_of_rows of the core that played it.
   std::vector<Input> inputs;
 
   /// Every contact in order, held or not.

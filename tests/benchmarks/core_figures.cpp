@@ -153,7 +153,9 @@ void write_hdf5(const std::string& path, const Columns& rows) {
   const h5::Handle group = h5::create_group(file, "trajectory");
   RowTable table(group, kBatches * static_cast<std::int64_t>(kBatchRows));
   bool is_written = true;
-  for (std::int64_t batch = 0; batch < kBatches; ++batch) is_written = table.write(rows) && is_written;
+  for (std::int64_t batch = 0; batch < kBatches; ++batch)
+    for (std::size_t index = 0; index < rows.size(); ++index)
+      is_written = table.append(rows.row(index)) && is_written;
   keep(table.finish() && is_written);
 }
 

@@ -20,8 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs a program with its output thrown away; returns its peak memory in MB.
-double run(const std::vector<std::string>& command) {
+struct Usage {
+  double peak_MB = 0.0;
+  double minor_faults = 0.0;
+};
+
+// Runs a program with its output thrown away.
+Usage run(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
   for (const std::string& part : command) arguments.push_back(const_cast<char*>(part.c_str()));
   arguments.push_back(nullptr);
@@ -35,7 +40,7 @@ double run(const std::vector<std::string>& command) {
   rusage usage{};
   if (error == 0) wait4(child, &status, 0, &usage);
   if (status != 0) throw std::runtime_error(command[0] + " " + command[1] + " did not end with exit code 0");
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+  return {static_cast<double>(usage.ru_maxrss) / 1024.0, static_cast<double>(usage.ru_minflt)};
 }
 
 Figure of(std::string what, const Timing& timing, double scale, double goal, std::string unit) {
@@ -93,20 +98,30 @@ std::vector<Figure> program_figures(const std::string& program, const std::strin
   const std::string blessed = (workplace.folder / "scenarios").string();
   const std::string output = (workplace.folder / "run.h5").string();
   bless_flings(program, first, blessed);
-  double peak_MB = 0.0;  // Of the command that was run last.
+  Usage usage;  // Of the command that was run last.
   const auto running = [&](const std::vector<std::string>& command) {
-    return [&peak_MB, command] { peak_MB = run(command); };
+    return [&usage, command] { usage = run(command); };
   };
   const auto sweep = [&](std::int64_t members, const char* threads) {
     return [&, members, threads] {
-      peak_MB = run(sweep_command(program, workplace.folder, first, members, threads));
+      usage = run(sweep_command(program, workplace.folder, first, members, threads));
     };
   };
   const auto timed = [](const std::function<void()>& work, int rounds) {
     return time_side_by_side({work}, rounds)[0];
   };
   const auto memory = [&](std::string what, double goal) {
-    return Figure{std::move(what), peak_MB, peak_MB, peak_MB, goal, false, "MB"};
+    return Figure{std::move(what), usage.peak_MB, usage.peak_MB, usage.peak_MB, goal, false, "MB"};
+  };
+  const auto faults = [&](std::string what, const std::function<void()>& work, double goal) {
+    work();
+    const double count = usage.minor_faults;
+    return Figure{std::move(what), count, count, count, goal, false, ""};
+  };
+  const auto jittered = [&](const std::string& rows, const fs::path& into) {
+    return running({program, "run", first, "-o", into.string(), "--set", "/steps=" + rows, "--set",
+                    "/expect={}", "--set",
+                    R"(/clock/jitter={"kind": "uniform", "fraction": 0.1, "seed": 1})"});
   };
   std::vector<Figure> figures = {
       // Of 1000 scenarios in s is of one in ms; in microseconds a thousand times that.
@@ -127,6 +142,16 @@ std::vector<Figure> program_figures(const std::string& program, const std::strin
   figures.push_back(of("sweep of 1e7 members of 10 s, two threads, with its file",
                        timed(sweep(10'000'000, "2"), 1), 1.0, 30.0, "s"));
   figures.push_back(memory("memory of a sweep of 1e7 members", 200.0));
+  figures.push_back(faults("page faults of 1e7 jittered rows to HDF5", jittered("10000000", output), 5000.0));
+  const fs::path other = workplace.folder / "other.h5";
+  jittered("1000000", output)();
+  jittered("1000000", other)();
+  figures.push_back(faults("(of diff of two files of 1e6 rows)",
+                           running({program, "diff", output, other.string()}), 8000.0));
+  figures.push_back(faults("(of a sweep of 4e6 members, one thread)", sweep(4'000'000, "1"), 6000.0));
+  figures.push_back(faults("(of the same, two threads)", sweep(4'000'000, "2"), 8000.0));
+  figures.push_back(
+      faults("(of fuzz, 2,000 runs)", running({program, "fuzz", "--runs", "2000", "--seed", "1"}), 2500.0));
   return figures;
 }
 

@@ -20,7 +20,7 @@ class PageBuildTest(ProgramTest):
         succeed("cmake", "-S", SOURCE, "-B", self.folder, "-G", "Ninja", "-DHYRAX_PAGE=ON", timeout=600)
         inputs = succeed("ninja", "-C", self.folder, "-t", "query",
                          "tools/CMakeFiles/hyrax_page.dir/report/page_template.cpp.o").out
-        for page in ("runs", "results"):
+        for page in ("runs", "sweeps"):
             self.assertIn(f"page/{page}.html", inputs)
 
 

@@ -7,6 +7,7 @@ import shutil
 
 import h5py
 
+from process import succeed
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling
 
 
@@ -31,6 +32,15 @@ class Accept(ProgramTest):
         outcome = self.expect(exit_code, "bless", "scenarios", "--json", "--reason", "for the test", *choice, *options,
                               **expected)
         return outcome.json
+
+    def test_what_git_ignores_of_it_is_said(self):
+        succeed("git", "init", "-q", self.folder)
+        golden = self.folder.resolve() / "golden"
+        for ignored, says in (("core\nb.*\n", f"{golden}/b.h5: ignored by git (and 4 more): another checkout will not have it; to see why: "
+                               f"git check-ignore -v {golden}/b.h5\n"), ("c\n", "")):
+            self.write(".gitignore", ignored)
+            shutil.rmtree(golden)
+            self.assertEqual(self.expect(AGREED, "bless", "scenarios", "--reason", "x").err, says)
 
     def test_a_wider_class_than_the_accepted_one_is_refused(self):
         for kind, refused in (("rounding", None), ("values", "rounding"), ("contacts", "values")):
@@ -121,14 +131,12 @@ class Update(ProgramTest):
         self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
         self.assertEqual(self.state_of("."), now)
 
-    def test_of_a_run_that_agrees_a_missing_hash_is_added_and_a_stale_one_replaced(self):
+    def test_of_a_run_that_agrees_a_stale_hash_is_replaced_and_a_missing_one_stays_missing(self):
         before = self.scenario('{"finite": true}')
         self.bless("scenarios")
-        self.assertIn("scenarios/fling.json: new expect.state_hash\n",
-                      self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash", "--dry-run").out)
-        self.assertEqual(self.path.read_text(), before)
-        self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash")
-        self.assertRegex(self.path.read_text(), re.escape(before).replace("true", 'true,"state_hash": "[0-9a-f]{32}"'))
+        for option in ("--update-hash", "--update-expect"):
+            self.expect(AGREED, "bless", "scenarios", "--reason", "x", option)
+            self.assertEqual(self.path.read_text(), before)
         before = self.scenario('{"state_hash": "' + 32 * "f" + '"}')
         golden = self.state_of("golden")
         document = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-hash", "--json").json
@@ -150,20 +158,33 @@ class Update(ProgramTest):
         self.expect(exit_code, "bless", "scenarios", "--reason", "x", "--update-expect", *options, **expected)
         return self.path.read_text()
 
-    def test_ranges_keep_their_width_and_nothing_else_changes(self):
-        before = self.scenario('{"final_x_px":[ 0,\n 7 ], "final_y_px": [ 0, 10], "at_rest_since_s": [0, 0.5],\n'
+    def test_ranges_keep_their_width_and_digits_and_nothing_else_changes(self):
+        before = self.scenario('{"final_x_px":[ 0,\n 7 ], "final_y_px": [ 0, 10.0], "at_rest_since_s": [0, 5e-1],\n'
                                '"contacts":{"left" : 0, "right": 5 ,"ground":[1, 3], "top": [2,5]}, "finite": true}')
         run, = self.expect(AGREED, "run", "scenarios/fling.json", "--set", "/expect={}", "--json", "-o", "x.h5").json["runs"]
         x_px, y_px, since_s, ground = run["final"]["x_px"], run["final"]["y_px"], run["at_rest_since_s"], run["contacts"]["ground"]
         self.assertEqual((run["contacts"]["right"], run["contacts"]["top"]), (1, 0))
         self.assertEqual(self.update(AGREED, "--dry-run"), before)
         after = self.update()
-        self.assertEqual(after, before.replace("[ 0,\n 7 ]", f"[ {x_px - 3.5},\n {x_px + 3.5} ]").replace("[ 0, 10]", f"[ {y_px - 5}, {y_px + 5}]")
-                         .replace("[0, 0.5]", f"[{since_s - 0.25}, {since_s + 0.25}]").replace('"right": 5', '"right": 1')
-                         .replace("[1, 3]", f"[{ground - 1}, {ground + 1}]").replace("[2,5]", "[0,3]")
-                         .replace("true}", f'true,"state_hash": "{run["state_hash"]}"}}'))
+        low_px, low_s = round(x_px - 3.5), round(since_s - 0.25, 1)
+        self.assertEqual(after, before.replace("[ 0,\n 7 ]", f"[ {low_px},\n {low_px + 7} ]")
+                         .replace("[ 0, 10.0]", f"[ {y_px - 5:.1f}, {y_px + 5:.1f}]").replace("[0, 5e-1]", f"[{low_s:.1f}, {low_s + 0.5:.1f}]")
+                         .replace('"right": 5', '"right": 1').replace("[1, 3]", f"[{ground - 1}, {ground + 1}]").replace("[2,5]", "[0,3]"))
         self.expect(AGREED, "check")
         self.assertEqual(self.update(), after)
+
+    def test_a_range_has_more_digits_only_where_the_value_would_be_outside(self):
+        x_px = self.expect(AGREED, "run", self.write("x.json", fling()), "--json").json["runs"][0]["final"]["x_px"]
+        self.assertEqual(f"{x_px:.3f}", "345.341")
+        for range_before, range_after in (("[600, 700]", "[295, 395]"), ("[600.0, 700]", "[295.3, 395.3]"), ("[1e1, 2e1]", "[340, 350]"),
+                                          ("[7, 7]", f"[{x_px!r}, {x_px!r}]"), ("[0.00, 0.01]", "[345.34, 345.35]"),
+                                          ("[1.5e-1, 0.2]", "[345.32, 345.37]"), ("[7.0001, 7.0002]", f"[{x_px - 5e-5:.4f}, {x_px + 5e-5:.4f}]")):
+            before = self.scenario(f'{{"final_x_px": {range_before}}}')
+            self.assertEqual(self.update(), before.replace(range_before, range_after))
+        for range_before, range_after in (("[7.0, 7.5]", "[-0.2, 0.3]"), ("[5, 6]", "[0, 1]")):
+            self.text = self.text.replace('"x_px": 1100', '"x_px": 0').replace("1.2e3", "0").replace("-400", "0")
+            before = self.scenario(f'{{"final_x_px": {range_before}}}')
+            self.assertEqual(self.update(), before.replace(range_before, range_after))
 
     def test_what_it_never_updates_is_named_and_nothing_is_written(self):
         for rule, says in (('"in_bounds": false', "in_bounds: wanted false, measured true"),
@@ -179,7 +200,7 @@ class Update(ProgramTest):
             self.assertFalse((self.folder / "golden").exists())
 
     def test_it_says_what_changes(self):
-        self.scenario('{"contacts": {"right": 5}}')
+        self.scenario('{"state_hash": "' + 32 * "f" + '", "contacts": {"right": 5}}')
         out = self.expect(AGREED, "bless", "scenarios", "--reason", "x", "--update-expect").out
         self.assertIn("scenarios/fling.json: new expect.state_hash; expect contacts/right: wanted 5, measured 1\n", out)
         self.assertIn("scenarios/fling.json: expect updated\n", out)

@@ -4,12 +4,20 @@ import json
 import os
 import re
 import shutil
+import time
 
 import h5py
 
 from process import run
 from program import (AGREED, ANOTHER_START, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, ProgramTest,
                      fling)
+
+
+def process_time_s(process_id):
+    """How long a process has used a processor."""
+    with open(f"/proc/{process_id}/stat", encoding="utf-8") as file:
+        fields = file.read().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 class Bless(ProgramTest):
@@ -34,7 +42,7 @@ class Bless(ProgramTest):
         summary = (self.folder / "golden/new.txt").read_text(encoding="utf-8")
         self.assertIn("\nreason: a\\u001b[31m\\xff é\n", summary)
         self.expect(AGREED, "check")
-        self.expect(AGREED, "check", "--quick")
+        self.expect(BAD_INPUT, "check", "--quick", says="--quick: was removed; leave it out")
 
     def test_verbose_shows_the_first_difference(self):
         self.write("scenarios/fling.json", fling(start=ANOTHER_START))
@@ -100,6 +108,35 @@ class Bless(ProgramTest):
         (self.folder / "golden/file.h5").mkdir()
         self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "all", says="golden/file.h5")
         self.assert_golden_untouched()
+
+    def test_a_file_that_is_edited_while_it_plays_keeps_all_from_being_written(self):
+        """Whether it is to be written or not; what was shown is what would have been."""
+        jitter = {"kind": "uniform", "fraction": 0.1, "seed": 1}
+        self.write("scenarios/zz.json", fling(name="zz", steps=3 * 10**7, clock={"rate_hz": 60, "jitter": jitter}, record={"every": 10**7}))
+        for path, text in (("scenarios/fling.json", json.dumps(fling(start=ANOTHER_START))), ("golden/a/other.txt", "edited\n")):
+            process = self.begin("bless", "scenarios", "--reason", "x", "--update-hash")
+            while process_time_s(process.id) < 0.1:  # The others were read.
+                time.sleep(0.01)
+            self.write(path, text)
+            before = self.state_of(".")
+            outcome = process.wait()
+            self.assertEqual(outcome.exit_code, CANNOT_ACCESS, outcome)
+            named = path.replace(".txt", ".h5")
+            self.assertEqual(outcome.err, f"hyrax-sim bless: nothing written: {named}: was changed by another program while it was "
+                                          "played; bless again\n")
+            self.assertEqual(self.state_of("."), before)
+
+    def test_all_targets_are_tried_before_the_first_write(self):
+        shutil.rmtree(self.folder / "golden/core")
+        for in_the_way, says in ((lambda: self.write("golden/core", ""), "golden/core/physics.h: cannot be written: Not a directory"),
+                                 (lambda: (self.folder / "golden/core/step.txt").mkdir(parents=True), "golden/core/step.txt: cannot be written: Is a directory")):
+            in_the_way()
+            before = self.state_of(".")
+            for options in (("--dry-run",), ()):
+                self.expect(CANNOT_ACCESS, "bless", "scenarios", "--reason", "x", *options, says=says)
+                self.assertEqual(self.state_of("."), before)
+            core = self.folder / "golden/core"
+            core.unlink() if core.is_file() else shutil.rmtree(core)
 
     def test_it_refuses_two_scenarios_of_one_golden_file(self):
         for name in ("one", "two"):

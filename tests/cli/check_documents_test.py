@@ -63,11 +63,11 @@ class Suggested(CheckTest):
         path = self.folder / "scenarios/b/one.json"
         path.write_text(path.read_text().replace('"x_px": 1100', '"x_px": 1000'))
         out = self.expect(DISAGREED, "check").out
-        self.assertIn("hyrax-sim bless scenarios/b/one.json --reason TEXT --update-expect", out)
+        self.assertIn("hyrax-sim bless scenarios/b/one.json --reason \"...\" --update-expect", out)
         self.assert_mended(DISAGREED, "check")
         path.write_text(path.read_text().replace('"x_px": 1000', '"x_px": 1100').replace("true", "false"))
         (self.folder / "scenarios/third.json").write_text(json.dumps(fling(name="third", start=ANOTHER_START)))
-        self.assertIn("\n  to accept it    hyrax-sim bless scenarios/third.json --reason TEXT\n", self.expect(DISAGREED, "check").out)
+        self.assertIn("\n  to accept it    hyrax-sim bless scenarios/third.json --reason \"...\"\n", self.expect(DISAGREED, "check").out)
 
     def test_with_golden(self):
         self.write("-x.json", fling(name="x"))
@@ -98,6 +98,4 @@ class Suggested(CheckTest):
         self.write("scenarios/long.json", fling(name="long", steps=9000))
         self.bless("scenarios/long.json")
         self.write("scenarios/long.json", fling(name="long", steps=9001, start=ANOTHER_START))
-        self.expect(DISAGREED, "check", "--summary", "check.md")
-        self.assertIn("\n`no picture: long runs keep no rows`\n", (self.folder / "check.md").read_text())
         self.assert_mended(DISAGREED, "check", "scenarios/long.json")

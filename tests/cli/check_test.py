@@ -50,7 +50,7 @@ class Verdict(CheckTest):
         (self.folder / "empty").mkdir()
         out = self.expect(BAD_INPUT, "check", "scenarios", "empty", "--annotate", "github", "--junit", "a.xml", "--summary", "a.md").out
         self.assertTrue(out.endswith("\n::error title=hyrax-sim check%3A folder::empty: no scenario found (*.json)\n"), out)
-        self.assertIn('<error message="empty: no scenario found', (self.folder / "a.xml").read_text())
+        self.assertIn('<error message="folder: empty: no scenario found', (self.folder / "a.xml").read_text())
         self.assertIn("check: not agreed\n", (self.folder / "a.md").read_text())
 
     def test_one_that_is_a_pipe_is_not_waited_for(self):
@@ -86,7 +86,7 @@ class Unreferenced(CheckTest):
         out = self.expect(GOLDEN_MISSING, "check").out
         self.assertEqual(out, "scenarios/a/new.json: missing: renamed: golden/a/first has the same run; to rename that: "
                               f"{command}\nscenarios/twin.json: missing: no golden file at golden/twin.h5; to create it: "
-                              "hyrax-sim bless scenarios/twin.json --reason TEXT\n"
+                              "hyrax-sim bless scenarios/twin.json --reason \"...\"\n"
                               "4 checked: 2 agreed, 0 disagreed, 2 without golden file, 0 failed; 1 unreferenced\n")
         succeed("sh", "-c", command, cwd=self.folder)
         (self.folder / "scenarios/twin.json").unlink()
@@ -206,6 +206,10 @@ class Selection(CheckTest):
         self.assertEqual((document["checked"], document["unreferenced"]), (0, 1))
         self.assertEqual(self.names(), ["cache", "golden", "scenarios"])
         self.assertEqual(self.names("cache"), [".cache", "hyrax-sim"])
+        (self.folder / "golden/old.txt").unlink()
+        self.write(os.fsdecode(b"scenarios/not-utf-8-\xff\n.json"), "{")
+        self.check(BAD_INPUT, env=env)
+        self.assertEqual(len(self.check(BAD_INPUT, "--last-failed", env=env)["results"]), 1)
 
     def test_without_a_folder_for_it_nothing_is_recorded(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
@@ -232,6 +236,14 @@ class Everything(CheckTest):
             outcome = self.expect(GOLDEN_MISSING, "check", "--json", "--jobs", f"{jobs:02}", env=environment)
             self.assertEqual(outcome.out, one.out)
 
+    def test_a_pointer_of_git_lfs_is_refused_with_what_fetches_the_file(self):
+        for suffix in ("h5", "txt"):
+            path = self.folder / f"golden/third.{suffix}"
+            before = path.read_bytes()
+            path.write_text("version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 5000\n")
+            self.assertIn(f"golden/third.{suffix}: is a Git LFS pointer to the file; to fetch that: git lfs pull", self.expect(BAD_INPUT, "check").out)
+            path.write_bytes(before)
+
     def test_golden_files_are_unchanged_for_every_verdict(self):
         nudge(self.folder / "golden/third.h5", "trajectory/y", 5)
         self.write("scenarios/a/new.json", fling(name="new"))
@@ -239,7 +251,7 @@ class Everything(CheckTest):
         before = self.state_of("golden")
         for path in (self.folder / "golden").rglob("*"):
             path.chmod(0o555 if path.is_dir() else 0o444)
-        for arguments in ((), ("--quick", "--jobs", "4")):
+        for arguments in ((), ("--jobs", "4")):
             self.check(GOLDEN_MISSING, *arguments)
         self.assertEqual(self.state_of("golden"), before)
         self.assertEqual(self.names(), ["golden", "scenarios"])

@@ -88,7 +88,7 @@ class Number(ProgramTest):
                                        (same + ("--ulps",), "0", "-1"), (("drift", "fling.json", "--tolerance"), "0.1", "0.11"),
                                        (("drift", "fling.json", "--tolerance"), "1e-14", "9e-15"),
                                        (("fuzz", "--runs"), "1", "0"), (("fuzz", "--runs", "1", "--seed"), "0", "-1"),
-                                       (("sweep", "sweep.json", "--force", "--threads"), "1", "0"),
+                                       (("sweep", "sweep.json", "--threads"), "1", "0"),
                                        (("sweep", "sweep.json", "-o", "m.json", "--member"), "1", "2"),
                                        (("sweep", "sweep.json", "-o", "n.json", "--member"), "0", "-1")):
             self.expect(AGREED, *arguments[:-1], f"{arguments[-1]}={limit}")
@@ -107,7 +107,7 @@ class OneDocument(ProgramTest):
                     "study": ["needs", *files, "--quick", "--no-figures"], "info": [], "new": ["fresh"], "schema": [],
                     "bless": [*files, "--reason", "x"], "sweep": [self.write("sweep.json", sweep)],
                     "fuzz": ["--runs", "1"],
-                    "shrink": [self.write("long.json", fling()), "--fails", "test -f {} && exit 7", "-o", "small.json"]}
+                    "shrink": [self.write("wrong.json", fling(expect={"finite": False})), "-o", "small.json"]}
         with_page = ["report"]  # Its --json is tested where the page is built: tests/browser.
         listed = re.findall(r"^  ([a-z]+) +\S", screen.split("\nCommands:\n")[1], re.M)
         self.assertEqual(sorted([*commands, *with_page]), sorted(listed))

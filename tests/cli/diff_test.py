@@ -11,6 +11,37 @@ import numpy
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling
 
 
+def distance_at_equal_times(*paths):
+    """The largest distance of two runs at equal times, when it is, and the frames of jumps that are left out."""
+    runs = []
+    for path in paths:
+        with h5py.File(path) as file:
+            kinds = {code: kind for kind, code in h5py.check_enum_dtype(file["events/kind"].dtype).items()}
+            jumps = [int(frame) for frame, kind in zip(file["events/frame"][:], file["events/kind"][:])
+                     if kinds[kind].split("-")[0] in ("place", "grab", "release", "resize")]
+            runs.append((*(file[f"trajectory/{name}"][:] for name in "txy"), jumps))
+
+    def place(run, at_s):
+        times_s, *axes, _ = run
+        row = int(numpy.flatnonzero(times_s <= at_s)[-1])
+        if times_s[row] == at_s:
+            return numpy.array([axis[row] for axis in axes])
+        part = (at_s - times_s[row]) / (times_s[row + 1] - times_s[row])
+        return numpy.array([axis[row] + part * (axis[row + 1] - axis[row]) for axis in axes])
+
+    largest_px, largest_s, left_out = 0.0, 0.0, set()
+    for at_s in sorted({*runs[0][0], *runs[1][0]}):
+        if at_s > min(run[0][-1] for run in runs):
+            break
+        now = {frame for times_s, _, _, jumps in runs for frame in jumps
+               if times_s[frame] < at_s <= times_s[min(frame + 2, len(times_s) - 1)]}
+        left_out |= now
+        distance_px = 0.0 if now else numpy.hypot(*(place(runs[0], at_s) - place(runs[1], at_s)))
+        if distance_px > largest_px:
+            largest_px, largest_s = distance_px, at_s
+    return largest_px, largest_s, left_out
+
+
 class Diff(ProgramTest):
     """A run, and a copy of it in which something is changed."""
 
@@ -44,9 +75,19 @@ class Diff(ProgramTest):
         self.assertEqual(document["agree"], exit_code == AGREED)
         return document
 
+    def test_files_of_several_batches_are_compared_to_their_ends(self):
+        rows = 2 * 65_536 + 10
+        self.write("fling.json", fling(steps=rows - 1, events=[{"step": rows - 300, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -1500}}]))
+        self.expect(AGREED, "run", "fling.json", "-o", "a.h5")
+        for row in (65_535, 65_536, rows - 1):
+            self.change("trajectory/x", row, lambda value: value + 0.25)
+            document = self.diff(DISAGREED)
+            self.assertEqual((document["max_px"], document["first_divergence"]["step"], document["worst"]["x"]["step"]), (0.25, row, row))
+            self.assertIn(f"0.25 px apart at step {row} ", self.text())
+
     def test_a_file_agrees_with_itself(self):
-        self.assertEqual(self.diff(AGREED, b="a.h5"), {"agree": True, "class": None, "first_divergence": None, "worst": {},
-                                                       "contacts": {"moved": 0, "only_a": 0, "only_b": 0}})
+        self.assertEqual(self.diff(AGREED, b="a.h5"), {"agree": True, "class": None, "max_px": 0, "contacts_moved": 0, "first_divergence": None,
+                                                       "worst": {}, "contacts": {"moved": 0, "only_a": 0, "only_b": 0}})
 
     def test_a_value_agrees_if_any_tolerance_is_met(self):
         self.change("trajectory/x", 100, lambda value: value + 0.25)
@@ -97,22 +138,52 @@ class Diff(ProgramTest):
             self.assertIn(f"  shape      a file contradicts itself: {says}", text)
             self.assertNotRegex(text, "not recorded in both|the core changed")
 
-    def test_other_clocks_are_compared_at_the_same_time(self):
-        rest = {"x_px": 100, "y_px": 952, "vx_px_per_s": 60}
-        self.write("slide.json", fling(name="slide", start=rest, window={"width_px": 10**6, "height_px": 10**6},
-                                       clock={"dt_s": 0.5}, steps=8))
-        self.expect(AGREED, "run", "slide.json", "-o", "a.h5")
-        for dt_s, steps in ((0.25, 16), (0.501, 8)):
-            self.expect(AGREED, "run", "slide.json", "-o", "b.h5", "--set", f"/clock/dt_s={dt_s}", "--set", f"/steps={steps}")
-            largest = 0.0
-            with h5py.File(self.folder / "a.h5") as a, h5py.File(self.folder / "b.h5") as b:
-                rows_a, rows_b = ({name: file[f"trajectory/{name}"][:] for name in "txy"} for file in (a, b))
-                for row, at_s in enumerate(rows_b["t"]):
-                    shown = int(numpy.flatnonzero(rows_a["t"] <= at_s)[-1])
-                    distance = numpy.hypot(rows_a["x"][shown] - rows_b["x"][row], rows_a["y"][shown] - rows_b["y"][row])
-                    largest = max(largest, distance)
-            text = self.text()
-            self.assertRegex(text, rf"  apart      at most {largest:.3g} px, at step \d+ \(.* s\); rows of the same time\n")
+    def expect_distance(self, scenario, *options):
+        """The distance of a scenario's run and of one with these options, by `diff`, and by `check` of a scenario so changed."""
+        path = self.write("scenarios/x.json", {**scenario, "name": "x"})
+        self.bless(path)
+        self.expect(AGREED, "run", path, "-o", "a.h5")
+        sets = [part for option in options for part in ("--set", option)]
+        self.expect(AGREED, "run", path, "-o", "b.h5", *sets)
+        with h5py.File(self.folder / "b.h5") as file:
+            self.write("scenarios/x.json", file.attrs["scenario"])
+        wanted_px, at_s, left_out = distance_at_equal_times(*(self.folder / name for name in ("a.h5", "b.h5")))
+        self.assertGreater(wanted_px, 0)
+        for pair in (("a.h5", "b.h5"), ("golden/x.h5", "b.h5")):
+            found_px = self.expect(DISAGREED, "diff", *pair, "--json").json["max_px"]
+            self.assertAlmostEqual(found_px, wanted_px, delta=1e-12 * wanted_px)
+        entry, = self.expect(DISAGREED, "check", "--json").json["results"]
+        self.assertEqual(entry["max_px"], found_px)
+        said = f"{found_px:.3g} px apart at {at_s:.4g} s, at equal times"
+        if left_out:
+            said += f" ({len(left_out)} frame{'s'[:len(left_out) > 1]} of place, grab, release or resize left out)"
+        for arguments in (("diff", *pair), ("check",), ("bless", path, "--reason", "x", "--dry-run")):
+            self.assertIn(said, self.expect(AGREED if arguments[0] == "bless" else DISAGREED, *arguments).out)
+        return found_px
+
+    def test_other_clocks_are_compared_at_equal_times_by_every_command(self):
+        """A slow one and a fast one; zero frames; a drag, whose jumps are left out; a run that keeps no rows."""
+        self.assertLess(self.expect_distance(fling(steps=30), "/clock/rate_hz=75", "/steps=37"), 3)
+        self.expect_distance(fling(clock={"dt_s": [0.02, 0, 0, 0.01, 0.02] * 20}, steps=None), f"/clock/dt_s={[0.01] * 99}")
+        drag = [{"step": 20, "grab": {}}, {"step": 21, "place": {"x_px": 30, "y_px": 40}},
+                {"step": 40, "release": {"vx_px_per_s": 700, "vy_px_per_s": -900}},
+                {"step": 90, "resize": {"window": {"width_px": 1000, "height_px": 700}}}]
+        self.expect_distance(fling(events=drag), "/clock/rate_hz=59")
+        jitter = {"kind": "missed_frames", "probability": 0.05, "seed": 7}
+        self.expect_distance(fling(steps=9000, clock={"rate_hz": 60, "jitter": jitter}), "/clock/jitter/seed=8")
+
+    def test_rows_that_a_file_does_not_hold_are_played(self):
+        for every in (1, 100):
+            for name, speed in (("a", -400), ("b", -500)):
+                self.expect(AGREED, "run", "fling.json", "-o", f"{name}{every}.h5", "--set", f"/record/every={every}",
+                            "--set", f"/start/vy_px_per_s={speed}")
+        whole, part = (self.expect(DISAGREED, "diff", f"a{every}.h5", f"b{every}.h5", "--json").json for every in (1, 100))
+        self.assertEqual(part["max_px"], whole["max_px"])
+        with h5py.File(self.folder / "b100.h5", "r+") as file:
+            file.attrs["state_hash"] = "0" * 32  # No core gives it again.
+        document = self.expect(DISAGREED, "diff", "a100.h5", "b100.h5", "--json").json
+        self.assertLess(document["max_px"], whole["max_px"])
+        self.assertIn(" in the rows that are known\n", self.expect(DISAGREED, "diff", "a100.h5", "b100.h5").out)
 
     def test_a_figure_shows_both_paths_and_their_distance(self):
         self.change("trajectory/x", 100, lambda value: value + 0.25)
@@ -120,7 +191,7 @@ class Diff(ProgramTest):
         outcome = self.expect(DISAGREED, "diff", "a.h5", "b.h5", "--figure", "diff.svg")
         self.assertIn("  figure     diff.svg\n", outcome.out)
         svg = (self.folder / "diff.svg").read_text()
-        for part in ("at most 0.25 px apart", "class values, no contact moved", "a.h5", "b.h5", "first difference"):
+        for part in ("0.25 px apart at step 100 (1.667 s)", "class values, no contact moved", "a.h5", "b.h5", "first difference"):
             self.assertIn(part, svg)
         (self.folder / "golden/a.h5").write_bytes((self.folder / "a.h5").read_bytes())
         self.expect(AGREED, "diff", str(self.folder / "golden/a.h5"), str(self.folder / "a.h5"), "--figure", "diff.svg")
@@ -158,7 +229,7 @@ class Diff(ProgramTest):
         with h5py.File(self.folder / "b.h5", "r+") as file:
             file.attrs["physics"] = "box/1"  # Whose constants are not known.
             file["trajectory/x"][300] += 1e-9
-        self.assertIn("\n  rest       1e-9 px apart: x 345.341, y 952 px; settled since 4 s\n  contacts   no contact moved\n  class ", self.text())
+        self.assertIn("\n  end        comes to rest 1e-9 px away: x 345.341, y 952 px; settled since 4 s\n  contacts   no contact moved\n  class ", self.text())
 
     def test_other_build_settings_are_shown_with_what_they_mean(self):
         with self.copied() as file:

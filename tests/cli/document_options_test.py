@@ -66,11 +66,11 @@ class Options(unittest.TestCase):
         self.assertEqual(set(re.findall(r"`(\w+)`", others)), set(re.findall(r"\bCOMMAND\((\w+)\)", text_of("tools/hyrax-sim/program.cpp"))) - needing - {"schema"})
 
     def test_every_option_of_a_script_in_a_document_is_one_of_its_own_or_of_its_program(self):
-        of_programs = set(re.findall(r"--[a-z][a-z-]+", "".join(help_screens()) + text_of("tools/hyrax-compare/main.cpp")))
+        of_programs = set(re.findall(r"--[a-z][a-z-]+", "".join(help_screens())))
         for document in DOCUMENTS:
-            for script, line in re.findall(r"(tools/(?:run|check|compare|test|package)|tests/\w+/run|\.ci/run)\b([^`\n|;#]*)", document.read_text(encoding="utf-8")):
+            for script, line in re.findall(r"(tools/(?:run|check|test|package)|tests/\w+/run|\.ci/run)\b([^`\n|;#]*)", document.read_text(encoding="utf-8")):
                 with self.subTest(document=str(document.relative_to(SOURCE)), script=script, line=line):
-                    known = set(re.findall(r"--[a-z][a-z-]+", text_of(script))) | (of_programs if re.search("run|check|compare", script) else set())
+                    known = set(re.findall(r"--[a-z][a-z-]+", text_of(script))) | (of_programs if re.search("run|check", script) else set())
                     self.assertLessEqual(set(re.findall(r"(?<=\s)--[a-z][a-z-]+", line)), known)
 
     def test_every_variable_for_cmake_in_a_document_is_one_that_it_reads(self):

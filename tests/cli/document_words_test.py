@@ -15,9 +15,9 @@ from documentation_test import text_of
 from process import run
 from program import PROGRAM
 
-SCHEMA, CMAKE, WALLS = "tools/files/scenario.schema.json", "tools/own_core/hyrax_add_scenarios.cmake", "sim/core/contact_kernel.h"
-RUNS, HEADER, LINES = "tools/report/page/runs.js", "sim/physics/physics.h", "sim/card/card.h"
-SPEED, RESULT, COMPARISON = "sim/study/speed_error/speed_error_tables.cpp", "sim/card/card_result.cpp", "sim/compare/comparison.h"
+SCHEMA, CMAKE, WALLS = "tools/files/scenario.schema.json", "tools/own_core/hyrax_add_scenarios.cmake", "sim/core/contact_stepper.h"
+RUNS, HEADER = "tools/report/page/runs.js", "sim/physics/physics.h"
+SPEED, COMPARISON = "sim/study/speed_error/speed_error_tables.cpp", "sim/compare/comparison.h"
 NEEDS, OPENED, BLESS = "sim/study/needs/needs_study.cpp", "tests/unit/tools/report/runs_test.mjs", "tools/hyrax-sim/bless.cpp"
 # By document: a source, the document's words, and the source's. Their groups have the same text. Where the source's words are
 # left out, each group stands somewhere in the source.
@@ -27,7 +27,7 @@ WORDS = {
         ("tools/run", r"tools/run # replays (\S+);", r"tools/run replay (\S+);"),
         ("tools/test", r"tools/test # builds and runs all (\w+) tests", r"tools/test build in release mode, run the (\w+) tests"),
         ("tools/setup.sh", r"cmake --build build # builds (\S+) and the tests", r"builds (\S+); ctest"),
-        ("tools/check", "after each edit `tools/check (--watch)`", r"tools/check (--watch) \[ARGUMENT\]\.\.\. repeat it after each change"),
+        ("tools/check", "after each edit `tools/check (--watch)`", r"tools/check (--watch) \.\.\. repeat it after each change"),
         ("tests/README.md", "identical results under `(-O3 -march=native)` too", r"\| g\+\+ 12 \| .*?`(-O3 -march=native)`.*? agree \|"),
         ("scenarios/README.md", "Every (key) carries its (unit);", r"A (key) of a quantity ends with its (unit)\."),
         ("sim/reference/README.md", "path depends on the frame rate, and shorter frames do not (converge)")),
@@ -64,13 +64,13 @@ WORDS = {
          "from the (matched ODE), px",
          r"double implementation_px = 0\.0; Against the (discrete closed form): .*double truncation_px = 0\.0; Against the (matched ODE)\."),
         (HEADER, r"played frame by frame\. Origin top left, (\+x right, \+y down); px, px/s, s\."),
-        ("tools/files/scenario_members.cpp", r'"time": \{ "description": "\[low, high\], both inclusive(, or a number as upper bound)\."')),
+        ("tools/files/scenario_head.cpp", r'"time": \{ "description": "\[low, high\], both inclusive(, or a number as upper bound)\."')),
     "golden/README.md": (
         ("tools/app/runs/scenario_run.cpp", "`run` compares as well, unless `--(set)` was given", '"values were (set)"'),
-        ("tools/app/diff/trajectory_diff.h", "Where the (clocks differ), distance and energy are compared at the (same time), all else at "
-         "the same step"), ("tools/store/golden_summary.h", "with the lines of the summary itself, (all but the reason's) text"),
+        ("sim/compare/equal_times.h", "at the (row times of either), each run on the (straight line between) its rows"),
+        ("tools/store/golden_summary.h", "with the lines of the summary itself, (all but the reason's) text"),
         ("tools/app/causes/difference_group.h", r"Runs that become (non-finite) come (first)\.", "Runs that become (non-finite) (first);"),
-        ("tools/app/core/accepted_core.h", r"and `(accepted\.txt)`, (written last), with its constants, the reason and (checksums of both)"),
+        ("tools/app/core/accepted_core.h", r"and `(accepted\.txt)`, (written last), with its constants, the reason and (checksums of all)"),
         ("tools/store/trajectory_parts.cpp", "(clamps in the step that made the row): ([^|]*) vy set to 0 by the rest rule",
          "(clamps in the step that made the row): (.*?) put to rest"), (COMPARISON, r"`contacts` \| (a contact moved, appeared or vanished) \|"),
         ("sim/trajectory/stored_run.h", r"the hash and the state at its beginning\.", "keyframe; At the first row of the first of them"),
@@ -83,16 +83,16 @@ WORDS = {
         (BLESS, r"allows \(default: `(\w+)`\); (new scenarios) and scenarios (whose own text changed) need no",
          r"default: (\w+)\); (new scenarios) and those (whose own text changed) need none"),
         (BLESS, r"for these folders \(default: `(\w+)`\); needs no reason", r"of the folders given \(default: (\w+)\)"),
-        (BLESS, r": a (range keeps its width), with the new value in its middle\. A (boolean), an (error bound) or a (one-sided limit) that "
+        (BLESS, r": a (range keeps its width) and its decimals, with the new value in its middle .*?\. A (boolean), an (error bound) or a (one-sided limit) that "
          "does not hold is never changed", r"a (range keeps its width)\. (Boolean)s, (error bound)s and (one-sided limit)s never change")),
     "tools/own_core/README.md": (
         (CMAKE, r"letters, digits, `(.)`, `(.)`, `(.)`\)", r"must be of letters, digits, (.), (.) and (.) \(found"),
-        (CMAKE, r"have the label `CORE`, which is `(\w+)` for the shipped core", r"set\(prefix (\w+)\).*LABELS \${prefix}"),
+        (CMAKE, r"have the label `CORE`, which is `(\w+)` for the shipped core", r"LABELS \${prefix}.*set\(prefix (\w+)\)"),
         ("tools/cmake/room.cmake", "compiled with `(-ffp-contract=off)`, like the shipped core"),
-        ("sim/study/paper/paper_study.cpp", r"only `study (\w+)` is about the shipped constants", r'\.name = "(paper)",.*is_of_paper = true'),
         (WALLS, "(on or past the wall's bound, or if its velocity turn)s from (towards the wall to away from it within reach: the bound is "
          r"no farther from the position before the step than the faster of both velocities goes in dt)\."),
-        (WALLS, r"(`before` is the velocity before the step), `overshoot` is (NaN)\."), (CMAKE, r"`CORE\.FOLDER/NAME` by (the scenario's name),"),
+        (WALLS, r"(`before` is the velocity before the step), `overshoot` is (NaN)\."),
+        (CMAKE, r"\(`(bless --prune)` removes it\)", r"(bless --prune) --dry-run"),
         ("sim/trajectory/stored_run.h", "`constants` is there for a core of the same shape only",
          "constants; Of the core that played it; nothing where it is not the paper's model"),
         ("sim/ensemble/ensemble.h", r"`fuzz` for finite, inside, repeatable, in pieces; `sweep` (step by step) \|",
@@ -103,9 +103,9 @@ WORDS = {
         ("tools/hyrax-sim/check.cpp", "your step changed in a way (that no scenario notices)"),
         ("tests/cli/own_shapes_test.py", "names (the first expression that is not the paper's):"),
         ("tools/hyrax-replay/help.txt", "compares the state (hash) of every row with (the one in the) golden file's (summary)",
-         "compares the (hash) of each scenario with (the one in the) (summary) of its golden file"), ("sim/core/traced_kernel.h", "`diff` hold (x, y, vx, vy) only"),
+         "compares the (hash) of each scenario with (the one in the) (summary) of its golden file"), ("sim/core/traced_stepper.h", "`diff` hold (x, y, vx, vy) only"),
         (WALLS, r"the velocity before the step \((after) its (inputs)\)", "before the state (after) the (inputs) of the frame"),
-        ("tests/unit/tools/app/own_core.txt", r"`run` prints `(from the rows)`\."),
+        ("tests/unit/tools/app/own_core.txt", r"`run` say `left, right (from the rows)`"),
         (WALLS, r"in a contact with the (ground) with (vy) = 0\.", r"set where the (ground) was met and (vy) is 0\."),
         ("tools/app/bless/core_acceptance.cpp", r"and `bless` replaces it with `(--accept \w+)` only\.", r"(--accept \w+) replaces it")),
     "tools/report/page/README.md": (
@@ -117,7 +117,6 @@ WORDS = {
         (OPENED, "its distance is the first chart", r"children\[0\]\.id === 'chart-distance'"),
         (RUNS, r"`data-state-hash` \(as the browser computed it\)", r"dataset\.stateHash = worstResult\.check\.stateHash;"),
         ("tools/report/page/core.js", "`data-core` is `(differs)` where", r"dataset\.core = '(differs)'"),
-        ("tools/store/table_file.h", r"JSON \(group `/(report)`\)", 'kReportTable = "(report)"'),
         (OPENED, "opens on the (first) that differs", "it opens the (first) of the worst"),
         ("tools/report/page/core.js", r"energy drift by cause \(in (px of height), summed up over the run\)"),
         (RUNS, r"fall on a pixel, (the smallest and the largest value are drawn)\."),
@@ -144,40 +143,22 @@ WORDS = {
          '"(--no-skip)", "", "(compute) also the steps that repeat')),
     "CHANGELOG.md": (
         (COMPARISON, r"the classes `(\w+)`, `(\w+)`, `(\w+)`, `(\w+)` \(`bits` is gone\)", r'kNames = \{"(\w+)", "(\w+)", "(\w+)", "(\w+)"\}'),
-        ("tools/report/drift_figures.cpp", r"draws energy drift in `(-\w+)\.svg`", r'\{"-whole", "(-\w+)",'),
+        ("tools/report/drift_figure.cpp", r"`drift` draws one picture, `(-\w+)\.svg`", r'name \+ "(-\w+)\.svg"'),
         ("tools/app/drift/drift_result.cpp", r"`steps_astray` is called `(\w+)`", r'column_of_one\("(differing\w+)"'),
         ("tools/hyrax-sim/run.cpp", r"; `run -o (FILE\.csv)`\.")),
     "sim/study/README.md": (
         ("sim/study/methods/cost.h", r"is \*cheaper\* only if (the 95 % interval of a / b, round by round, is below 1);"),
         ("sim/study/methods/cost.cpp", r"all costs are `(not measured: clock unsteady)`\."),
-        (SPEED, r"± standard error \| least squares of (log error against log dt);"), (SPEED, r"each work once a round and (in random order)\."),
+        (SPEED, r"\| least squares of (log error against log dt), with walls"), (SPEED, r"each work once a round and (in random order)\."),
         (SPEED, r"For each, the study measures the (largest distance from the exact fling), and the (time per simulated second)\. The exact fling has"),
         (SPEED, r"\(`set_up` in the files: (time of a run before its first frame)\)"),
-        (SPEED, "An energy error is the (largest difference of energy / largest kinetic energy of the exact fling),"),
+        (SPEED, "An energy error is the (largest difference of energy) over the rows at which (both have met each wall equally often / largest kinetic energy of the exact fling),"),
         (NEEDS, "`path moves` is the (largest distance at equal times), `contacts moved` counts (contacts that moved, appeared or vanished), "
          r"`end moves` is the (distance at the end)\."),
         ("sim/study/study_table.h", "shorter a step is without the part, where that is above its (95 % interval)"),
         ("sim/study/hard_cases/hard_cases_study.cpp", r"verdicts (held, finding \(an expected failure\), broken, or finding gone \(it holds\))\."),
         ("sim/study/frame_rate/frame_rate_study.cpp", "Other contacts: (flings that meet a side wall or the top another number of times) "
          r"than at 60 Hz\."), ("sim/study/frame_rate/frame_rate_study.cpp", r"The score is (100 \(1 - mean spread / mean horizontal path\)):")),
-    "sim/card/README.md": (
-        (RESULT, r"Each line gives base and candidate \(`(before -> after)`\)"),
-        (RESULT, r"\| step \| whether both cores do the (same operations on every path),"), (RESULT, r"after 20 s: (shift in x), and distance\."),
-        (RESULT, "Claims that were (not measured with one of the cores) are listed apart"),
-        ("sim/card/card.cpp", "or so do the (scenarios played again by another process) after everything else was measured"),
-        ("sim/card/card.cpp", "the long one left out, (made by the constants of the base);"),
-        ("sim/card/core_run.h", "A scenario whose sprite still moves (within the last second of its file) is played on"),
-        (LINES, r"Everything but the speed (is the same on every machine)\."),
-        (LINES, r"largest minus smallest x where a fling lands on 18 displays of 24 to 1000 Hz\. Of the flings that (settle on all) of them (with both "
-         "cores);"),
-        (LINES, r"settles: over (each step that touched one, the row minus the exact flight of the paper's laws from the row before)\. It is "
-         r"lift \((height: back to the wall)\), bounces \((speed across the walls that were touched)\) and friction \((speed along them)\)\."),
-        (LINES, r"Energy and exact motion are (of the flings that stay finite with both cores) \| \| exact motion \| (distance from the exact "
-         "motion of the paper's laws, frames left out, after) 1 to"),
-        (LINES, "(pairs of samples, base and candidate one after the other in changing order), and the ratio, (candidate / base, of each "
-         r"pair) \|"),
-        (LINES, r"recorded`: those that end (elsewhere), (more than half a pixel away) \| \| consequence \| (the largest consequence for a "
-         "user, one sentence):")),
     "tools/hyrax/README.md": (
         ("tools/hyrax/recording.h", r"written about twice a second, .* at most the last second is lost, .*\((four and a half minutes of "
          r"motion at 60 Hz)\)", r"kSavesPerSecond = 2;.*kPartFrames = 16'384; (four and a half minutes of motion at 60 Hz)\."),),

@@ -1,6 +1,7 @@
 """The numbers of `drift` against their published definitions: of arcs and contacts in 50 digits, on random flights into
 corners with uneven clocks; of the whole run by the exact fling of tests/oracle, on random throws that settle, too."""
 
+import collections
 import decimal
 import math
 import random
@@ -272,13 +273,23 @@ class Numbers(DriftTest):
             self.assertGreater(abs(other["whole"][key] - run["whole"][key]), 1e-3, key)
         self.assertEqual((run["differing_steps"], other["differing_steps"]), (0, 60))
 
+    @staticmethod
+    def bounces(run, rows):
+        """Its contacts without the resting contacts, of a run without inputs."""
+        def rests(contact):
+            step = contact["step"]
+            return contact["wall"] == "ground" and step < len(rows["y"]) - 1 and (abs(rows["y"][step:] - BOTTOM_PX) <= 0.5).all()
+        return [contact for contact in run["contacts"] if not rests(contact)]
+
     def check_summary(self, run, rows):
-        ratios = [contact["effective_restitution"] for contact in run["contacts"]
+        bounces = self.bounces(run, rows)
+        self.assertLess(len(bounces), len(run["contacts"]))
+        ratios = [contact["effective_restitution"] for contact in bounces
                   if contact["effective_restitution"] is not None and not (contact["wall"] == "ground" and rows["contact"][contact["step"]] & 16)]
         self.assertEqual(run["effective_restitution"], {"median": statistics.median(ratios), "smallest": min(ratios), "largest": max(ratios),
                                                         "contacts": len(ratios)})
         for key, worst in run["worst"].items():
-            listed = [(abs(each[key]), -each.get("step", each.get("first_step")), each[key]) for each in (*run["arcs"], *run["contacts"])
+            listed = [(abs(each[key]), -each.get("step", each.get("first_step")), each[key]) for each in (*run["arcs"], *bounces)
                       if each.get(key) is not None]
             self.assertEqual((worst, run["worst_step"][key]), (max(listed)[2], -max(listed)[1]), key)
 
@@ -290,13 +301,32 @@ class Numbers(DriftTest):
         apart = [math.hypot(a[0] - b[0], a[1] - b[1]) for a, b in zip(here, at)]
         high = [((a[2] ** 2 + a[3] ** 2 - b[2] ** 2 - b[3] ** 2) / 2400 + b[1] - a[1]) for a, b in zip(here, at)]
         whole = run["whole"]
-        for key, value in (("end_px", apart[-1]), ("max_px", max(apart)), ("energy_end_px", high[-1]), ("energy_max_px", max(map(abs, high)))):
+        aligned = self.aligned(rows, exact)
+        energies = {is_aligned: max((abs(each) for each, one in zip(high, aligned) if one == is_aligned), default=0) for is_aligned in (True, False)}
+        for key, value in (("end_px", apart[-1]), ("max_px", max(apart)), ("energy_end_px", high[-1]), ("energy_max_px", energies[True]),
+                           ("energy_phase_px", energies[False])):
             self.assertAlmostEqual(whole[key], value, delta=1e-6, msg=key)
         self.assertAlmostEqual(apart[whole["max_px_step"]], max(apart), delta=1e-6)
         fits = [Arc(rows, arc["first_step"], arc["last_step"]).errors()[1] for arc in run["arcs"][:ARCS_FITTED]]
         if len(run["arcs"]) <= ARCS_FITTED and sum(tt for tt, _ in fits):
             self.assert_near(whole["secular_px_per_s"], sum(te for _, te in fits) / sum(tt for tt, _ in fits) / GRAVITY, D("1e-7"))
         self.assertEqual(whole["contacts_differ_from"], self.first_other(rows["contact"], exact))
+
+    @staticmethod
+    def aligned(rows, exact):
+        """Of each row whether both have had the same number of contacts at each wall, before the resting contact."""
+        contacts, last, counts, met = rows["contact"], len(rows["t"]) - 1, collections.Counter(), collections.Counter()
+        near = [abs(y - BOTTOM_PX) <= 0.5 for y in rows["y"]]
+        impacts, aligned, resting = list(zip(exact.times, exact.impacts)), [], False
+        for row, t in enumerate(rows["t"]):
+            for wall in WALLS:
+                begins = row > 0 and contacts[row] & wall and not contacts[row - 1] & wall
+                counts[wall] += bool(begins)
+                resting = resting or bool(begins) and wall == GROUND and row < last and all(near[row:])
+            while impacts and impacts[0][0] <= t:
+                met[WALLS[impacts.pop(0)[1]]] += 1
+            aligned.append(not resting and all(counts[wall] == met[wall] for wall in WALLS))
+        return aligned
 
     @staticmethod
     def first_other(contacts, exact):

@@ -1,6 +1,7 @@
 """`drift`: its measurements and its output."""
 
 import math
+import re
 
 import h5py
 
@@ -33,12 +34,22 @@ class DriftTest(ProgramTest):
 
 class Errors(DriftTest):
 
-    def test_a_coarser_stepper_is_reported_but_changes_no_verdict_and_without_gsl_its_distance_is_null(self):
-        run = self.drift_of(fling(), "--stepper", "msbdf", "--tolerance", 1e-3)
-        self.assertGreater(run["worst"]["gsl_vs_closed_px"], 1e-9)
+    def test_a_stepper_that_does_not_reach_the_closed_form_is_bad_input_and_without_gsl_its_distance_is_null(self):
+        path = self.write("scenario.json", fling())
+        for options, fault in ((("--stepper", "msbdf", "--tolerance", 1e-3), "position differs"), (("--stepper", "rk1imp"), "the second solver failed")):
+            for command in (("drift", path), ("run", path, "--drift", "--reference", "gsl")):
+                self.assertRegex(self.expect(BAD_INPUT, *command, *options).err,
+                                 f"^fling: GSL {options[1]}, tolerance \\S+: this stepper does not reach the closed form, in 9 arcs, the first from row "
+                                 f"0: {fault}; to check it, leave out --stepper and --tolerance\n$")
+        self.assertGreater(self.expect(BAD_INPUT, "drift", path, "--stepper", "msbdf", "--tolerance", 1e-3, "--json").json["runs"][0]["worst"]["gsl_vs_closed_px"], 1e-9)
+        self.drift_of(fling(), "--tolerance", 1e-13)
         run = self.drift_of(fling(), "--reference", "closed")
         self.assertEqual({arc["gsl_vs_closed_px"] for arc in run["arcs"]}, {None})
         self.assertIsNone(run["worst"]["gsl_vs_closed_px"])
+
+    def test_the_exact_fling_turns_at_both_walls_of_an_exact_corner(self):
+        start = dict(zip(("x_px", "y_px", "vx_px_per_s", "vy_px_per_s"), (1410.6908317886625, 52.740711403584875, 261.36156012427085, -313.6990866151649)))
+        self.assertAlmostEqual(self.drift_of(fling(start=start))["whole"]["end_px"], 3.66, delta=0.01)
 
     def test_without_an_exact_fling_the_document_says_why(self):
         run = self.drift_of(fling(window={"width_px": 40, "height_px": 40}), "-o", "drift.h5")
@@ -111,9 +122,27 @@ class Files(DriftTest):
         self.assertEqual(none["status"], "failed")
         self.assertIn("arcs", good)
 
+    def test_its_page_has_of_each_run_the_answer_the_picture_the_bounds_and_a_row_for_each_arc_and_contact(self):
+        paths = self.write("one.json", fling(name="one")), self.write("two.json", fling(name="two", steps=90))
+        self.expect(AGREED, "drift", *paths, "--report", "page.html")
+        page = (self.folder / "page.html").read_text(encoding="utf-8")
+        self.assertIn("hyrax-sim drift one.json two.json --report page.html", page)
+        self.assertNotIn("<script", page)
+        for name, run, text in zip(("one", "two"), self.drift(*paths), page.split("<article")[1:], strict=True):
+            self.assertRegex(text, f"<h[12][^>]*>{name} (loses|gains) ")
+            self.assertIn("<svg", text)
+            self.assertNotIn("<summary></summary>", text)
+            self.assertIn("<p>whole run", text)
+            self.assertIn("end_low", text.replace(" ", "_"))
+            rows = len(run["arcs"]) + len(run["contacts"])
+            self.assertEqual(sum(int(count) for count in re.findall("(?:arcs|contacts): [^<]*, ([0-9]+) rows?<", text)), rows)
+
     def test_the_text_fits_a_terminal(self):
         for line in self.expect(AGREED, "drift", *(SOURCE / f"scenarios/{folder}" for folder in ("flings", "hard"))).out.splitlines():
             self.assertLessEqual(len(line), WIDTH_MAX, line)
 
-    def test_at_20_hz_the_text_does_not_say_that_the_step_does_not_converge(self):
-        self.assertNotIn("does not converge", self.expect(AGREED, "drift", self.write("scenario.json", flight(20))).out)
+    def test_the_model_error_is_said_to_stay_where_it_stays(self):
+        for rate_hz, stays in ((20, False), (60, True)):
+            out = self.expect(AGREED, "drift", self.write("scenario.json", flight(rate_hz))).out
+            self.assertIn(f"half the error costs 2.0 times the steps ({2 * rate_hz} Hz)", out)
+            self.assertEqual("drag acts once a frame, however short" in out, stays)

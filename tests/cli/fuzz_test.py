@@ -1,11 +1,11 @@
-"""fuzz: random scenarios, parts of them, another program, bad options. HYRAX_ALTERED_SIM is a
+"""fuzz: random scenarios, parts of them, rules left out, and what went. HYRAX_ALTERED_SIM is a
 hyrax-sim with altered cores; must_fail/fuzz_test.py has what it finds."""
 
 import os
 import re
 
 from process import run
-from program import AGREED, PROGRAM, ProgramTest
+from program import AGREED, BAD_INPUT, ProgramTest
 
 
 class Fuzz(ProgramTest):
@@ -26,6 +26,7 @@ class Fuzz(ProgramTest):
 
     def test_the_text_says_how_fast_it_is(self):
         said = self.expect(AGREED, "fuzz", "--time", "0.2s").out
+        self.assertTrue(said.startswith("seed 1\n"), said)  # Before the runs: one that crashes is played again by it.
         runs, seconds, per_minute = map(float, re.search(r"(\d+) runs in (\S+) s \((\S+) per minute", said.replace(",", "")).groups())
         self.assertAlmostEqual(per_minute / (60 * runs / seconds), 1, delta=0.3)  # 0.2 s is printed with one digit.
 
@@ -41,17 +42,24 @@ class Fuzz(ProgramTest):
         self.assertNotIn(0, firsts, "any core fails there")
         self.assertEqual(len(self.names()), 4, "a failing scenario replaces no file, that of the same run either")
 
+    def test_without_the_rules_that_a_core_breaks_it_finds_none(self):
+        self.assertEqual(self.fuzz("--runs", "2", "--without", "mirror")["without"], ["mirror"])
+        outcome = self.fuzz_altered("--without", "listing", "--without", "mirror")
+        self.assertEqual((outcome.exit_code, outcome.json["failures"]), (AGREED, []))
+
+    def fuzz_altered(self, *options):
+        """By a core that differs on bounds only."""
+        return run(os.environ["HYRAX_ALTERED_SIM"], "fuzz", "--runs", "1000", "--json", *options, cwd=self.folder,
+                   env={**os.environ, "HYRAX_ALTERED_CORE": "ground_not_strict"})
+
     def first_failure(self, *options):
-        """The first run in which a core that differs on bounds only breaks a rule."""
-        outcome = run(os.environ["HYRAX_ALTERED_SIM"], "fuzz", "--runs", "1000", "--json", *options, cwd=self.folder,
-                      env={**os.environ, "HYRAX_ALTERED_CORE": "ground_not_strict"})
-        failure, = outcome.json["failures"]
+        """The first run in which that core breaks a rule."""
+        failure, = self.fuzz_altered(*options).json["failures"]
         self.assertIn(f", {failure['steps_before']} frames: breaks ", (self.folder / failure["scenario"]).read_text())
         return failure["run"]
 
-    def test_another_program_that_does_not_end_is_not_waited_for(self):
-        (self.folder / "other").write_text(f'#!/bin/sh\nmkdir asked 2>&- && exec {PROGRAM} "$@"\nexec sleep 600\n')
-        (self.folder / "other").chmod(0o755)
-        outcome = self.expect(AGREED, "fuzz", "--time", "0.4s", "--against", "./other", says="not compared: ")
-        self.assertIn("which ./other did not end in the time that was left", outcome.err)
-        self.assertIn("all invariants hold, the state hashes that were compared agree\n", outcome.out)
+    def test_removed_options_are_refused_with_what_to_use_instead(self):
+        instead = "was removed; `hyrax-sim shrink SCENARIO -o SMALL.json` keeps what `run` says of SCENARIO"
+        for says, *command in (("was removed; `hyrax-sim check --core` judges another core", "fuzz", "--against", "x"),
+                               (instead, "shrink", "a.json", "--fails", "test {}"), (instead, "shrink", "a.json", "--against", "x")):
+            self.expect(BAD_INPUT, *command, says=f"hyrax-sim {command[0]}: {command[-2]}: {says}")

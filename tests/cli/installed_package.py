@@ -38,7 +38,7 @@ class InstalledPackage(ProgramTest):
                    f"-DCMAKE_CXX_FLAGS={os.environ['HYRAX_CXX_FLAGS']}", *options)
 
     def ctest(self, source, exit_code):
-        """Runs the project's tests, which must end with this exit code; returns {name: is passed} of the scenarios'."""
+        """Runs the project's tests, which must end with this exit code; returns {name: is passed}, without the accepted core."""
         outcome = run("ctest", "--test-dir", source / "build", "--output-on-failure")
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         lines = [line.split() for line in outcome.out.splitlines() if " Test " in line and "#" in line]

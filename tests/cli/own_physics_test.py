@@ -1,5 +1,6 @@
 """A project with a class physics of its own, and one without, which use hyrax as an installed package only."""
 
+import os
 import re
 import shutil
 import time
@@ -10,7 +11,7 @@ import numpy as np
 import program
 from installed_package import PLAIN, InstalledPackage
 from process import run, succeed
-from program import AGREED, BAD_INPUT, DISAGREED, SOURCE, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, fling
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
 HYRAX_SIM = program.PROGRAM
@@ -43,29 +44,44 @@ class WithoutPhysics(InstalledPackage):
                 target = self.folder / path.replace("golden/", "accepted/")
                 target.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(SOURCE / path, target)
+        shutil.copytree(SOURCE / "golden/core", self.folder / "accepted/core")
         self.write("CMakeLists.txt", PLAIN.format(arguments="scenarios/flings GOLDEN accepted", language="NONE"))
 
-    def test_each_file_is_a_test_a_new_file_a_new_one_and_an_edited_one_turns_red(self):
+    def test_each_file_is_a_test_a_new_file_a_new_one_an_edited_and_a_deleted_one_turn_red(self):
         self.assertEqual(self.configure(self.folder).exit_code, 0)
-        self.assertEqual(self.ctest(self.folder, 0), {"hyrax.first-fling": True, "hyrax.corner-fling": True})
+        tests = {"hyrax.first-fling": True, "hyrax.corner-fling": True, "hyrax.unreferenced_golden": True}
+        self.assertEqual(self.ctest(self.folder, 0), tests)
         scenario = (self.folder / FLING).read_text(encoding="utf-8")
-        self.write("scenarios/flings/new/other-file.json", scenario.replace('"name": "first-fling"', '"name": "renamed"'))
+        self.write("scenarios/flings/new/other-file.json", scenario)
         succeed("cmake", "--build", self.folder / "build")
-        self.assertEqual(self.ctest(self.folder, CTEST_FAILED),  # It has no golden file yet.
-                         {"hyrax.first-fling": True, "hyrax.corner-fling": True, "hyrax.new/renamed": False})
+        tests["hyrax.new/other-file"] = False  # It has no golden file yet.
+        self.assertEqual(self.ctest(self.folder, CTEST_FAILED), tests)
         self.write(FLING, scenario.replace('"x_px": 60', '"x_px": 61'))
-        self.assertEqual(self.ctest(self.folder, CTEST_FAILED),
-                         {"hyrax.first-fling": False, "hyrax.corner-fling": True, "hyrax.new/renamed": False})
+        self.assertEqual(self.ctest(self.folder, CTEST_FAILED), {**tests, "hyrax.first-fling": False})
+        (self.folder / FLING).unlink()
+        succeed("cmake", "--build", self.folder / "build")
+        del tests["hyrax.first-fling"]
+        self.assertEqual(self.ctest(self.folder, CTEST_FAILED), {**tests, "hyrax.unreferenced_golden": False})
 
-    def test_the_core_of_each_library_is_a_test(self):
-        for name in "abc":
-            self.write(f"{name}/scenarios/in-{name}.json", fling(name=f"in-{name}"))
+    def test_names_are_those_of_files_and_each_library_has_two_tests_more(self):
+        project = "in [brackets], a*"
+        for path in ("a/scenarios/LOUD.JSON", "a/scenarios/fling.json", "a/scenarios/deep/fling.json", "b/scenarios/fling.json", "c/scenarios/fling.json"):
+            self.write(f"{project}/{path}", fling(name="one"))
+        self.write(f"{project}/a/scenarios/scenario.schema.json", self.expect(AGREED, "schema").out)
         libraries = ")\nhyrax_add_scenarios(".join(f"{name}/scenarios" for name in "abc")
-        self.write("CMakeLists.txt", PLAIN.format(arguments=libraries, language="NONE"))
-        self.assertEqual(self.configure(self.folder).exit_code, 0)
-        listed = run("ctest", "--test-dir", self.folder / "build", "-N").out
+        self.write(f"{project}/CMakeLists.txt", PLAIN.format(arguments=libraries, language="NONE"))
+        self.assertEqual(self.configure(self.folder / project).exit_code, 0)
+        listed = run("ctest", "--test-dir", self.folder / project / "build", "-N").out
         self.assertEqual(sorted(re.findall(r"Test +#\d+: (\S+)", listed)), sorted(
-            f"hyrax.{name}" for name in ("in-a", "in-b", "in-c", "accepted_core", "accepted_core_of_scenarios", "accepted_core_of_c/scenarios")))
+            f"hyrax.{name}" for name in ("LOUD.JSON", "deep/fling", *(f"{name}{library}" for library in ("", "_of_scenarios", "_of_c/scenarios")
+                                                                      for name in ("fling", "accepted_core", "unreferenced_golden")))))
+        self.assertIn("LOUD.JSON", self.expect(BAD_INPUT, "check", f"{project}/a/scenarios/LOUD.JSON").out)
+
+    def test_a_build_whose_programs_are_on_the_path_is_no_package(self):
+        path = f"{os.environ['HYRAX_BUILD']}/bin{os.pathsep}{os.environ['PATH']}"
+        run("cmake", "-S", self.folder, "-B", self.folder / "build", env={**os.environ, "PATH": path})
+        cache = (self.folder / "build/CMakeCache.txt").read_text(encoding="utf-8")
+        self.assertNotIn(f"hyrax_DIR:PATH={os.environ['HYRAX_BUILD']}", cache)
 
     def test_wrong_arguments_are_refused(self):
         self.expect_refused("nowhere", "no scenario file, *.json, in")
@@ -74,6 +90,32 @@ class WithoutPhysics(InstalledPackage):
         self.expect_refused("scenarios NAME box", "NAME needs PHYSICS")
         self.expect_refused("scenarios PHYSICS none.h", "PHYSICS: no such file")
         self.expect_refused("scenarios PHYSICS CMakeLists.txt NAME a/b", "NAME: must be of letters, digits")
+
+
+class CheckHeader(InstalledPackage):
+    """tools/check of an installed hyrax."""
+
+    def test_a_header_is_judged_in_place_of_the_shipped_one(self):
+        for path in ("scenarios/flings/first-fling.json", "golden/flings/first-fling.h5", "golden/flings/first-fling.txt", "golden/core"):
+            (self.folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (shutil.copytree if path == "golden/core" else shutil.copy)(SOURCE / path, self.folder / path)
+        shipped = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
+        self.write("my_physics.h", shipped.replace("RESTITUTION = 0.6;", "RESTITUTION = 0.62;"))
+        check = (self.package / "share/hyrax/source/tools/check", "my_physics.h")
+        options = {"cwd": self.folder, "env": {**os.environ, "CXX": os.environ["HYRAX_CXX"], "XDG_CACHE_HOME": str(self.folder / "cache")}}
+        outcome = run(*check, "--json", "--flings", "50", **options)
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        core, = outcome.json["cores"]
+        self.assertEqual((core["status"], core["changes"][0]["detail"], core["beyond"]["flings"]), ("changed", "RESTITUTION 0.6 -> 0.62", 50))
+        self.assertIn(f"to accept it    {self.folder}/cache/hyrax-sim/check/my_physics.h-", run(*check, **options).out)
+        self.write("my_physics.h", shipped)
+        self.assertEqual(run(*check, "--core", **options).out, "core: the accepted one\n")
+        self.assertEqual(len(list((self.folder / "cache/hyrax-sim/check").iterdir())), 1)
+        self.write("my_physics.h", shipped + "nonsense")
+        outcome = run(*check, **options)
+        self.assertEqual(outcome.exit_code, CANNOT_ACCESS, outcome)
+        self.assertIn("my_physics.h could not be built; see the output above.", outcome.err)
+        self.assertIn("tools/check: an installed hyrax has no sources to build; name a HEADER", run(check[0], **options).err)
 
 
 class OwnPhysics(InstalledPackage):
@@ -101,14 +143,15 @@ class OwnPhysics(InstalledPackage):
     def test_the_project_is_red_until_blessed_then_green_then_red_for_another_constant(self):
         project = self.example  # The other tests use a copy of its program.
         names = ("elastic_box.billiard", "elastic_box.long/many-bounces")
-        self.assertEqual(self.ctest(project, CTEST_FAILED), dict.fromkeys(names, False))
+        unreferenced = {"elastic_box.unreferenced_golden": True}
+        self.assertEqual(self.ctest(project, CTEST_FAILED), dict.fromkeys(names, False) | unreferenced)
         succeed(project / "build/elastic_box-sim", "bless", project / "scenarios", "--reason", "first results")
-        self.assertEqual(self.ctest(project, 0), dict.fromkeys(names, True))
+        self.assertEqual(self.ctest(project, 0), dict.fromkeys(names, True) | unreferenced)
         header = project / "elastic_box.h"
         header.write_text(header.read_text(encoding="utf-8").replace("RESTITUTION = 1.0", "RESTITUTION = 0.999"),
                           encoding="utf-8")
         succeed("cmake", "--build", project / "build")
-        self.assertEqual(self.ctest(project, CTEST_FAILED), dict.fromkeys(names, False))
+        self.assertEqual(self.ctest(project, CTEST_FAILED), dict.fromkeys(names, False) | unreferenced)
         outcome = run(project / "build/elastic_box-sim", "check", "--json", cwd=project)
         self.assertEqual(outcome.exit_code, DISAGREED)
         long_run = outcome.json["results"][1]  # Its golden file has blocks and no rows: row checks find the row.
@@ -145,7 +188,9 @@ class OwnPhysics(InstalledPackage):
         outcome = self.expect(BAD_INPUT, "check", SOURCE / FLING)
         self.assertIn("is of another core (found hyrax-physics/1); this program's core is elastic_box", outcome.out)
 
-    def test_what_needs_the_papers_step_is_refused(self):
+    def test_what_needs_the_papers_step_is_refused_in_the_programs_own_name(self):
+        self.expect(BAD_INPUT, "drift", says="elastic_box-sim drift: needs the paper's step")
+        self.expect(BAD_INPUT, "run", "--drifts", says="see `elastic_box-sim run --help`")
         path = self.write("scenarios/bounded.json", program.fling(expect={"truncation_px_max": 1.0}))
         self.expect(BAD_INPUT, "run", path, says=f"{path}: /expect/truncation_px_max: needs the paper's step, with any constants")
         first_screen = self.expect(AGREED).out
@@ -171,15 +216,31 @@ class OwnPhysics(InstalledPackage):
             self.assertRegex(path, files)
         self.assertNotRegex("README.md", files)
 
-    def test_a_core_that_cannot_be_copied_does_not_compile(self):
-        header = self.example / "elastic_box.h"
-        self.write("uncopied.h", header.read_text(encoding="utf-8").replace("double m_vx, m_vy;",
-                                                                             "double m_vx, m_vy; physics(const physics&);"))
-        self.write("CMakeLists.txt", PLAIN.format(arguments="scenarios PHYSICS uncopied.h", language="CXX"))
+    def built(self, header, *commands):
+        """What building a core as box.h ends with, in a project with these commands of CMake."""
+        self.write("box.h", header)
+        self.write("CMakeLists.txt", PLAIN.format(arguments="scenarios PHYSICS box.h", language=")\n".join(("CXX", *commands))))
         self.assertEqual(self.configure(self.folder, "-DCMAKE_BUILD_TYPE=Debug").exit_code, 0)
-        outcome = run("cmake", "--build", self.folder / "build")
-        self.assertNotEqual(outcome.exit_code, 0)
-        self.assertIn("class physics must be trivially copyable", outcome.out + outcome.err)
+        return run("cmake", "--build", self.folder / "build")
+
+    def test_a_core_that_would_go_wrong_does_not_compile(self):
+        header = (EXAMPLE / "elastic_box.h").read_text(encoding="utf-8")
+        for edited, command, says in (
+                (header.replace("double m_vx, m_vy;", "double m_vx, m_vy; physics(const physics&);"), (), "class physics must be trivially copyable"),
+                (header, ("add_compile_options(-ffast-math",), "-ffast-math changes the bits of the core"),
+                (header, ("add_compile_definitions(_GLIBCXX_DEBUG",), "-D_GLIBCXX_DEBUG gives containers another layout")):
+            outcome = self.built(edited, *command)
+            self.assertNotEqual(outcome.exit_code, 0)
+            self.assertIn(says, outcome.out + outcome.err)
+
+    def test_a_core_of_float_builds_without_warnings_and_files_have_its_flags(self):
+        header = (EXAMPLE / "elastic_box.h").read_text(encoding="utf-8")
+        outcome = self.built(header.replace("double", "float"), "add_compile_options([[-DTEXT=\"a b\"]] -Wall -Wextra -Wpedantic -Werror")
+        self.assertEqual(outcome.exit_code, 0, outcome)
+        program.PROGRAM = self.folder / "build/box-sim"
+        self.expect(AGREED, "run", "scenarios/billiard.json", "-o", "run.h5")
+        with h5py.File(self.folder / "run.h5") as file:
+            self.assertRegex(file["provenance"].attrs["flags"], "-Werror.* -ffp-contract=off")
 
     def test_one_name_is_one_core(self):
         header = self.example / "elastic_box.h"

@@ -11,7 +11,7 @@ import numpy as np
 import program
 from installed_package import PLAIN, InstalledPackage
 from process import succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import replay  # noqa: E402 pylint: disable=wrong-import-position
@@ -65,6 +65,8 @@ class Shapes(InstalledPackage):
             assert headers[name] != SHIPPED
         headers["leak"] = SHIPPED.replace("m_x > rightBound)", "m_x > rightBound + 40.0)")
         headers["spin"] = headers["spin"].replace("  double m_vx, m_vy;\n", "  double m_vx, m_vy;\n  double m_spin = 3.0;\n")
+        headers["round"] = SHIPPED.replace(WALLS, "    if (m_y > 700.0) std::fesetround(FE_DOWNWARD);\n" + WALLS)
+        headers["round"] = headers["round"].replace("#pragma once", "#pragma once\n#include <cfenv>", 1)
         for name, header in headers.items():
             (project / f"{name}.h").write_text(header, encoding="utf-8")
         (project / "scenarios").mkdir()
@@ -141,10 +143,8 @@ class Shapes(InstalledPackage):
         computed, steps = self.expect_sweep_as_runs()
         self.assertLess(computed, steps)  # The kernels leave steps at rest out.
         self.assertIn("all invariants hold", self.expect(AGREED, "fuzz", "--runs", "300").out)
-        rest = self.expect(AGREED, "study", "rest", "--quick", "--no-figures", "--gate").out
-        self.assertIn("zero speed above, two-cycle below    61.158", rest)  # (1 + e a) a G / threshold; the paper's: 191.8.
+        self.assertIn("404 of 404 flings have settled", self.expect(AGREED, "study", "frame-rate", "--quick", "--no-figures", "--gate").out)
         self.expect(AGREED, "study", "needs", "fling.json", "--quick", "--no-figures", "--within", "1px")
-        self.expect(BAD_INPUT, "study", "paper", says="is about the paper's own constants (found the core moon)")
         self.assertIn("the paper's step with constants of its own", self.expect(AGREED).out)
         self.expect(AGREED, "bless", "fling.json", "--golden", "golden", "--reason", "x")
         self.expect(AGREED, "check", "fling.json", "--golden", "golden")
@@ -168,10 +168,21 @@ class Shapes(InstalledPackage):
                 self.expect_page(f"{name}.h5")
                 with h5py.File(self.folder / f"{name}.h5") as file:
                     self.assertNotIn("constants", file.attrs)
-                self.expect(AGREED, "shrink", "fling.json", "--fails", "false {}", "-o", f"small-{name}.json")
+                self.write("wrong.json", program.fling(expect={"final_x_px": [-2, -1]}))
+                self.assertIn("kept: final_x_px is above", self.expect(AGREED, "shrink", "wrong.json", "-o", f"small-{name}.json").out)
 
     def test_control_fuzz_finds_a_core_that_leaves_the_window(self):
         self.use("leak")
         outcome = self.expect(DISAGREED, "fuzz", "--runs", "200")
         self.assertIn("breaks an invariant: in-bounds", outcome.out)
         self.assertIn(f"\n  {program.PROGRAM} run ", outcome.out)  # No study of hard cases for this shape.
+
+    def test_a_core_that_changes_how_the_processor_calculates_is_not_played(self):
+        self.expect(AGREED, "run", "fling.json", "-o", "run.csv")
+        heights = [float(line.split(",")[4]) for line in (self.folder / "run.csv").read_text(encoding="utf-8").splitlines()[1:]]
+        self.use("round")
+        row = next(row for row, height in enumerate(heights) if height > 700.0) + 1
+        self.expect(NOT_STRICT, "run", "fling.json", "-o", "run.h5", says=f"in the step that makes row {row};")
+        self.assertIn(f"in the step that makes row {row};", self.expect(NOT_STRICT, "check", "fling.json", "--golden", "golden").out)
+        self.expect(NOT_STRICT, "sweep", "sweep.json")
+        self.assertIn("the step calls fesetround", self.expect(AGREED, "info").out)

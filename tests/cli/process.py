@@ -211,12 +211,14 @@ def skip_unless_installed(program):
 _MEASURE = """import resource, subprocess, sys
 exit_code = subprocess.call(sys.argv[2:])
 with open(sys.argv[1], "w") as file:
-    file.write(str(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss))
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    file.write(f"{usage.ru_maxrss} {usage.ru_minflt}")
 sys.exit(exit_code)"""
 
 
 def run_measured(*command, **options):
-    """As `run`; returns the outcome, and the most bytes that the program or one that it started held."""
+    """As `run`; returns the outcome, the most bytes that the program or one that it started held, and the page faults of all."""
     with tempfile.NamedTemporaryFile() as file:
         outcome = run("/usr/bin/python3", "-S", "-E", "-c", _MEASURE, file.name, *command, **options)
-        return outcome, int(file.read()) * 1024
+        peak_kB, faults = map(int, file.read().split())
+        return outcome, peak_kB * 1024, faults

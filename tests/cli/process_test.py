@@ -42,6 +42,7 @@ class Running(unittest.TestCase):
 
     def test_the_most_memory_is_measured(self):
         size = 100_000_000
-        outcome, peak_bytes = run_measured("/usr/bin/python3", "-c", f"text = b'x' * {size}")
+        outcome, peak_bytes, faults = run_measured("/usr/bin/python3", "-c", f"text = b'x' * {size}")
         self.assertEqual(outcome.exit_code, 0)
         self.assertTrue(size < peak_bytes < 2 * size, peak_bytes)
+        self.assertGreater(faults, 0)

@@ -11,6 +11,7 @@ import pathlib
 import pty
 import shutil
 import tempfile
+import termios
 import threading
 import unittest
 
@@ -86,9 +87,10 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(process.end)
         return process
 
-    def on_terminal(self, stream, *arguments, **options):
+    def on_terminal(self, stream, *arguments, columns=0, **options):
         """Runs the program with a terminal as `stdout` or `stderr`; returns its outcome, and what the terminal showed."""
         keeper, terminal = pty.openpty()
+        termios.tcsetwinsize(terminal, (24, columns))
         shown = []
 
         def watch():
@@ -112,7 +114,7 @@ class ProgramTest(unittest.TestCase):
 
     def expect_below(self, limit_bytes, exit_code, *arguments):
         """Runs the program; expects this exit code, and less memory than that, a sanitizer's aside."""
-        outcome, peak_bytes = run_measured(PROGRAM, *arguments, cwd=self.folder)
+        outcome, peak_bytes, _ = run_measured(PROGRAM, *arguments, cwd=self.folder)
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         if not self.is_sanitized():
             self.assertLess(peak_bytes, limit_bytes)

@@ -105,13 +105,13 @@ class EveryGroup(Reader):
         self.write("scenarios/long.json", fling(name="long", steps=9000, clock={
             "rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.3, "seed": 5}}))
         self.bless("scenarios")
-        for study in (("needs", "fling.json"), ("rest",), ("hard-cases", "fling.json")):
+        for study in (("needs", "fling.json"), ("frame-rate",), ("hard-cases", "fling.json")):
             self.expect(AGREED, "study", *study, "--quick", "--no-figures")
         of_run = ["contacts", "events", "trajectory"]
         self.assertEqual(self.groups("measured.h5"), sorted([*of_run, *(
             f"drift{group}" for group in ("", "/arcs", "/contacts", "/whole")), "reference", "reference/arcs"]))
         self.assertEqual(self.groups("golden/long.h5"), ["blocks", *of_run])
-        for path in ("measured.h5", "golden/long.h5", "needs.h5", "rest.h5", "hard-cases.h5"):
+        for path in ("measured.h5", "golden/long.h5", "needs.h5", "frame-rate.h5", "hard-cases.h5"):
             for group in self.groups(path):
                 if group != "blocks":
                     self.open(path, group)

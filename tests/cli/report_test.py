@@ -16,7 +16,7 @@ import h5py
 
 import program
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, needs_page
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, needs_page
 from sweep_members import base
 from sweep_program import document
 
@@ -45,21 +45,21 @@ class ReportTest(ProgramTest):
             self.assertEqual(self.expect(exit_code, *arguments, says=says).err.count("\n"), 1, arguments)
             self.assertEqual(self.state_of("."), before, arguments)
 
-    def test_reads_studies_and_sweeps_and_refuses_damaged_ones(self):
-        self.expect(AGREED, "study", "rest", "--quick", "--no-figures")
-        for says, *arguments in (("either trajectories or these", "rest.h5", "fling.h5"), ("rest.h5: ", "fling.h5", "rest.h5"),
-                                 ("--against: allowed for trajectories only", "rest.h5", "--against", "fling.h5")):
-            self.expect(BAD_INPUT, "report", *arguments, "-o", "a.html", says=says)
+    def test_refuses_studies_and_damaged_sweeps(self):
+        self.expect(AGREED, "study", "frame-rate", "--quick", "--no-figures")
+        self.expect(BAD_INPUT, "report", "frame-rate.h5", "-o", "a.html",
+                    says="frame-rate.h5: is a file of a study; its page: hyrax-sim study NAME --report FILE.html\n")
         self.write("sweep.json", document(members=3))
         self.expect(AGREED, "sweep", "sweep.json")
-        for name in ("rest.h5", "sweep.h5"):
-            self.expect(CANNOT_ACCESS, "report", name, "-o", "a.html", says="HYRAX_PAGE")
-            self.expect(BAD_INPUT, "report", name, "--against", "fling.h5", "-o", "a.html",
-                        says=f"hyrax-sim report: --against: allowed for trajectories only (found {name})\n")
-            self.expect(BAD_INPUT, "report", name, "fling.h5", "-o", "a.html", says=f"fling.h5: is not a file of a study or a sweep, as {name} is; ")
-            whole = (self.folder / name).read_bytes()
-            (self.folder / name).write_bytes(whole[:len(whole) // 2])
-            self.expect(BAD_INPUT, "report", name, "-o", "a.html", says=name)
+        self.expect(CANNOT_ACCESS, "report", "sweep.h5", "-o", "a.html", says="HYRAX_PAGE")
+        for other in ("fling.h5", "frame-rate.h5"):
+            self.expect(BAD_INPUT, "report", "sweep.h5", other, "-o", "a.html", says=f"{other}: is not a sweep's file, as sweep.h5 is; ")
+        for says, *arguments in (("--against: allowed for trajectories only (found sweep.h5)\n", "sweep.h5", "--against", "fling.h5"), ("frame-rate.h5: ", "fling.h5", "frame-rate.h5")):
+            self.expect(BAD_INPUT, "report", *arguments, "-o", "a.html", says=says)
+        whole = (self.folder / "sweep.h5").read_bytes()
+        (self.folder / "sweep.h5").write_bytes(whole[:len(whole) // 2])
+        self.expect(BAD_INPUT, "report", "sweep.h5", "-o", "a.html", says="sweep.h5")
+        self.assertFalse((self.folder / "a.html").exists())
 
     def test_replaces_neither_input_nor_golden_file_nor_scenario(self):
         shutil.copy(self.folder / "fling.h5", self.folder / "page.html")
@@ -84,7 +84,7 @@ class Numbers(ProgramTest):
         """The document in page.html, which the command writes."""
         outcome = run(os.environ["HYRAX_SIM"], *arguments, cwd=self.folder)
         self.assertEqual(outcome.exit_code, exit_code, outcome)
-        self.assertIn({"report": "written: page.html", "run": "\n  written        page.html", "check": ""}[arguments[0]], outcome.out)
+        self.assertIn({"report": "written: page.html", "run": "\n  written        page.html"}[arguments[0]], outcome.out)
         return json.loads(re.search('id="data">(.*?)</script>', (self.folder / "page.html").read_text(), re.DOTALL)[1])
 
     def test_are_those_of_the_file_bit_for_bit(self):
@@ -111,17 +111,16 @@ class Numbers(ProgramTest):
                 del file[name]
                 file.create_dataset(name, (members,), "<f8")
         self.assertNotEqual(self.hyrax_sim("report", "sweep.h5", "-o", "read.html").exit_code, BAD_INPUT)
-        page, = self.page_by("report", "sweep.h5", "-o", "page.html")["results"]
-        self.assertRegex(page["verdict"]["text"][0], r"\AAll numbers are those of a sample: 1 of every [\d,]+ of 3,000,000,000 members\.\Z")
+        self.page_by("report", "sweep.h5", "-o", "page.html")
+        self.assertRegex((self.folder / "page.html").read_text(), r"<p>All numbers are those of a sample: 1 of every [\d,]+ of 3,000,000,000 members\.</p>\n")
 
     def test_members_of_a_part_are_those_of_the_sweep(self):
         self.write("sweep.json", document(members=5, vary={"/start/vx_px_per_s": {"uniform": [900, 1100]}}, base=base(steps=600)))
         self.expect(AGREED, "sweep", "sweep.json", "--part", "1/2", "-o", "sweep.h5")
-        page, = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["results"]
-        sweep = page["sweep"]
-        self.assertEqual(page["verdict"]["text"], [
-            "Part 1 of 2 of the sweep: 2 members.", "2 of 2 members have settled by the end.",
-            "The same in all members: y 952 px, vx 0 px/s (rounding), vy -7.49531 px/s, contacts.left 0, contacts.right 1, contacts.top 0, contacts.ground 8."])
+        sweep, = self.page_by("report", "sweep.part-1-of-2.h5", "-o", "page.html")["sweeps"]
+        for sentence in ("Part 1 of 2 of the sweep: 2 members.", "2 of 2 members have settled by the end.", "The same in all members: y 952 px, vx 0 px/s (rounding), "
+                         "vy -7.49531 px/s, contacts.left 0, contacts.right 1, contacts.top 0, contacts.ground 8."):
+            self.assertIn(f"<p>{sentence}</p>\n", (self.folder / "page.html").read_text())
         with h5py.File(self.folder / "sweep.part-1-of-2.h5") as file:
             wanted = file["inputs/start.vx_px_per_s"][:].astype("<f8").tobytes()
         self.assertEqual(base64.b64decode(sweep["members"]), struct.pack("<2d", 1, 3))
@@ -137,12 +136,3 @@ class Numbers(ProgramTest):
             self.assertEqual(self.page_by(*arguments), page)
         self.assertTrue(page["runs"][0]["golden"]["agrees"])
         self.assertIn("\n<p>Agrees with the golden file, bit for bit.</p>\n", (self.folder / "page.html").read_text())
-
-    def test_check_plays_the_worst_scenario(self):
-        path, = self.project("fling")
-        self.write(path, program.fling(steps=20))
-        page = self.page_by("check", "--summary", "page.md", exit_code=DISAGREED)
-        run, = page["runs"]
-        self.assertEqual((page["command"], run["steps"], run["golden"]["file"]), ("hyrax-sim check scenarios/fling.json", 20, "golden/fling.h5"))
-        self.assertRegex(run["cause"], r"^1 of 1 scenario differs: .*: /steps 300 -> 20\. Another shape \(class shape\): ")
-        self.assertIn("\n[The same run, played step by step](<page.html>)\n", (self.folder / "page.md").read_text())

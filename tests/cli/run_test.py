@@ -4,7 +4,7 @@ import os
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, ProgramTest, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling
 
 MEBIBYTE = 2**20
 
@@ -95,6 +95,30 @@ class Options(ProgramTest):
         self.assertEqual((self.folder / "skipped.h5").read_bytes(), (self.folder / "all.h5").read_bytes())
 
 
+class Bounces(ProgramTest):
+    """Bounces and resting contact apart: in text, JSON, and the statistics of drift."""
+
+    def test_of_a_run_on_uneven_frames_those_at_rest_are_no_bounces(self):
+        path = SOURCE / "scenarios/clocks/missed-frames-ten-minutes.json"
+        run = self.expect(AGREED, "run", path, "--json").json["runs"][0]
+        self.assertEqual((run["contacts"]["ground"], run["bounces"], run["resting_contact_from_step"]),
+                         (1166, {"left": 0, "right": 1, "top": 0, "ground": 5}, 240))
+        self.assertIn("  contacts       right 1, ground 5 bounces, then resting contact from row 240\n", self.expect(AGREED, "run", path).out)
+        restitution = self.expect(AGREED, "drift", path, "--reference", "closed", "--json").json["runs"][0]["effective_restitution"]
+        self.assertEqual((restitution["contacts"], round(restitution["smallest"], 3), round(restitution["largest"], 3)), (6, 0.52, 0.6))
+
+    def test_each_stretch_between_events_is_judged_by_itself(self):
+        rest = {"x_px": 300, "y_px": 952}
+        for events, bounces, text in (
+                ([{"step": 30, "hitch": {"dt_s": 0.02}}], 0, "ground in resting contact from row 31"),  # It goes on.
+                ([{"step": 30, "fling": {"vx_px_per_s": 0, "vy_px_per_s": -600}}], 0, "ground 0 bounces and 1 resting contact"),
+                ([{"step": 30, "fling": {"vx_px_per_s": 0, "vy_px_per_s": -200}}], 2, "ground 2 bounces, then resting contact from row")):
+            path = self.write("rest.json", fling(start=rest, steps=70 if bounces == 0 else 200, events=events))
+            run = self.expect(AGREED, "run", path, "--json").json["runs"][0]
+            self.assertIn(text, self.expect(AGREED, "run", path).out)
+            self.assertEqual(run["bounces"]["ground"], bounces, events)
+
+
 class Golden(ProgramTest):
     """`run` compares with the golden file if there is one."""
 
@@ -103,15 +127,18 @@ class Golden(ProgramTest):
         self.path, = self.project("fling")
 
     def test_where_it_is_missing_nothing_agreed(self):
-        run, = self.expect(AGREED, "run", self.write("scenarios/alone.json", fling(name="alone")), "--json").json["runs"]
-        self.assertEqual((run["status"], run["golden"]["status"]), ("played", "missing"))
+        for expect in (None, {"in_bounds": True}):
+            path = self.write("scenarios/alone.json", fling(name="alone", expect=expect))
+            run, = self.expect(AGREED, "run", path, "--json").json["runs"]
+            self.assertEqual((run["status"], run["golden"]["status"]), ("played", "missing"))
+            self.assertEqual(self.expect(AGREED, "run", path, "-q").out, "alone: played: golden file missing; written: alone.h5\n")
 
     def test_a_difference_is_exit_1_and_the_output_is_written_all_the_same(self):
         self.write(self.path, fling(start={"x_px": 101, "y_px": 100}))
         run = self.expect(DISAGREED, "run", self.path, "--json").json["runs"][0]
         self.assertIn("fling.h5", self.names())
         self.assertEqual((list(run["golden"]), run["golden"]["first_divergence"]["field"]),
-                         (["file", "status", "class", "first_divergence"], "x"))
+                         (["file", "status", "class", "max_px", "contacts_moved", "first_divergence"], "x"))
         self.assertEqual((run["status"], run["golden"]["class"]), ("disagreed", "shape"))
 
     def test_with_a_damaged_golden_file_nothing_is_written(self):

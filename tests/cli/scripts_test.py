@@ -9,7 +9,7 @@ import select
 from process import run
 from program import BAD_INPUT, PROGRAM, SOURCE, ProgramTest
 
-SCRIPTS = ("run", "check", "compare", "test", "package")
+SCRIPTS = ("run", "check", "test", "package")
 
 
 # What stands in for a program: it writes its command line into a log, and fails if a pattern of FAILS matches.
@@ -58,7 +58,12 @@ FUNCTIONS = (
     ("build build/x page", "", 0, "", ["ninja --quiet -C build/x page"]), ("build build/x", "ninja", 8, "", ["ninja --quiet -C build/x"]),
     ("ninja() { echo ninja: no work to do.; echo warning; }; build build/x", "", 0, "warning\n", []),
     ("build_program build/x", "", 0, "", ["ninja --quiet -C build/x hyrax-sim"]),
-    ("program_name=other; build_program build/x", "ninja", 3, "other could not be built.*", ["ninja --quiet -C build/x other"]),
+    ("announces=yes; build_program build/x", "", 0, "hyrax-sim: up to date\n", ["ninja --quiet -C build/x hyrax-sim"]),
+    ("nproc() { echo 2; }; printf 'build %s.o: CXX x.cpp\n' {1..76} > build/x/build.ninja; : > build/x/3.o; announce build/x tests", "", 0,
+     "tests: 75 objects to compile, about 1 min 16 s on 2 processors\n", []),
+    ("nproc() { echo 2; }; printf 'build %s.o: CXX x.cpp\n' {1..76} > build/x/build.ninja; printf '0\t4000\t0\t%s.o\t0\n' {1..20} > build/x/.ninja_log; "
+     "printf '0\t9000\t0\tprogram\t0\n' >> build/x/.ninja_log; announce build/x tests", "", 0,
+     "tests: 75 objects to compile, about 2 min 31 s on 2 processors\n", []),
     ("project=/other; build_program build/x", "cmake", 3, r"configure .*FAILED \(exit 8\)\nCMake could not configure hyrax-sim.*", [
         "cmake --log-level=WARNING -S /other -B build/x -G Ninja -DCMAKE_BUILD_TYPE=Release -DHYRAX_TESTS=OFF"]),
     ("build_program build/x page", "page", 3, ".*The report page could not be built.*", ["ninja --quiet -C build/x page"]),
@@ -94,9 +99,7 @@ CALLS = (
        f"ninja /tools hyrax-sim, hyrax-sim run a.json --report{page}") for page in (" x.html", "=x.html")),
     ("check a.json --golden g", "hyrax-sim*", 8, "", f"{BUILT}, hyrax-sim check a.json --golden g"), ("check", "ninja*", 3, "hyrax-sim could not be built", BUILT),
     ("run a.json", "unwritable hyrax-sim*", 8, "running the existing hyrax-sim without building it", "hyrax-sim run a.json"),
-    *((script, "unwritable", 3, "build/tools: cannot be written; change its permissions, or", "") for script in ("check", "compare", "test")),
-    ("compare my.h --report x.html", "hyrax-compare*", 8, "",
-     f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, ninja /tools hyrax-compare, hyrax-compare my.h --report x.html"),
+    *((script, "unwritable", 3, "build/tools: cannot be written; change its permissions, or", "") for script in ("check", "test")),
     ("test", "ctest*", 1, "", f"{TESTS}, ninja /tools, ctest /tools -LE long"),
     ("test --all --yes -R unit", "ctest*asan* run*", 1, "FAILED: asan-clang fuzz\n",
      f"{TESTS} -DHYRAX_BENCHMARKS=ON, {WITH_PAGE}, ctest /tools -LE nightly -R unit, {preset('asan-clang', 'OFF', 'long|one_build -R unit')}, run 30"),
@@ -111,7 +114,7 @@ CALLS = (
 )
 
 # The lists of packages that each needs, of which others are parts.
-NEEDED = {"run": "to_build", **dict.fromkeys(("run --yes a.json --report x.html", "run --yes a.json --report=x.html"), "for_page to_build"), "compare my.h --report x.html": "for_page", "test": "to_build to_test",
+NEEDED = {"run": "to_build", **dict.fromkeys(("run --yes a.json --report x.html", "run --yes a.json --report=x.html"), "for_page to_build"), "test": "to_build to_test",
           "test --all --yes -R unit": "for_all for_clusters for_page for_platforms for_wine to_browse to_build to_test",
           "test --nightly": "for_all for_clusters for_page for_platforms for_wine to_browse to_build to_install to_package to_test", "package deb": "to_build to_package", "package --page deb": "for_page to_build to_package"}
 
@@ -136,7 +139,7 @@ class Scripts(ProgramTest):
         """Of the programs that build and test, and of what they build."""
         self.write("tools/setup.sh", (SOURCE / "tools/setup.sh").read_text() + WITHOUT_PROCESSES)
         for path in (*(f"build/{build}/bin/hyrax-sim" for build in ("tools", "asan-clang", "clang", "asan", "debug")),
-                     "build/tools/bin/hyrax-compare", "tests/robustness/fuzz/run", "tests/must_fail/mutation/mutation.py"):
+                     "tests/robustness/fuzz/run", "tests/must_fail/mutation/mutation.py"):
             self.write(path, f'#!/bin/sh\ncalled() {STAND_IN}\ncalled "${{0##*/}}" "$@"\n')
             (self.folder / path).chmod(0o755)
 
@@ -166,6 +169,27 @@ class Scripts(ProgramTest):
         outcome, log = self.call("run a.json", "unwritable")
         self.assertEqual((outcome.exit_code, log), (3, []), "neither built nor there")
 
+    def test_a_header_is_built_in_a_folder_of_its_own_and_all_other_arguments_are_those_of_check(self):
+        self.add_stand_ins()
+        header = self.folder.resolve() / self.write("my physics.hpp", "")
+        number = run("bash", "-c", 'cksum <<< "$1"', "-", header).out.split()[0]
+        folder = self.write(f"build/check/{header.name}-{number}/hyrax-sim", (self.folder / "build/tools/bin/hyrax-sim").read_text())
+        (self.folder / folder).chmod(0o755)
+        self.write("log", "")
+        outcome = run("bash", "tools/check", "a.json", header.name, "b.h", "--json", cwd=self.folder,
+                      env={**os.environ, **BY_NAME, "CI": "", "FAILS": "hyrax-sim*", "LOG": f"{self.folder}/log"})
+        self.assertEqual(outcome.exit_code, 8, outcome)
+        called = (self.folder / "log").read_text().replace(str(self.folder.resolve()), "PROJECT").splitlines()[2:]
+        own = f"PROJECT/build/check/{header.name}-{number}"
+        self.assertEqual(called, [
+            "ninja --quiet -C PROJECT/build/tools hyrax_program",
+            f"cmake --log-level=WARNING -S PROJECT/tools/own_core/check -B {own} -G Ninja -DCMAKE_BUILD_TYPE=Release "
+            f"-DHEADER=PROJECT/{header.name} -Dhyrax_DIR=PROJECT/build/tools/check_package",
+            f"ninja --quiet -C {own} hyrax-sim", "hyrax-sim check a.json b.h --json"])
+        outcome, log = self.call("check none.h")
+        self.assertEqual((outcome.exit_code, log), (BAD_INPUT, []))
+        self.assertIn("tools/check: HEADER: no such file (found ", outcome.err)
+
     def test_a_missing_scenario_is_reported_before_anything_is_built(self):
         usage = run(PROGRAM, "run", "--help").out
         options, flags = (",".join(re.findall(rf"^  (-\S+) {value}", usage, re.MULTILINE)).split(",") for value in (r"\S", " "))
@@ -182,9 +206,8 @@ class Scripts(ProgramTest):
     def test_every_option_of_a_usage_is_read_and_every_one_that_is_read_is_in_it(self):
         for script in SCRIPTS:
             with self.subTest(script=script):
-                if script != "compare":  # It goes on with the program's help.
-                    outcome, log = self.call(f"{script} --help")
-                    self.assertEqual((outcome.exit_code, log, outcome.out[:6 + len(script)]), (0, [], f"tools/{script}"))
+                outcome, log = self.call(f"{script} --help")
+                self.assertEqual((outcome.exit_code, log, outcome.out[:6 + len(script)]), (0, [], f"tools/{script}"))
                 usage, code = re.search(r"<< 'END'\n(.*?)\nEND\n(.*)", (self.folder / "tools" / script).read_text(), re.DOTALL).groups()
                 read = set(re.findall(r"^    (--[a-z-]+)\)", code, re.MULTILINE))
                 of_programs = {"--figure", "--report", "--set", "--verbose", "--json", "--help"}  # To which a script passes them.

@@ -1,8 +1,10 @@
 """The command study: the files, output and errors of needs, speed-error and hard-cases."""
 
+import re
+
 import h5py
 
-from program import AGREED, DISAGREED, SOURCE, ProgramTest, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling
 
 HARD = SOURCE / "scenarios/hard"
 CALM = fling(name="calm", steps=900)
@@ -32,6 +34,36 @@ class Needs(ProgramTest):
             AGREED, "study", "needs", HARD / "sprite-larger-than-window.json", "--quick", "--no-figures").out)
 
 
+class Removed(ProgramTest):
+    def test_what_went_says_where_its_answers_are(self):
+        for arguments, says in ((("paper", "--gate"), "study paper: was removed; the paper's claims and their figures are in sim/physics/claims.md"),
+                                (("needs", "--expect", "x"), "study: --expect: was removed; the paper's claims and their verdicts are in sim/physics/claims.md")):
+            self.expect(BAD_INPUT, "study", *arguments, says=says)
+
+
+class Page(ProgramTest):
+    """study --report."""
+
+    def test_the_page_has_the_answer_the_pictures_and_the_tables_and_last_what_does_not_hold(self):
+        document = self.expect(AGREED, "study", "hard-cases", HARD / "rest.json", "--quick", "-o", "out", "--report", "page.html", "--json").json
+        self.assertEqual(document["files"], ["out/hard-cases.h5", "out/hard-cases.csv", "out/hard-cases.svg", "page.html"])
+        page = (self.folder / "page.html").read_text(encoding="utf-8")
+        picture = re.findall("<text.*(>.*</text>)", (self.folder / "out/hard-cases.svg").read_text(encoding="utf-8"))[-1]
+        places = [page.index(part) for part in ("<html lang=\"en\" data-replay=\"none\" data-ready=\"\">", f"<h1>{document['answer'][:-1]}</h1>", picture,
+                                                "<summary>", "No rule of the study is broken.", f"study hard-cases {HARD}/rest.json --quick --report page.html")]
+        self.assertEqual(places, sorted(places))
+        self.assertNotIn("<script", page)
+
+    def test_replaces_neither_scenario_nor_golden_file_and_needs_its_folder(self):
+        path, = self.project("calm")
+        self.write("scenario.html", CALM)
+        before = self.state_of(".")
+        for exit_code, page, says in ((BAD_INPUT, "page.htm", "--report: unknown suffix (found page.htm); allowed: .html"), (BAD_INPUT, "golden/page.html", "golden"),
+                                      (BAD_INPUT, "scenario.html", "would overwrite a scenario"), (CANNOT_ACCESS, "no/such/page.html", "no/such/page.html: cannot be written")):
+            self.expect(exit_code, "study", "needs", path, "--quick", "-o", "out", "--report", page, says=says)
+            self.assertEqual(self.state_of("."), before)
+
+
 class SpeedError(ProgramTest):
     def test_scenarios_are_studied_too_and_drawn(self):
         self.write("mine.json", fling(name="mine", events=[{"step": 100, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))
@@ -58,7 +90,7 @@ class HardCases(ProgramTest):
 
     def test_long_cases_are_left_out_of_the_quick_study(self):
         document = self.study(AGREED, HARD / "a-fling-a-minute.json", "--json").json
-        self.assertEqual([case["case"] for case in document["cases"]], ["a-fling-a-minute", "a-fling-a-minute/an-hour"])
+        self.assertEqual([case["case"] for case in document["cases"]], ["a-fling-a-minute", "a-fling-a-minute/an-hour", *(f"a-fling-a-minute/lossless-{fling}-{rate_hz}-hz" for fling in range(1, 11) for rate_hz in (24, 60, 144, 240))])
 
     def test_in_a_checkout_version_control_ignores_them(self):
         ignored = (SOURCE / ".gitignore").read_text(encoding="utf-8").split()

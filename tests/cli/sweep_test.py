@@ -6,7 +6,7 @@ import re
 import h5py
 import numpy
 
-from program import AGREED, SOURCE, few_threads, fling
+from program import AGREED, BAD_INPUT, SOURCE, few_threads, fling
 from sweep_members import ALL, COLUMNS, WALLS, any_sweep, assert_same_bits, base, columns_of_runs, datasets
 from sweep_program import NO_CLUSTER, SEED, SweepTest, document
 
@@ -69,6 +69,23 @@ class EveryMember(SweepTest):
         self.assertEqual(list(found["inputs/start.y_px"][:5]), [0, 1, 2, 3, 0])
         self.assertEqual(len(found["members/x"]), 20)
 
+    def test_seeds_are_exact_to_the_largest(self):
+        clock = {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.2, "seed": 3}}
+        most = 2**64 - 1
+        for rule in ({"uniform": [2**53 + 1, 2**53 + 3]}, {"uniform": [most - 1, most]}, {"uniform": [0, most]}, {"choice": [most, 2**63 + 1]},
+                     {"grid": [most - 30, most, 4]}, {"grid": [2**53 + 1, 2**53 + 9, 2]}):
+            sweep = document(members=8, base=base(clock=clock, steps=90), keep=["final"], vary={"/clock/jitter/seed": rule})
+            found = self.computed(sweep)
+            assert_same_bits(self, found, columns_of_runs(self, sweep), rule)
+            self.sweep("sweep.json", "--part", "0/1", "-o", "part.h5")
+            self.sweep("--merge", "part.part-0-of-1.h5", "-o", "merged.h5")
+            self.sweep("sweep.json", "--member", "3", "-o", "member.json", "--force")
+            seed = json.loads((self.folder / "member.json").read_text())["clock"]["jitter"]["seed"]
+            self.assertEqual(seed, found["inputs/clock.jitter.seed"][3])
+        for rule, says in (({"uniform": [0, 2**64]}, "whole numbers, as the key holds"), ({"grid": [0, most, 7]}, "must give whole numbers only")):
+            self.write("sweep.json", document(members=14, base=base(clock=clock), vary={"/clock/jitter/seed": rule}))
+            self.sweep("sweep.json", exit_code=BAD_INPUT, says=says)
+
     def test_the_base_may_be_a_file_beside_the_sweep(self):
         self.write("deep/base.json", fling(expect={"in_bounds": True}))
         self.write("deep/sweep.json", document(base="base.json"))
@@ -88,7 +105,8 @@ class Outputs(SweepTest):
         self.write("sweep.json", document())
         self.sweep("sweep.json")
         (self.folder / "sweep.h5").chmod(0o440)
-        self.sweep("sweep.json", "--force")
+        self.sweep("sweep.json", "--force", exit_code=BAD_INPUT, says="--force: only with --member; results are always replaced")
+        self.sweep("sweep.json")
         self.assertEqual((self.folder / "sweep.h5").stat().st_mode & 0o777, 0o440)
 
     def test_memory_does_not_grow_with_the_members(self):

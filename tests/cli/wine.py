@@ -55,9 +55,17 @@ class Wine:
         return Process("wine", program, *arguments, env=self.environment, keeps_children=True, **options)
 
     def run(self, program, *arguments, timeout=60, **options):
-        """Runs a program to its end; returns its outcome, with the line ends of this system."""
-        with self.start(program, *arguments, **options) as process:
-            outcome = process.wait(timeout)
+        """Runs a program to its end; returns its outcome, with the line ends of this system.
+
+        A program that hangs is started a second time: on a busy machine one did, once, which played alone did not."""
+        for is_last in (False, True):
+            try:
+                with self.start(program, *arguments, **options) as process:
+                    outcome = process.wait(timeout)
+                break
+            except TimedOut:
+                if is_last:
+                    raise
         return Outcome(outcome.exit_code, *(text.decode(errors="replace").replace("\r\n", "\n").encode()
                                             for text in (outcome.out_bytes, outcome.err_bytes)))
 

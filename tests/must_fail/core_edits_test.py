@@ -16,7 +16,7 @@ import unittest
 from xml.etree import ElementTree
 
 from core_edits import ALL, EVERYDAY, at_ground, when
-from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
 from process import preloading, succeed
 from traced import SHIPPED, SHIPPED_CORE, traced
 
@@ -26,6 +26,11 @@ CORES = {edit.name: traced(edit.apply(SHIPPED)) for edit in (
     at_ground("narrow", "m_vx > 500.0 && m_vx < 501.0"), when("1200_high", "screenHeight == 1200"),
     when("dt_of_0", "dt == 0.0 && m_vx > 123456.0"), when("dt_of_-0", "dt == 0.0 && m_vx > 123456.0 && std::signbit(dt)"))}
 CHANGED = CORES["GRAVITY_1250.0+REST_THRESHOLD_7.0"]
+# Gravity changes every row; a bound of the left wall decides where a sprite ends on it to the bit.
+BESIDE = traced(SHIPPED.replace("GRAVITY = 1200.0", "GRAVITY = 1250.0").replace("if (m_x < 0.0)", "if (m_x <= 0.0)"))
+# A sprite that turns, at two rates: no file holds how far.
+SPINNING = [traced(SHIPPED.replace(" private:\n", " private:\n  double m_spin = 0.0;\n").replace(
+    "    m_x += m_vx * dt;\n", f"    m_x += m_vx * dt;\n    m_spin += {rate} * m_vx;\n    if (m_spin > 6.25) m_spin -= 6.25;\n")) for rate in (0.5, 0.25)]
 
 
 def words_of(text):
@@ -111,7 +116,7 @@ class Unnoticed(ProgramTest):
                           if band != "* 0.9"} | {"vx * AIR_DRAG * GROUND_FRICTION * 0.9",
                                                  "vx * AIR_DRAG * RESTITUTION * GROUND_FRICTION * 0.9"})
         for _, says in differences:
-            self.assertRegex(says, r"^(, which changes results: after 5(\.\d+)? s \S+ px apart in this one| either; unnoticed-\w{8} shows it)$")
+            self.assertRegex(says, r"^(, which changes results: this one, played for 5(\.\d+)? s, ends (in the same state, after at most )?\S+ px apart| either; unnoticed-\w{8} shows it)$")
         write, accept = (re.search(f"  to {what} +hyrax-sim (.*)", outcome.out)[1] for what in ("write them", "accept it"))
         written = core.run(*write.split()[:-1], self.folder)
         self.assertEqual(written.exit_code, DISAGREED, written)
@@ -127,12 +132,14 @@ class Unnoticed(ProgramTest):
         core = "".join(re.findall("^(?:core:|  ).*\n", outcome.out, re.MULTILINE)).rstrip("\n")
         annotation, counts = outcome.out.splitlines()[:-3:-1]
         self.assertRegex(counts, r"^(\d+) checked: \1 agreed, 0 ")
-        self.assertEqual(annotation, "::error file=golden/core/accepted.txt,title=hyrax-sim check%3A core::" + core.replace("\n", "%0A"))
+        self.assertEqual(annotation, "::error file=golden/core/accepted.txt,title=hyrax-sim check%3A core::" +
+                         core.replace("%", "%25").replace("\n", "%0A"))
         suite = ElementTree.parse(report).getroot()
         failure = suite.find("testcase[@name='golden/core/accepted.txt']/failure")
         self.assertEqual((suite.get("failures"), failure.get("message"), failure.text), ("1", "core: changed", core + "\n"))
         self.assertIn("## hyrax-sim check: not agreed\n", summary.read_text())
-        self.assertIn("\n### core\n\n    " + core.replace("\n", "\n    ") + "\n", summary.read_text())
+        heading, lines = core.split("\n", 1)
+        self.assertIn(f"\n### `{heading}`\n\n    " + lines.replace("\n", "\n    ") + "\n", summary.read_text())
         for all_are_checked in ((), ("--last-failed",)):
             quiet = CORES["narrow"].run("check", "-q", *all_are_checked, env={**os.environ, "XDG_CACHE_HOME": str(self.folder)})
             self.assertEqual((quiet.exit_code, quiet.out), (DISAGREED, f"core: changed\n{counts}\n"))
@@ -145,7 +152,38 @@ class Unnoticed(ProgramTest):
         for dt_s in ("0", "-0"):
             outcome = CORES[f"dt_of_{dt_s}"].run("check", "--core")
             self.assertIn(f'"clock": {{ "dt_s": {dt_s} }}', outcome.out)
-            self.assertRegex(outcome.out, r"after 0 s [\d,]+ px/s apart in this one")
+            self.assertRegex(outcome.out, r"this one, played for 0 s, ends [\d,]+ px/s apart")
+
+
+class Beyond(ProgramTest):
+    """Random flings by both cores."""
+
+    def test_shares_have_their_intervals_and_errors_are_those_of_the_same_constants(self):
+        for name, has_errors in (("GRAVITY_1250.0+REST_THRESHOLD_7.0", False), ("half_moves", True)):
+            beyond = CORES[name].run("check", "--core", "--json", "--flings", "200").json["cores"][0]["beyond"]
+            self.assertEqual((beyond["flings"], beyond["end_error_px"] is not None), (200, has_errors))
+            shares = [beyond[part] for part in ("other_bits", "ends_elsewhere", "other_bounces", "settles_in_one")]
+            for share in shares:
+                part, z2 = share["share"], 1.959964 ** 2 / 200  # E. B. Wilson, 1927.
+                half = math.sqrt(z2 * (part * (1 - part) + z2 / 4))
+                for side, bound in (("low", -half), ("high", half)):
+                    self.assertAlmostEqual(share[side], (part + z2 / 2 + bound) / (1 + z2), places=6)
+            self.assertGreaterEqual(shares[0]["share"], shares[1]["share"])
+            self.assertEqual(shares[1]["median_px"] is None, shares[1]["share"] == 0)
+
+    def test_it_is_left_out_with_a_reason_or_where_the_core_did_not_change(self):
+        for core, options, why in ((CHANGED, ("--core", "--flings", "0"), "--flings 0"),
+                                   (CHANGED, ("scenarios/flings/first-fling.json",), "the library was not played whole"),
+                                   (CORES["static_variable"], (), "this program's step is not complete: memory outside the body"),
+                                   (SHIPPED_CORE, (), None)):
+            core, = core.run("check", "--json", *options).json["cores"]
+            self.assertTrue(core["beyond"]["why"].startswith(why) if why else "beyond" not in core, core)
+
+    def test_text_has_one_paragraph(self):
+        outcome = CHANGED.run("check", "--flings", "100")
+        share = r"[\d.]+ % \([\d.]+ \.\. [\d.]+\)"
+        self.assertRegex(outcome.out, rf"\n  beyond the library: of 100 random flings of 10 s, {share} have other bits; {share} end elsewhere, by \S+ px "
+                         rf"\(median; 90 %: \S+ px\); {share} have another number of contacts; {share} settle in one only\n")
 
 
 class Contacts(unittest.TestCase):
@@ -201,6 +239,59 @@ class Library(ProgramTest):
         self.play(CORES["1200_high"], AGREED, "bless", path, "--reason", "x")
         self.assertEqual(self.groups(CHANGED)["a"][0], "core")
 
+    def test_a_core_is_accepted_only_where_every_other_scenario_of_the_library_agrees(self):
+        path, other = self.add("a"), self.add("b", steps=0)  # Every core gives its bits.
+        library, (h5,) = f"{self.folder}/scenarios", [self.folder / "golden/b.h5"]
+        self.play(SHIPPED_CORE, AGREED, "bless", library, "--reason", "x")
+        accepted, text, golden = self.state_of("golden/core"), other.read_text(encoding="utf-8"), h5.read_bytes()
+        for spoil in (h5.unlink, lambda: other.write_text("{", encoding="utf-8"), lambda: other.write_text(text.replace('"steps": 0', '"steps": 1'), encoding="utf-8")):
+            spoil()
+            why = f"1 of 2 scenarios do not agree, the first is {other}"
+            for command in ((path, "--accept", "contacts"), (library, "--core")):
+                document = self.play(CHANGED, AGREED if command[0] == path else DISAGREED, "bless", *command, "--reason", "x", "--json").json
+                self.assertEqual(document["cores"], [{"golden": f"{self.folder}/golden", "accepted": False, "why_not": why}])
+                self.assertEqual((document["written"], self.state_of("golden/core")), (command[0] == path, accepted))
+            other.write_text(text, encoding="utf-8")
+            h5.write_bytes(golden)
+        document = self.play(CHANGED, AGREED, "bless", library, "--core", "--reason", "x", "--json").json
+        self.assertEqual((document["written"], document["cores"][0]["accepted"]), (True, True))
+
+    def test_a_change_is_not_noticed_by_what_another_one_changes(self):
+        path = self.add("a")  # It never ends on the left wall to the bit.
+        self.play(SHIPPED_CORE, AGREED, "bless", path, "--reason", "x")
+        core, = self.play(BESIDE, DISAGREED, "check", "--core", path, "--json").json["cores"]
+        self.assertEqual(core["status"], "changed")
+        self.assertEqual([one["difference"] for one in core["unnoticed"]], ["x + dt * (vx * AIR_DRAG) < 0", "x + dt * (vx * AIR_DRAG) <= 0"])
+        for one in core["unnoticed"]:
+            self.assertIsNotNone(one["scenario"])
+
+    def test_a_changed_rule_that_no_row_depends_on_is_not_recorded(self):
+        path = self.add("a")
+        self.play(SPINNING[0], AGREED, "bless", path, "--reason", "x")
+        self.play(SPINNING[0], AGREED, "check", "--core", path)
+        for arguments in (("--core", path), (f"{self.folder}/scenarios",)):
+            out = self.play(SPINNING[1], DISAGREED, "check", *arguments).out
+            self.assertIn("core: not proved equal to the accepted one: m_spin is not recorded: describe it\n", out)
+            self.assertRegex(out, "\n  no scenario can notice `vx .*`: it changes m_spin alone, which no file holds\n")
+            self.assertRegex(out, "\n  to accept it    hyrax-sim bless .* --core --reason \"...\"\n")
+        core, = self.play(SPINNING[1], DISAGREED, "check", "--core", path, "--json").json["cores"]
+        self.assertEqual((core["status"], core["why"]), ("not_proved", "m_spin is not recorded: describe it"))
+        self.play(SPINNING[1], AGREED, "bless", f"{self.folder}/scenarios", "--core", "--reason", "x")
+        self.play(SPINNING[1], AGREED, "check", "--core", path)
+
+    def test_scenarios_of_unnoticed_changes_replace_no_file(self):
+        self.play(SHIPPED_CORE, AGREED, "bless", self.add("a"), "--reason", "x")
+        command = ("check", "--core", f"{self.folder}/scenarios", "--unnoticed", self.folder / "unnoticed")
+        self.play(CORES["narrow"], DISAGREED, *command)
+        kept, *others = sorted((self.folder / "unnoticed").iterdir())
+        self.assertTrue(others)
+        for path in others:
+            path.unlink()
+        kept.write_text("edited", encoding="utf-8")
+        outcome = self.play(CORES["narrow"], BAD_INPUT, *command)
+        self.assertEqual(outcome.err, f"hyrax-sim check: --unnoticed: exists already (found {kept}); nothing written; name another folder\n")
+        self.assertEqual((kept.read_text(encoding="utf-8"), list(kept.parent.iterdir())), ("edited", [kept]))
+
     def test_a_step_that_changes_while_its_header_does_not(self):
         path = self.add("a")
         self.play(SHIPPED_CORE, AGREED, "bless", path, "--reason", "x")
@@ -208,7 +299,7 @@ class Library(ProgramTest):
         core.header = SHIPPED_CORE.header
         says = "the core's step changed, its header did not: an included header or a compiler option"
         self.assertEqual(self.groups(core), {"a": ("core", says)})
-        self.assertEqual(self.play(core, AGREED, "check", "--core", path).out, f"core: changed\n  {says}\n")
+        self.assertIn(f"core: changed\n  {says}\n", self.play(core, AGREED, "check", "--core", path).out)
 
     def test_another_c_library_whose_pow_gives_other_bits(self):
         core, path = CORES["drag_by_time"], self.add("a")

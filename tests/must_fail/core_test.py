@@ -8,7 +8,8 @@ import h5py
 
 from altered import ALTERED, run_altered
 from process import run
-from program import AGREED, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+from traced import SHIPPED, traced
 
 FIRST_FLING = "scenarios/flings/first-fling.json"
 STEPS = 3000
@@ -48,6 +49,36 @@ class NonFinite(ProgramTest):
         self.assertEqual(outcome.exit_code, GOLDEN_MISSING)
         self.assertRegex(outcome.out, "fling.json: missing: v[xy] is infinite from step .*; no golden file at ")
         self.assertNotIn("hyrax-sim bless", outcome.out)
+
+
+class SweepsOfTwoCores(ProgramTest):
+    """A part names the core that computed it."""
+
+    def test_parts_of_two_are_not_merged_those_of_two_headers_with_one_step_are(self):
+        sweep = self.folder / self.write("sweep.json", {"format": "hyrax-sweep/1", "base": fling(), "members": 6, "seed": 2,
+                                                        "vary": {"/start/vx_px_per_s": {"uniform": [-900, 900]}}})
+        other = traced(SHIPPED.replace("GRAVITY = 1200.0", "GRAVITY = 1250.0"))
+        own = traced(SHIPPED.replace("One frame of", "A frame of"))  # The same step.
+        for part, core in enumerate((own, other, own)):
+            self.assertEqual(core.run("sweep", sweep, "-o", self.folder / "sweep.h5", f"--part={part}/3").exit_code, AGREED)
+        self.expect(AGREED, "sweep", "sweep.json", "--part", "1/3", "-o", "own.h5")
+        parts = [f"sweep.part-{part}-of-3.h5" for part in range(3)]
+        self.expect(BAD_INPUT, "sweep", "--merge", *parts, "-o", "merged.h5",
+                    says=f"{parts[1]}: was computed by another core than the first file (")
+        self.assertFalse((self.folder / "merged.h5").exists())
+        os.rename(self.folder / "own.part-1-of-3.h5", self.folder / "sweep.part-1-of-3.h5.own")
+        self.expect(AGREED, "sweep", "--merge", parts[0], "sweep.part-1-of-3.h5.own", parts[2], "-o", "merged.h5")
+
+
+class NotRepeated(ProgramTest):
+    """A core that does not repeat itself."""
+
+    def test_it_is_neither_blessed_nor_accepted(self):
+        scenarios = [self.folder / self.write(f"scenarios/{name}.json", fling(name=name, steps=3000)) for name in ("a", "b")]
+        outcome = run_altered("hidden_state", "bless", *scenarios, "--reason", "x")
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.assertIn("a.json: not blessed: this program does not repeat itself: played twice, the scenario gives different bits", outcome.err)
+        self.assertEqual(self.names(), ["scenarios"])
 
 
 class AlteredSweep(ProgramTest):

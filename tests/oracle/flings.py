@@ -50,11 +50,11 @@ def band(values):
 
 
 class Flings:
-    """Flings at one rate. `by_time`: drag and friction as rates of 60 Hz; `moves_first`: y moves with the old velocity."""
+    """Flings at one rate. `by_time`: drag and friction as rates of 60 Hz."""
 
-    def __init__(self, begin, laws, rate_hz, by_time=False, moves_first=False):
+    def __init__(self, begin, laws, rate_hz, by_time=False):
         self.x, self.y, self.vx, self.vy = (numpy.array(each) for each in begin)
-        self.laws, self.dt_s, self.moves_first = laws, 1.0 / rate_hz, moves_first
+        self.laws, self.dt_s = laws, 1.0 / rate_hz
         self.by_time = by_time
         self.drag = laws.drag ** (60.0 / rate_hz) if by_time else laws.drag
         self.lasting_friction = laws.friction ** (60.0 / rate_hz) if by_time else laws.friction
@@ -64,11 +64,10 @@ class Flings:
         self.anchor_x, self.anchor_y, self.anchor_s = self.x.copy(), self.y.copy(), numpy.zeros(self.x.size)
 
     def step(self):
-        old_vy = self.vy
         self.vy = (self.vy + self.laws.gravity * self.dt_s) * self.drag
         self.vx = self.vx * self.drag
         self.x = self.x + self.vx * self.dt_s
-        self.y = self.y + (old_vy if self.moves_first else self.vy) * self.dt_s
+        self.y = self.y + self.vy * self.dt_s
         on = numpy.array([self.x < 0.0, self.x > RIGHT_PX, self.y < 0.0, self.y > BOTTOM_PX])
         self.vx = numpy.where(on[LEFT] | on[RIGHT], -self.vx * self.laws.restitution, self.vx)
         self.vy = numpy.where(on[TOP] | on[GROUND], -self.vy * self.laws.restitution, self.vy)
@@ -99,7 +98,7 @@ class ExactFling:
     def __init__(self, x, y, vx, vy, laws=Laws()):
         self.laws, self.rate, self.sliding = laws, -60.0 * math.log(laws.drag), -60.0 * math.log(laws.friction)
         self.begin_s, self.x, self.y, self.vx, self.vy = 0.0, x, y, vx, vy
-        self.slides, self.impacts = False, []
+        self.slides, self.impacts, self.times = False, [], []
         self.next_s, self.next_wall = self.next_impact()
 
     def way(self, t):
@@ -152,6 +151,7 @@ class ExactFling:
 
     def bounce(self, wall):
         self.impacts.append(wall)
+        self.times.append(self.begin_s)
         if wall in (LEFT, RIGHT):
             self.x, self.vx = (RIGHT_PX if wall == RIGHT else 0.0), -self.vx * self.laws.restitution
             return

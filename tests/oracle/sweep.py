@@ -24,11 +24,12 @@ def inputs(sweep, member):
     for k, key in enumerate(keys):
         (kind, rule), = sweep["vary"][key].items()
         is_integer = key.rsplit("/", 1)[1] in INTEGER_KEYS
-        u = clock.unit(sweep.get("seed", 0), member * len(keys) + k)
+        draw = sweep.get("seed", 0), member * len(keys) + k
+        u = clock.unit(*draw)
         if kind == "uniform":
             low, high = rule
             if is_integer:
-                value = math.floor(low + (high - low + 1) * u)
+                value = int(low) + ((int(high) - int(low) + 1) * (clock.splitmix64(*draw) >> 11) >> 53)
             else:
                 value = float(low) + (float(high) - float(low)) * u
         elif kind == "choice":
@@ -44,6 +45,8 @@ def inputs(sweep, member):
                 value = low
             elif j == n - 1:
                 value = high
+            elif is_integer:
+                value = int(low) + (int(high) - int(low)) * j // (n - 1)
             else:
                 value = float(low) + ((float(high) - float(low)) * j) / (n - 1)
         values[key] = int(value) if is_integer else float(value)

@@ -13,7 +13,7 @@ import unittest
 import zipfile
 
 from process import run, skip_without, succeed
-from program import AGREED, DISAGREED, SOURCE
+from program import AGREED, DISAGREED, GOLDEN_MISSING, SOURCE
 
 EPOCH = 1_700_000_000
 BUILD_S_MAX = 1800
@@ -40,6 +40,13 @@ def mirror():
 def in_namespace(*command, **options):
     """Runs a command with mounts and processes of its own, which end with it."""
     return run("unshare", "--mount", "--pid", "--fork", "--kill-child", *command, **options)
+
+
+def bare_debian(folder):
+    suite, address = mirror()
+    bare = in_namespace("debootstrap", "--variant=minbase", suite, folder, address, timeout=600)
+    assert bare.exit_code == 0, str(bare)
+    return folder
 
 
 class Packages(unittest.TestCase):
@@ -115,10 +122,7 @@ class Packages(unittest.TestCase):
         self.assertIn('package configuration file provided by "hyrax"', outcome.err)
 
     def test_it_works_in_a_bare_debian_without_a_compiler(self):
-        system = self.work / "debian"
-        suite, address = mirror()
-        bare = in_namespace("debootstrap", "--variant=minbase", suite, system, address, timeout=600)
-        self.assertEqual(bare.exit_code, 0, str(bare))
+        system = bare_debian(self.work / "debian")
         shutil.copy(self.deb, system / "hyrax-sim.deb")
 
         def inside(*command):
@@ -140,6 +144,44 @@ class Packages(unittest.TestCase):
         removed = inside("dpkg", "--purge", "hyrax-sim")
         self.assertEqual(removed.exit_code, 0, str(removed))
         self.assertFalse((system / "usr/bin/hyrax-sim").exists())
+
+
+class WorkflowOfOwnCore(unittest.TestCase):
+    """The workflow that tools/own_core/ci.md offers, its steps as they stand there, for a project with a core of its own."""
+
+    def setUp(self):
+        work = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-workflow-"))
+        self.addCleanup(shutil.rmtree, work)
+        self.system = bare_debian(work / "debian")
+        shutil.copytree("/etc/apt", self.system / "etc/apt", dirs_exist_ok=True)
+        self.project = self.system / "project"
+        shutil.copytree(SOURCE / "tests/cli/own_physics", self.project)
+        copy_of_source(self.project / "hyrax")
+        self.steps = re.findall(r"^      - run: (.*)$", (SOURCE / "tools/own_core/ci.md").read_text(), re.MULTILINE)
+
+    def inside(self, *command):
+        return in_namespace(f"--mount-proc={self.system}/proc", "chroot", self.system, "env", "--chdir=/project",
+                            "GITHUB_STEP_SUMMARY=/project/summary.md", *command, env=ENVIRONMENT, timeout=BUILD_S_MAX)
+
+    def play(self, steps):
+        """The outcome of each step."""
+        return [self.inside("sh", "-e", "-c", step) for step in steps]
+
+    def test_its_steps_build_test_and_report(self):
+        first = self.play(self.steps)
+        self.assertEqual([step.exit_code for step in first[:-2]], [0] * (len(self.steps) - 2), "\n".join(map(str, first)))
+        self.assertEqual([step.exit_code for step in first[-2:]], [8, GOLDEN_MISSING])
+        blessed = self.inside("build/elastic_box-sim", "bless", "scenarios", "--reason", "first results")
+        self.assertEqual(blessed.exit_code, AGREED, str(blessed))
+        packed = self.steps.index(next(step for step in self.steps if "tools/package" in step))
+        self.assertEqual([step.exit_code for step in self.play(self.steps[packed:])], [0] * (len(self.steps) - packed))
+        header = self.project / "elastic_box.h"
+        header.write_text(header.read_text().replace("m_x += m_vx * dt;", "m_x += m_vx * dt + 1e-9;"))
+        *_, build, tests, check = self.play(self.steps[packed:])
+        self.assertEqual((build.exit_code, tests.exit_code, check.exit_code), (0, 8, DISAGREED), str(check))
+        self.assertRegex(check.out, "(?m)^::error file=")
+        self.assertIn("## hyrax-sim check: not agreed", (self.project / "summary.md").read_text())
+        self.assertIn("</html>", (self.project / "check.html").read_text())
 
 
 if __name__ == "__main__":

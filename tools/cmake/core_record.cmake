@@ -1,5 +1,6 @@
-# hyrax_core_record(TARGET CORE HEADER): the library TARGET, which has built_core_record() (sim/core/core_record.h) of the
-# header that the target CORE compiles. Its step is traced when it is built; whatever becomes of that, the build goes on.
+# hyrax_core_record(TARGET CORE HEADER [WHY_NOT]): the library TARGET, which has built_core_record() (sim/core/core_record.h) of
+# the header that the target CORE compiles. Its step is traced when it is built; whatever becomes of that, the build goes on.
+# With WHY_NOT, the reason, it is not traced.
 #
 # hyrax_trace_root: the folder of sim/trace; hyrax_trace_libraries: what the host programs link.
 set(hyrax_record_script ${CMAKE_CURRENT_LIST_DIR}/record_core.cmake)
@@ -22,11 +23,13 @@ function(hyrax_core_record target core header)
       "set(folder [==[${folder}]==])
 set(header [==[${header}]==])
 set(root [==[${hyrax_trace_root}]==])
+set(project [==[${CMAKE_SOURCE_DIR}]==])
 set(compiler [==[${compiler}]==])
 set(flags [==[-std=c++20;${flags};$<TARGET_PROPERTY:${core},COMPILE_OPTIONS>]==])
 set(definitions [==[$<TARGET_PROPERTY:${core},COMPILE_DEFINITIONS>]==])
 set(folders [==[$<TARGET_PROPERTY:${core},INCLUDE_DIRECTORIES>]==])
 set(libraries [==[${hyrax_trace_libraries}]==])
+set(why_not [==[${ARGN}]==])
 ")
   file(GLOB sources CONFIGURE_DEPENDS ${hyrax_trace_root}/sim/trace/*.* ${hyrax_trace_root}/sim/trace/host/*.*
        ${hyrax_trace_root}/sim/trace/host/programs/*.*)
@@ -35,7 +38,7 @@ set(libraries [==[${hyrax_trace_libraries}]==])
     COMMAND ${CMAKE_COMMAND} -D settings=${folder}/settings.cmake -P ${hyrax_record_script}
     DEPENDS ${header} ${sources} ${hyrax_trace_libraries} ${hyrax_record_script} ${folder}/settings.cmake
     DEPFILE ${folder}/core_record.d
-    COMMENT "Tracing the step of ${header}"
+    COMMENT "Recording the core of ${header}"
     VERBATIM)
   add_library(${target} STATIC ${folder}/core_record.cpp)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # A copy of a build for mutants knows no included sources.

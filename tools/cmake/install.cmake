@@ -21,26 +21,39 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # hyrax-sim without its `main` and core, and with the libraries that it needs, as one object: who builds a program with
 # another core compiles two sources and needs no library but the compiler's own.
-set(hyrax_rooms physics trace replay compare expectations cause reference reference_gsl search study ensemble trajectory
+set(hyrax_rooms app_expect physics trace replay compare expectations cause reference reference_gsl search study ensemble trajectory
                 scenario store golden report child_process page_record pages page files fmt)
 list(TRANSFORM hyrax_rooms PREPEND hyrax_)
 get_target_property(hyrax_app hyrax_commands LINK_LIBRARIES)
 list(FILTER hyrax_app INCLUDE REGEX "^hyrax_app_")
 list(APPEND hyrax_rooms ${hyrax_app})
 list(TRANSFORM hyrax_rooms REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+set(hyrax_whole_rooms commands core described described_program) # What a program's own sources call.
+list(TRANSFORM hyrax_whole_rooms REPLACE "(.+)" "$<TARGET_OBJECTS:hyrax_\\1>")
 add_custom_command(
   OUTPUT ${hyrax_program_object}
   COMMAND
-    ${CMAKE_LINKER} -r -o ${hyrax_program_object} $<TARGET_OBJECTS:hyrax_commands> $<TARGET_OBJECTS:hyrax_core> --start-group ${hyrax_rooms}
+    ${CMAKE_LINKER} -r -o ${hyrax_program_object} ${hyrax_whole_rooms} --start-group ${hyrax_rooms}
     ${HDF5_HL_STATIC} ${HDF5_STATIC} ${SZIP_STATIC} ${AEC_STATIC} ${ZLIB_STATIC} ${GSL_LIBRARY} ${GSL_CBLAS_LIBRARY}
     --end-group
-  DEPENDS hyrax-sim ${hyrax_rooms} $<TARGET_OBJECTS:hyrax_commands> $<TARGET_OBJECTS:hyrax_core>
+  DEPENDS hyrax-sim ${hyrax_rooms} ${hyrax_whole_rooms}
   COMMAND_EXPAND_LISTS
   COMMENT "hyrax-sim without its core"
   VERBATIM)
 add_custom_target(hyrax_program ALL DEPENDS ${hyrax_program_object})
-add_dependencies(hyrax_program hyrax_trace_host)
+add_dependencies(hyrax_program hyrax_trace_host hyrax_described hyrax_described_program)
 install(FILES ${hyrax_program_object} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
+# As the package that is installed, but of this build: for tools/check HEADER.
+export(EXPORT hyrax NAMESPACE hyrax:: FILE ${PROJECT_BINARY_DIR}/check_package/hyrax-targets.cmake)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/check_package/hyrax-config.cmake @ONLY CONTENT [[
+include(${CMAKE_CURRENT_LIST_DIR}/hyrax-targets.cmake)
+set(hyrax_source @PROJECT_SOURCE_DIR@)
+set(hyrax_program @hyrax_program_object@)
+set(hyrax_trace_root @PROJECT_SOURCE_DIR@)
+set(hyrax_trace_libraries @PROJECT_BINARY_DIR@/sim/libhyrax_trace_host.a)
+include(@PROJECT_SOURCE_DIR@/tools/cmake/core_record.cmake)
+include(@PROJECT_SOURCE_DIR@/tools/own_core/hyrax_add_scenarios.cmake)
+]])
 # Its sources, of which a cross build makes hyrax-replay, and a core of one's own its program.
 set(hyrax_source_folder ${CMAKE_INSTALL_DATADIR}/hyrax/source)
 install(FILES ${PROJECT_SOURCE_DIR}/CMakeLists.txt ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${hyrax_source_folder})
@@ -49,12 +62,17 @@ install(
   DIRECTORY ${PROJECT_SOURCE_DIR}/sim ${PROJECT_SOURCE_DIR}/tools
   DESTINATION ${hyrax_source_folder}
   FILES_MATCHING
-  REGEX "/tools/(hyrax|hyrax-compare|own_core|report|store)$" EXCLUDE
+  REGEX "/tools/(hyrax|own_core|report|store)$" EXCLUDE
+  PATTERN *.rc
   PATTERN CMakeLists.txt
   PATTERN *.cmake
   PATTERN *.cpp
   PATTERN *.h
   PATTERN help.txt)
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/tools/check DESTINATION ${hyrax_source_folder}/tools)
+install(FILES ${PROJECT_SOURCE_DIR}/tools/hyrax/hyrax.manifest DESTINATION ${hyrax_source_folder}/tools/hyrax) # hyrax-replay's, too.
+install(FILES ${PROJECT_SOURCE_DIR}/tools/setup.sh DESTINATION ${hyrax_source_folder}/tools)
+install(FILES ${PROJECT_SOURCE_DIR}/tools/own_core/check/CMakeLists.txt DESTINATION ${hyrax_source_folder}/tools/own_core/check)
 
 install(
   EXPORT hyrax
@@ -63,12 +81,16 @@ install(
   DESTINATION ${hyrax_package_folder})
 # Before 1.0 a new minor version may move bits.
 write_basic_package_version_file(
-  ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake
+  ${PROJECT_BINARY_DIR}/config-version-to-install.cmake
   VERSION ${PROJECT_VERSION}
   COMPATIBILITY SameMinorVersion)
 set(PREFIX_FROM_PACKAGE /)
 cmake_path(RELATIVE_PATH PREFIX_FROM_PACKAGE BASE_DIRECTORY /${hyrax_package_folder})
-configure_file(${CMAKE_CURRENT_LIST_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/hyrax-config.cmake @ONLY)
+# Under its own name, as earlier versions left it, `find_package` finds it in a build folder whose `bin` is on the PATH.
+file(REMOVE ${PROJECT_BINARY_DIR}/hyrax-config.cmake)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/config-to-install.cmake @ONLY)
+foreach(file IN ITEMS config config-version)
+  install(FILES ${PROJECT_BINARY_DIR}/${file}-to-install.cmake DESTINATION ${hyrax_package_folder} RENAME hyrax-${file}.cmake)
+endforeach()
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/core_record.cmake ${CMAKE_CURRENT_LIST_DIR}/record_core.cmake
-              ${PROJECT_BINARY_DIR}/hyrax-config.cmake ${PROJECT_BINARY_DIR}/hyrax-config-version.cmake
               ${PROJECT_SOURCE_DIR}/tools/own_core/hyrax_add_scenarios.cmake DESTINATION ${hyrax_package_folder})

@@ -3,7 +3,7 @@
 # what they need of the npm registry. It comes by `npm ci` into the build folder, once for each lock file.
 set(page_sources ${CMAKE_CURRENT_SOURCE_DIR}/report/page)
 set(page_folder ${PROJECT_BINARY_DIR}/page)
-set(hyrax_page_files ${page_folder}/runs.html ${page_folder}/results.html ${page_folder}/sweeps.html)
+set(hyrax_page_files ${page_folder}/runs.html ${page_folder}/sweeps.html)
 
 set(page_packages)
 foreach(name IN ITEMS package.json package-lock.json .npmrc)

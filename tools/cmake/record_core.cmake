@@ -2,7 +2,8 @@
 # (sim/core/core_record.h).
 #
 # The settings are those of hyrax_core_record (core_record.cmake). Two host programs are built: one compiles the header
-# with numbers that record and writes its step; the other compiles it as it is, and holds it to that step.
+# with numbers that record and writes its step; the other compiles it as it is, and holds it to that step. Where `why_not` is
+# set, there is no step to trace.
 cmake_minimum_required(VERSION 3.25)
 include(${settings})
 set(ENV{LC_ALL} C) # The compiler's messages are read.
@@ -57,19 +58,23 @@ function(first_error variable messages end)
   endif()
 endfunction()
 
-# Both host programs are compiled at a time; sets `why_not` if one is not.
+# Compiles both host programs, and writes what each looks like after the preprocessor. Sets `why_not` if one does not compile.
+# The commands of one execute_process run side by side: of these four the results of the first two decide.
 function(build_host_programs)
-  set(record ${compile} -O0 -g0 -DHYRAX_CORE_PRELUDE="${folder}/prelude.h" ${root}/sim/trace/host/programs/record_step.cpp
-             ${libraries} -o ${folder}/record_step)
+  set(traced ${compile} -O0 -g0 -DHYRAX_CORE_PRELUDE="${folder}/prelude.h" ${root}/sim/trace/host/programs/record_step.cpp)
+  set(record ${traced} ${libraries} -o ${folder}/record_step)
+  set(core ${root}/sim/trace/host/programs/check_core.cpp)
   execute_process(
     COMMAND ${record} -DHYRAX_TRACES_BOOL
-    COMMAND ${compile} -fno-lto -c ${root}/sim/trace/host/programs/check_core.cpp -o ${folder}/check_core.o
+    COMMAND ${compile} -fno-lto -c ${core} -o ${folder}/check_core.o
+    COMMAND ${compile} -E ${core} -o ${folder}/compiled.txt
+    COMMAND ${traced} -DHYRAX_TRACES_BOOL -E -o ${folder}/traced.txt
     RESULTS_VARIABLE results OUTPUT_QUIET ERROR_VARIABLE messages ${compile_limit})
   list(POP_FRONT results traced compiled)
-  if(NOT DEFINED compiled) # Of programs that were ended by the time limit there is one result.
+  if(NOT DEFINED compiled) # The time limit ends all four, and gives one result: its text.
     set(compiled ${traced})
   endif()
-  if(NOT traced EQUAL 0) # A header may do with `bool` what only the language's own can.
+  if(NOT traced EQUAL 0) # A header may use `bool` as no recording number can be used: again, with the language's own.
     execute_process(COMMAND ${record} RESULT_VARIABLE traced OUTPUT_QUIET ERROR_VARIABLE trace_messages
                     ${compile_limit})
   endif()
@@ -86,47 +91,33 @@ function(build_host_programs)
   endif()
 endfunction()
 
-# A variable of static storage whose numbers never meet those of a state leaves no trace: the object has its symbol. Sets
-# `why_not` if there is one.
-function(find_static_variables)
-  find_program(nm NAMES nm llvm-nm)
-  execute_process(COMMAND ${nm} -C --format=sysv ${folder}/check_core.o OUTPUT_VARIABLE symbols ERROR_QUIET)
-  if(NOT symbols MATCHES "\nmain *\\|[^\n]*FUNC")
-    set(why_not "memory outside the body cannot be ruled out: `nm` does not list the symbols of its object" PARENT_SCOPE)
-  endif()
-  string(REGEX MATCHALL "\n[^|\n]+\\|[^|\n]*\\|[^|\n]*\\| *(OBJECT|TLS)\\|[^|\n]*\\|[^|\n]*\\|\\.(t?bss|t?data)[^\n]*" variables "${symbols}")
-  list(FILTER variables EXCLUDE REGEX "^\n(hyrax::|std::|guard variable|__|DW\\.ref)|\\.data\\.rel\\.ro")
-  if(variables)
-    list(GET variables 0 variable)
-    string(REGEX REPLACE "^\n([^|]*[^| ]) *\\|.*" "\\1" name "${variable}")
-    set(why_not "memory outside the body: ${name}" PARENT_SCOPE)
-  endif()
-endfunction()
-
 # What another person's header prints is nobody's.
 macro(run program)
   execute_process(COMMAND ${folder}/${program} ${step} ${why} ${ARGN} WORKING_DIRECTORY ${folder} INPUT_FILE /dev/null OUTPUT_QUIET
-                  ERROR_QUIET RESULT_VARIABLE result TIMEOUT 60)
+                  ERROR_VARIABLE messages RESULT_VARIABLE result TIMEOUT 60)
 endmacro()
 
 function(trace)
-  if(NOT compiler)
+  if(NOT why_not AND NOT compiler)
     set(why_not "no compiler of this machine")
   endif()
-  find_own_files(own_files)
-  write_prelude("${own_files}")
   if(NOT why_not)
+    find_own_files(own_files)
+    write_prelude("${own_files}")
     build_host_programs()
   endif()
   if(NOT why_not)
-    find_static_variables()
-  endif()
-  if(NOT why_not)
-    run(record_step)
+    find_program(nm NAMES nm llvm-nm)
+    execute_process(COMMAND ${nm} -C --format=sysv ${folder}/check_core.o OUTPUT_FILE ${folder}/symbols.txt ERROR_QUIET)
+    run(record_step ${header} ${folder}/compiled.txt ${folder}/traced.txt ${folder}/symbols.txt)
     if(EXISTS ${step})
       run(check_core ${listing})
     endif()
-    if(NOT result EQUAL 0 AND NOT EXISTS ${why})
+    if(result EQUAL 0 OR EXISTS ${why})
+      # A step, or why there is none.
+    elseif(messages MATCHES "runtime error: [^\n]*|[A-Za-z]+Sanitizer: [A-Za-z-]+")
+      set(why_not "ends by a finding of a sanitizer: ${CMAKE_MATCH_0}")
+    else()
       set(why_not "over its limits: ends the program (${result})")
     endif()
   endif()
@@ -145,7 +136,45 @@ function(literal variable file)
   set(${variable} "\"${bytes}\"sv" PARENT_SCOPE)
 endfunction()
 
+# The files that the header includes, as a list of CoreFile, and its own path. Those of hyrax in the shipped core are no
+# part of it.
+function(list_files files_variable path_variable)
+  find_own_files(own_files)
+  set(entries)
+  set(path ${header})
+  foreach(file IN LISTS own_files)
+    cmake_path(ABSOLUTE_PATH file NORMALIZE)
+    cmake_path(IS_PREFIX project ${file} is_of_project)
+    cmake_path(IS_PREFIX root ${file} is_of_hyrax)
+    set(name ${file})
+    set(is_kept false)
+    if(is_of_project)
+      set(is_kept true)
+      cmake_path(RELATIVE_PATH name BASE_DIRECTORY ${project})
+    endif()
+    if(file STREQUAL header)
+      set(path ${name})
+      set(is_shipped ${is_of_hyrax})
+    elseif(NOT (is_of_hyrax AND is_shipped))
+      literal(text ${file})
+      list(APPEND entries "{R\"__(${name})__\"sv, ${text}, ${is_kept}},")
+    endif()
+  endforeach()
+  list(SORT entries)
+  list(JOIN entries "\n                                        " entries)
+  set(${files_variable} "${entries}" PARENT_SCOPE)
+  set(${path_variable} "${path}" PARENT_SCOPE)
+endfunction()
+
 trace()
+list_files(files path)
+set(file_table)
+if(files)
+  set(file_table "
+  static constexpr CoreFile kFiles[] = {${files}};")
+  set(files ",
+                                         .files = kFiles")
+endif()
 if(EXISTS ${why})
   file(REMOVE ${step})
 endif()
@@ -153,7 +182,9 @@ literal(header_bytes ${header})
 literal(step_bytes ${step})
 literal(why_bytes ${why})
 set(kind ".complete = complete_by_step")
-if(EXISTS ${listing})
+if(why_not)
+  set(kind ".complete = nullptr")
+elseif(EXISTS ${listing})
   set(kind ".is_listing = true")
 endif()
 file(
@@ -166,11 +197,12 @@ file(
 namespace hyrax {
 
 const CoreRecord& built_core_record() {
-  using namespace std::string_view_literals;
+  using namespace std::string_view_literals;${file_table}
   static constexpr CoreRecord kRecord = {.header = ${header_bytes},
                                          .step = ${step_bytes},
                                          .why_incomplete = ${why_bytes},
-                                         ${kind}};
+                                         ${kind},
+                                         .path = R\"__(${path})__\"sv${files}};
   return kRecord;
 }
 

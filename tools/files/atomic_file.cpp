@@ -100,10 +100,18 @@ int create_part_file(const std::string& target, std::string& path) {
                                              part_path(target, 1) + ", .2.part and so on");
 }
 
+// Gives an open file the mode of the file that it will replace, if there is one, and these bits more: who may
+// not read the old file may not read the new one, nor while it is written.
+void take_mode(int descriptor, const std::string& replaced, unsigned more) {
+  struct stat state {};
+  if (stat(replaced.c_str(), &state) == 0) fchmod(descriptor, (state.st_mode & 0777) | more);
+}
+
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path)
-    : path_(replaceable(path)), lock_(create_part_file(path_, part_path_)) {
+AtomicFile::AtomicFile(const std::string& path) : path_(replaceable(path)) {
+  const SignalsHeld held;
+  lock_ = create_part_file(path_, part_path_);
   remove_on_signal(part_path_);
   take_mode(lock_, path_, S_IRUSR | S_IWUSR);
 }
@@ -119,11 +127,6 @@ void AtomicFile::write(std::string_view text) const {
   if (file == nullptr) fail_to_write(path_, errno);
   const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (std::fclose(file) != 0 || !is_written) fail_to_write(path_, errno);
-}
-
-void take_mode(int descriptor, const std::string& replaced, unsigned more) {
-  struct stat state {};
-  if (stat(replaced.c_str(), &state) == 0) fchmod(descriptor, (state.st_mode & 0777) | more);
 }
 
 void AtomicFile::commit() {

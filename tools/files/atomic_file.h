@@ -11,7 +11,7 @@ namespace hyrax {
 ///
 /// The part file is `.NAME.part`, or `.NAME.2.part` and so on while others write theirs. SIGINT, SIGTERM and
 /// SIGHUP remove it; one left by a killed writer is recognised by the lock that it lost, and is replaced. (On
-/// Windows its name has the process id.)
+/// Windows its name has the process id, and the system removes it when the process ends.)
 class AtomicFile {
  public:
   /// Creates the part file, empty. A symbolic link at `path` is followed: its target is replaced.
@@ -34,11 +34,8 @@ class AtomicFile {
  private:
   std::string path_;
   std::string part_path_;
-  [[maybe_unused]] int lock_ = -1;  // Shows other writers that the part file is in use.
+  [[maybe_unused]] int lock_ = -1;         // Shows other writers that the part file is in use.
+  [[maybe_unused]] void* file_ = nullptr;  // On Windows: the part file.
 };
-
-/// Gives an open file the mode of the file that it will replace, if there is one, and these bits more: who
-/// may not read the old file may not read the new one, nor while it is written. Not on Windows.
-void take_mode(int descriptor, const std::string& replaced, unsigned more);
 
 }  // namespace hyrax

@@ -86,6 +86,15 @@ bool has_golden_file(const GoldenPlace& place) {
   return is_there(place.h5_path) && is_there(place.txt_path);
 }
 
+GoldenPlace required_golden_place(const std::string& scenario_path, const std::string& given) {
+  if (scenario_path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
+  const auto place = golden_place(scenario_path, given);
+  if (!place)
+    refuse_input(scenario_path +
+                 ": no folder `scenarios` above it; name the folder of its golden file with --golden DIR");
+  return *place;
+}
+
 std::string missing_golden_sentence(const std::optional<GoldenPlace>& place) {
   if (!place)
     return "no golden file: no folder `scenarios` above it; --golden DIR names the folder to look in";

@@ -22,6 +22,9 @@ struct GoldenPlace {
 [[nodiscard]] std::optional<GoldenPlace> golden_place(const std::string& scenario_path,
                                                       const std::string& given);
 
+/// The same, for what has to have one. ERRORS: Failure(bad_input) without a place.
+[[nodiscard]] GoldenPlace required_golden_place(const std::string& scenario_path, const std::string& given);
+
 /// The golden folder of a scenario: `given` if it is not empty, else the `golden` beside the nearest folder
 /// named `scenarios` above the file; empty without such a folder.
 [[nodiscard]] std::string golden_folder_of(const std::string& scenario_path, const std::string& given = "");

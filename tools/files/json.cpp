@@ -77,12 +77,13 @@ bool has_no_fraction(const Decimal& number) {
   return digits_below_one <= number.tens;
 }
 
-// Its digits as an integer, if they fit. REQUIRES: has_no_fraction(number), 1 <= number < 1e20.
-std::optional<std::uint64_t> integer_of(const Decimal& number) {
+// Its digits as an integer, if they fit. REQUIRES: has_no_fraction(number), its size is 1 .. 1e20.
+template <class Integer>
+std::optional<Integer> integer_of(const Decimal& number) {
   std::string digits(number.digits);
   if (number.point < digits.size()) digits.erase(number.point, 1);
   digits.resize(static_cast<std::size_t>(static_cast<std::int64_t>(number.point) + number.tens), '0');
-  std::uint64_t integer = 0;
+  Integer integer = 0;
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), integer);
   return read.ec == std::errc() ? std::optional(integer) : std::nullopt;
 }
@@ -126,7 +127,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (!has_no_fraction(number))
       return std::floor(value) == value ? add(RoundedNumber{value, text}) : add(value);
     if (value >= 0x1p53 && value <= 0x1p64)
-      if (const auto integer = integer_of(number)) return add(*integer);
+      if (const auto integer = integer_of<std::uint64_t>(number)) return add(*integer);
+    if (value <= -0x1p53 && value >= -0x1p63)
+      if (const auto integer = integer_of<std::int64_t>(number)) return add(*integer);
     return add(value);
   }
   bool string(std::string& value) override { return add(std::move(value)); }

@@ -71,7 +71,7 @@ class Json {
 
  private:
   // A non-negative integer up to 2^64 - 1 is unsigned, a negative one signed, every other number
-  // (and -0) a double. From 2^53 to 2^64 - 1 a whole one is an integer though it has a point or an exponent.
+  // (and -0) a double. Beyond 2^53 a whole one that fits is an integer though it has a point or an exponent.
   std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, RoundedNumber, std::string, Array,
                Object>
       value_;

@@ -7,15 +7,13 @@
 
 namespace hyrax {
 
-/// The text with the value at the end of these keys, from the whole document on, set to `value`, a JSON text.
-/// Members that are missing are added.
-/// REQUIRES: a valid JSON text, in which each of the keys, where it is there, leads to an object or is the
-/// last.
-[[nodiscard]] std::string with_value(std::string_view text, const std::vector<std::string_view>& keys,
-                                     std::string_view value);
+/// The texts of the elements of the array at the end of these keys, from the whole document on; of another
+/// value its own. REQUIRES: a valid JSON text that has the keys.
+[[nodiscard]] std::vector<std::string> element_texts(std::string_view text,
+                                                     const std::vector<std::string_view>& keys);
 
-/// The same for a value that is there: of an array, its elements are set; another value to the first of
-/// `values`. REQUIRES: as many elements as `values`.
+/// The text with the first of these elements set to `values`, JSON texts. REQUIRES: as element_texts'; not
+/// more values than elements.
 [[nodiscard]] std::string with_elements(std::string_view text, const std::vector<std::string_view>& keys,
                                         const std::vector<std::string>& values);
 

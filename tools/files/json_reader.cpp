@@ -13,6 +13,9 @@
 namespace hyrax {
 namespace {
 
+constexpr std::size_t kSuggestionsMax = 100;
+constexpr std::size_t kSuggestedFromMax = 20;
+
 // REQUIRES: a rule with a low limit.
 std::string sentence_of(const NumberRule& rule) {
   const std::string low = to_text(rule.low), high = to_text(rule.high);
@@ -45,9 +48,15 @@ std::nullopt_t JsonPlace::breaks_rule(const std::string& rule) const {
   return std::nullopt;
 }
 
+void JsonPlace::unknown_key(std::string_view key, const std::vector<std::string_view>& allowed) const {
+  // A suggestion takes time in proportion to the keys that are allowed.
+  const bool are_many = allowed.size() > kSuggestedFromMax && problem_count() > kSuggestionsMax;
+  wrong(are_many ? "unknown key" : unknown_word("key", key, allowed));
+}
+
 bool JsonPlace::is_object_of(const std::vector<std::string_view>& keys) const {
   each_member([&](const std::string& key, const JsonPlace& here) {
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) here.wrong(unknown_word("key", key, keys));
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) here.unknown_key(key, keys);
   });
   return is_there() && json_->get<Json::Object>() != nullptr;
 }

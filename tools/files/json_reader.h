@@ -51,6 +51,8 @@ class JsonPlace {
   /// Returns nothing, as the reader of a value then does. REQUIRES: is_there().
   std::nullopt_t breaks_rule(const std::string& rule) const;
 
+  /// Adds the error of a key that is none of those.
+  void unknown_key(std::string_view key, const std::vector<std::string_view>& allowed) const;
   /// Whether this is an object; if not, and for unknown and duplicate keys, adds an error.
   [[nodiscard]] bool is_object_of(const std::vector<std::string_view>& keys) const;
   /// Visits the members of an object of any keys; if it is none, and for duplicate keys, adds an error.

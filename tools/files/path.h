@@ -3,6 +3,7 @@
 // std::filesystem does the same, but adds 100 kB and iostreams to programs that must stay small.
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,17 @@ struct FileName {
 
 /// Whether something exists there, or may exist: if the system does not say, reading it will report why.
 [[nodiscard]] bool is_there(const std::string& path);
+
+#ifdef _WIN32
+[[nodiscard]] std::wstring to_wide(std::string_view utf8);
+[[nodiscard]] std::string to_utf8(std::wstring_view wide);
+/// For the system's wide functions, which take a path of any length if it is absolute and marked so.
+[[nodiscard]] std::wstring system_path(const std::string& path);
+#endif
+
+/// std::fopen and std::remove for UTF-8 paths of any length, on Windows too.
+[[nodiscard]] std::FILE* open_file(const std::string& path, const char* mode);
+void remove_file(const std::string& path);
 
 // Links are followed.
 [[nodiscard]] bool is_folder(const std::string& path);

@@ -7,9 +7,9 @@
 namespace hyrax {
 namespace {
 
-void append_hex(std::string& into, std::string_view prefix, unsigned byte) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  into.append(prefix).append({kDigits[byte >> 4], kDigits[byte & 15u]});
+void append_hex(std::string& into, std::string_view prefix, unsigned number, unsigned digits) {
+  into += prefix;
+  while (digits > 0) into += "0123456789abcdef"[number >> 4 * --digits & 15u];
 }
 
 std::string escaped(std::string_view text, std::string_view kept) {
@@ -17,19 +17,27 @@ std::string escaped(std::string_view text, std::string_view kept) {
   for (std::size_t at = 0, bytes = 0; at < text.size(); at += bytes) {
     const Utf8Character character = utf8_character(text, at);
     bytes = character.bytes;
-    const bool is_control =
-        (character.code >= 0 && character.code < 0x20) || (character.code >= 0x7f && character.code < 0xa0);
     if (character.code < 0)
-      append_hex(shown, "\\x", static_cast<unsigned char>(text[at]));
-    else if (is_control && kept.find(text[at]) == std::string_view::npos)
-      append_hex(shown, "\\u00", static_cast<unsigned>(character.code));
+      append_hex(shown, "\\x", static_cast<unsigned char>(text[at]), 2);
+    else if (is_control(character.code) && kept.find(text[at]) == std::string_view::npos)
+      append_hex(shown, "\\u", static_cast<unsigned>(character.code), 4);
     else
       shown += text.substr(at, bytes);
   }
   return shown;
 }
 
+// What messages name, and what they name instead; see name_program.
+std::string documented_name;
+std::string own_name;
+
 }  // namespace
+
+bool is_control(std::int32_t code) {
+  const auto is_in = [code](std::int32_t first, std::int32_t last) { return code >= first && code <= last; };
+  return is_in(0, 0x1F) || is_in(0x7F, 0x9F) || code == 0x61C || is_in(0x200E, 0x200F) ||
+         is_in(0x2028, 0x202E) || is_in(0x2066, 0x2069);
+}
 
 Utf8Character utf8_character(std::string_view text, std::size_t at) {
   assert(at < text.size());
@@ -74,8 +82,25 @@ void print_text(std::string_view text) { std::fputs(printable_lines(text).c_str(
 
 bool is_all_printed() { return std::fflush(stdout) == 0 && std::ferror(stdout) == 0; }
 
+void name_program(const std::string& documented, const std::string& own) {
+  documented_name = documented;
+  own_name = own;
+}
+
+std::string with_own_name(std::string_view sentences) {
+  std::string text(sentences);
+  if (own_name.empty()) return text;
+  for (std::size_t at = 0; (at = text.find(documented_name, at)) != std::string::npos; ++at) {
+    const bool begins = at == 0 || std::string_view(" `\n").find(text[at - 1]) != std::string_view::npos;
+    const std::size_t end = at + documented_name.size();
+    if (begins && end < text.size() && (text[end] == ' ' || text[end] == ':'))
+      text.replace(at, documented_name.size(), own_name);
+  }
+  return text;
+}
+
 void print_error(std::string_view sentences) {
-  std::fputs((printable_lines(sentences) + "\n").c_str(), stderr);
+  std::fputs((printable_lines(with_own_name(sentences)) + "\n").c_str(), stderr);
 }
 
 }  // namespace hyrax

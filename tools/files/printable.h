@@ -17,8 +17,12 @@ struct Utf8Character {
 /// REQUIRES: at < text.size().
 [[nodiscard]] Utf8Character utf8_character(std::string_view text, std::size_t at);
 
-/// The text in one line that does nothing to a terminal: control characters (C0, DEL, C1) as in JSON,
-/// "\u001b", bytes that are not UTF-8 as "\x9b".
+/// Whether the character does something to a terminal or reorders the text beside it: C0, DEL, C1, line
+/// separators, bidirectional controls.
+[[nodiscard]] bool is_control(std::int32_t code);
+
+/// The text in one line that does nothing to a terminal: control characters as in JSON, "\u001b", bytes that
+/// are not UTF-8 as "\x9b".
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// The same, with line ends and tabs kept. JSON text keeps its meaning.
@@ -36,6 +40,13 @@ void print_text(std::string_view text);
 
 /// Flushes standard output. Whether all that was printed is written.
 [[nodiscard]] bool is_all_printed();
+
+/// Names the program by `own` in messages that name it `documented`, at their start or in a suggested
+/// command: a program with a core of one's own. At start.
+void name_program(const std::string& documented, const std::string& own);
+
+/// The text with that name.
+[[nodiscard]] std::string with_own_name(std::string_view sentences);
 
 /// Prints text and a line end on standard error, control characters escaped. A failure is ignored.
 void print_error(std::string_view sentences);

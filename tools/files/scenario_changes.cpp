@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "tools/files/json.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/scenario_writer.h"
 
@@ -44,11 +43,13 @@ void add_changes(const std::string& pointer, const Json* from, const Json* to,
 }  // namespace
 
 std::string scenario_changes(const Scenario& from, const Scenario& to) {
-  if (plays_the_same(from, to)) return "";
-  const Json before = to_json(without_texts(from));
-  const Json after = to_json(without_texts(to));
+  return plays_the_same(from, to) ? ""
+                                  : json_changes(to_json(without_texts(from)), to_json(without_texts(to)));
+}
+
+std::string json_changes(const Json& from, const Json& to) {
   std::vector<std::string> changes;
-  add_changes("", &before, &after, changes);
+  add_changes("", &from, &to, changes);
   std::string text;
   for (std::size_t change = 0; change < std::min(changes.size(), kListedMax); ++change)
     text += (text.empty() ? "" : "; ") + changes[change];

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/scenario/scenario.h"
+#include "tools/files/json.h"
 
 namespace hyrax {
 
@@ -11,5 +12,7 @@ namespace hyrax {
 /// value that is not there. Only what changes the run: name, description, expect and $schema are left out.
 /// Empty if both play the same.
 [[nodiscard]] std::string scenario_changes(const Scenario& from, const Scenario& to);
+/// The same of any two documents.
+[[nodiscard]] std::string json_changes(const Json& from, const Json& to);
 
 }  // namespace hyrax

@@ -10,8 +10,6 @@
 
 namespace hyrax {
 
-inline constexpr std::string_view kScenarioFormat = "hyrax-scenario/1";
-
 /// The scenario in a JSON document.
 /// @param source names the document in messages; usually its path.
 /// @param fallback_name the name if the document has none: the file's stem.
@@ -32,6 +30,12 @@ void replace_value(Json& document, const Override& given, const std::string& sou
 /// ERRORS: as read_text_file's; Failure(cannot_access) for a pipe or device named *.json (of another name, as
 /// a shell's <(...) has, it is read), Failure(bad_input) for *.JSON, whose golden file would not be found.
 [[nodiscard]] std::string read_scenario_text(const std::string& path);
+
+/// The document of a scenario file, or of standard input for the path "-"; overrides applied.
+/// ERRORS: as load_scenario's.
+[[nodiscard]] Json load_scenario_document(const std::string& path, const std::vector<Override>& overrides);
+/// The name of a scenario there that does not say its own: the file's stem.
+[[nodiscard]] std::string fallback_name(const std::string& path);
 
 /// Reads a scenario file, or standard input (named "stdin" if it gives no name) for the path "-"; overrides
 /// applied.

@@ -16,6 +16,27 @@ std::string hash_of(const std::string& text, std::string_view key) {
 
 }  // namespace
 
+std::string contacts_text(const RunSummary& run, bool names_all) {
+  const std::int64_t bounces = run.bounces.ground;
+  const std::int64_t resting = run.contacts.ground - bounces;
+  const auto counted = [](std::int64_t count, const char* what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  };
+  std::string text;
+  for (const Wall wall : kWalls) {
+    if (run.contacts[wall] == 0 && !names_all) continue;
+    text += (text.empty() ? "" : ", ") + std::string(name_of(wall)) + " ";
+    if (wall != Wall::ground || (resting == 0 && !run.resting_contact_from_step))
+      text += std::to_string(run.contacts[wall]);
+    else if (!run.resting_contact_from_step)
+      text += counted(bounces, "bounce") + " and " + counted(resting, "resting contact");
+    else
+      text += (bounces > 0 ? counted(bounces, "bounce") + ", then " : "in ") + "resting contact from row " +
+              std::to_string(*run.resting_contact_from_step);
+  }
+  return text.empty() ? "none" : text;
+}
+
 std::string line_value(const std::string& text, std::string_view key) {
   const std::size_t line = text.find(std::string("\n").append(key));
   if (line == std::string::npos) return "";

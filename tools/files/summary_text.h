@@ -1,9 +1,11 @@
-// Reads the summary of a golden file (GOLDEN.txt).
+// The summary of a golden file (GOLDEN.txt): reads it, and words that a run's summary has in common with it.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
 
@@ -11,6 +13,10 @@ inline constexpr std::string_view kStateHashKey = "state hash: ";
 inline constexpr std::string_view kCoreKey = "core: ";
 inline constexpr std::string_view kReasonKey = "reason: ";
 inline constexpr std::string_view kChecksumsKey = "checksums: ";
+
+/// "right 1, ground 5 bounces, then resting contact from row 306".
+/// @param names_all walls without a contact, too.
+[[nodiscard]] std::string contacts_text(const RunSummary& run, bool names_all = false);
 
 /// What is wrong with a summary whose lines end in CR LF.
 inline constexpr char kConvertedLineEnds[] =

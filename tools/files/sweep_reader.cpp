@@ -21,25 +21,25 @@ std::optional<SweepNumber> number_of(ScenarioNumberKind kind, const Json& json) 
   const double value = json.number();
   if (kind == ScenarioNumberKind::real) return value;
   if (!json.is_whole()) return std::nullopt;
-  if (kind == ScenarioNumberKind::integer)
-    return std::fabs(value) <= 0x1p62 ? std::optional<SweepNumber>(static_cast<std::int64_t>(value))
-                                      : std::nullopt;
-  if (const auto* const seed = json.get<std::uint64_t>()) return *seed;
-  return value >= 0.0 && value < 0x1p64 ? std::optional<SweepNumber>(static_cast<std::uint64_t>(value))
-                                        : std::nullopt;
+  const auto* const whole = json.get<std::uint64_t>();
+  if (kind == ScenarioNumberKind::seed) {
+    if (whole != nullptr) return *whole;
+    return value >= 0.0 && value < 0x1p64 ? std::optional<SweepNumber>(static_cast<std::uint64_t>(value))
+                                          : std::nullopt;
+  }
+  if (std::fabs(value) > 0x1p62) return std::nullopt;
+  return whole != nullptr ? static_cast<std::int64_t>(*whole) : static_cast<std::int64_t>(value);
 }
 
-// [low, high], or [low, high, n]. 2^64 stands for the largest seed.
+// [low, high], or [low, high, n].
 std::optional<UniformDraw> read_range(const JsonPlace& here, ScenarioNumberKind kind, std::size_t size) {
   const Json::Array* const array = here.array();
   if (array == nullptr) return std::nullopt;
-  const auto is_good = [&](const Json& json) {
-    return number_of(kind, json) ||
-           (kind == ScenarioNumberKind::seed && json.is_whole() && json.number() == 0x1p64);
-  };
-  if (array->size() == size && is_good((*array)[0]) && is_good((*array)[1]) &&
-      (*array)[0].number() <= (*array)[1].number())
-    return UniformDraw{(*array)[0].number(), (*array)[1].number()};
+  if (array->size() == size) {
+    const auto low = number_of(kind, (*array)[0]);
+    const auto high = number_of(kind, (*array)[1]);
+    if (low && high && *low <= *high) return UniformDraw{*low, *high};
+  }
   return here.breaks_rule(std::string("must be ") + (size == 2 ? "[low, high]" : "[low, high, n]") +
                           " with low <= high, " +
                           (kind == ScenarioNumberKind::real ? "numbers" : "whole numbers, as the key holds"));
@@ -60,20 +60,12 @@ ChoiceDraw read_choice(const JsonPlace& here, ScenarioNumberKind kind) {
   return choice;
 }
 
-bool has_whole_values_only(const GridAxis& grid) {
-  if (grid.low == grid.high) return true;
-  // More values than whole numbers cannot all be whole; so the loop is as short as the range is.
-  if (static_cast<double>(grid.count - 1) > grid.high - grid.low) return false;
-  for (std::int64_t index = 0; index < grid.count; ++index)
-    if (std::floor(value_of(grid, index)) != value_of(grid, index)) return false;
-  return true;
-}
-
 GridAxis read_grid(const JsonPlace& here, ScenarioNumberKind kind) {
   const auto range = read_range(here, kind, 3);
   if (!range) return {};
   const GridAxis grid{range->low, range->high, here.element(2).integer(1, kMembersMax).value_or(1)};
-  if (kind != ScenarioNumberKind::real && !has_whole_values_only(grid))
+  if (kind != ScenarioNumberKind::real && grid.count > 1 &&
+      whole_distance(grid.low, grid.high) % static_cast<std::uint64_t>(grid.count - 1) != 0)
     here.breaks_rule("must give whole numbers only, as the key holds");
   return grid;
 }
@@ -248,9 +240,9 @@ void check_limits(const Json& document, const Sweep& sweep, const std::string& s
 
 Json json_of(const VariedKey& key) {
   if (const auto* const range = std::get_if<UniformDraw>(&key.variation))
-    return Json::Object{{"uniform", Json::Array{range->low, range->high}}};
+    return Json::Object{{"uniform", Json::Array{json_of(range->low), json_of(range->high)}}};
   if (const auto* const grid = std::get_if<GridAxis>(&key.variation))
-    return Json::Object{{"grid", Json::Array{grid->low, grid->high, grid->count}}};
+    return Json::Object{{"grid", Json::Array{json_of(grid->low), json_of(grid->high), grid->count}}};
   if (const auto* const choice = std::get_if<ChoiceDraw>(&key.variation))
     return Json::Object{
         {"choice", list_of(choice->values, [](const SweepNumber& value) { return json_of(value); })}};

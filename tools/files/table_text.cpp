@@ -24,10 +24,7 @@ std::string csv_field(const std::optional<std::int64_t>& value) {
   return value ? std::to_string(*value) : std::string();
 }
 std::string csv_field(bool value) { return value ? "true" : "false"; }
-std::string csv_field(const Table&) {
-  assert(false);
-  return "";
-}
+std::string csv_field(const Table&) { return ""; }  // A table within a cell stands by itself.
 
 std::string head_of(const Column& column) {
   if (column.unit.empty() || column.unit == "1") return column.name;
@@ -80,8 +77,26 @@ std::string printed(double value, const NumberFormat& format) {
   return {text, end};
 }
 
-// The values of a column as people read them.
-std::vector<std::string> printed(const Column& column) {
+std::string printed_name(const Column& column) {
+  std::string name = column.name;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+std::string printed_unit(const Column& column) { return column.unit == "1" ? "" : unit_text(column.unit); }
+
+}  // namespace
+
+bool is_text(const Column& column) {
+  return std::holds_alternative<std::vector<std::string>>(column.values) ||
+         std::holds_alternative<Codes>(column.values);
+}
+
+std::string printed_head(const Column& column) {
+  const std::string unit = printed_unit(column);
+  return printed_name(column) + (unit.empty() ? "" : ", " + unit);
+}
+
+std::vector<std::string> printed_values(const Column& column) {
   std::vector<std::string> texts;
   const auto* const numbers = std::get_if<std::vector<double>>(&column.values);
   const NumberFormat format = numbers != nullptr ? format_of(*numbers, column.digits) : NumberFormat{};
@@ -98,6 +113,8 @@ std::vector<std::string> printed(const Column& column) {
   return texts;
 }
 
+namespace {
+
 // Letters of UTF-8 text.
 std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(
@@ -106,30 +123,30 @@ std::size_t letters(const std::string& text) {
 
 // The lines of a column, its head first, all of one width.
 std::vector<std::string> aligned(const Column& column, bool has_units_below) {
-  std::string head = column.name;
-  std::replace(head.begin(), head.end(), '_', ' ');
-  const std::string unit = column.unit == "1" ? "" : unit_text(column.unit);
-  std::vector<std::string> lines = printed(column);
-  if (has_units_below) lines.insert(lines.begin(), unit);
-  lines.insert(lines.begin(), has_units_below || unit.empty() ? head : head + ", " + unit);
+  std::vector<std::string> lines = printed_values(column);
+  if (has_units_below) lines.insert(lines.begin(), printed_unit(column));
+  lines.insert(lines.begin(), has_units_below ? printed_name(column) : printed_head(column));
   std::size_t width = 0;
   for (const std::string& line : lines) width = std::max(width, letters(line));
-  const bool is_text = std::holds_alternative<std::vector<std::string>>(column.values) ||
-                       std::holds_alternative<Codes>(column.values);
   for (std::string& line : lines)
-    line.insert(is_text ? line.size() : 0, std::string(width - letters(line), ' '));
+    line.insert(is_text(column) ? line.size() : 0, std::string(width - letters(line), ' '));
   return lines;
 }
 
-std::string aligned_lines(const Table& table, bool has_units_below) {
+// The columns that fit, and how many more there are.
+std::string aligned_lines(const Table& table, std::size_t width_max, bool has_units_below) {
   std::vector<std::string> lines(row_count(table) + (has_units_below ? 2 : 1), "  ");
-  for (const Column& column : table.columns) {
-    const std::vector<std::string> added = aligned(column, has_units_below);
+  std::size_t shown = 0;
+  for (; shown < table.columns.size(); ++shown) {
+    const std::vector<std::string> added = aligned(table.columns[shown], has_units_below);
+    if (shown > 0 && letters(lines.front() + added.front()) + 2 > width_max) break;
     for (std::size_t line = 0; line < lines.size(); ++line)
-      lines[line] += (lines[line].size() == 2 ? "" : "  ") + added[line];
+      lines[line] += (shown == 0 ? "" : "  ") + added[line];
   }
   std::string text;
   for (const std::string& line : lines) text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  if (const std::size_t more = table.columns.size() - shown; more > 0)
+    text += "  " + plain_counted(more, "more column") + " with --verbose\n";
   return text;
 }
 
@@ -168,11 +185,11 @@ std::string key_of(const Column& column) {
   return key;
 }
 
-std::string aligned_text(const Table& table) {
+std::string aligned_text(const Table& table, std::size_t width_max) {
   std::size_t heads_width = 0;  // The values, which may be measured, do not decide.
   for (const Column& column : table.columns)
     heads_width += letters(column.name) + (column.unit.empty() ? 2 : letters(column.unit) + 4);
-  return aligned_lines(table, heads_width > 100);
+  return aligned_lines(table, width_max, heads_width > std::min<std::size_t>(100, width_max));
 }
 
 std::string csv_text(const Table& table) {
@@ -195,26 +212,26 @@ std::string csv_text(const Table& table) {
 }
 
 Json json_of(const Table& table) {
-  assert(table.shape != JsonShape::members);
-  if (table.shape == JsonShape::one) return row_count(table) == 0 ? Json() : key_values(table, 0, 0);
-  if (table.shape == JsonShape::by_first) {
+  assert(table.form != JsonForm::members);
+  if (table.form == JsonForm::one) return row_count(table) == 0 ? Json() : key_values(table, 0, 0);
+  if (table.form == JsonForm::by_first) {
     Json::Object object;
     const std::vector<std::string> keys =
-        table.columns.empty() ? std::vector<std::string>() : printed(table.columns.front());
+        table.columns.empty() ? std::vector<std::string>() : printed_values(table.columns.front());
     for (std::size_t row = 0; row < keys.size(); ++row)
       object.push_back({keys[row], key_values(table, row, 1)});
     return object;
   }
   Json::Array array;
   for (std::size_t row = 0; row < row_count(table); ++row)
-    array.push_back(table.shape == JsonShape::values ? json_cell(table.columns.front(), row)
-                                                     : key_values(table, row, 0));
+    array.push_back(table.form == JsonForm::values ? json_cell(table.columns.front(), row)
+                                                   : key_values(table, row, 0));
   return array;
 }
 
 void add_members(Json::Object& object, const std::vector<Table>& tables) {
   for (const Table& table : tables) {
-    if (table.shape != JsonShape::members)
+    if (table.form != JsonForm::members)
       object.push_back({table.name, json_of(table)});
     else
       for (const Column& column : table.columns) object.push_back({key_of(column), json_cell(column, 0)});

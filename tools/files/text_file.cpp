@@ -17,11 +17,12 @@ constexpr std::size_t kTextMax = 256 << 20;
 }  // namespace
 
 void read_pieces(const std::string& path, const std::function<void(std::string_view piece)>& take) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_file(path, "rb"), std::fclose);
   if (!file) fail_to_read(path, errno);
   if (is_folder(path)) fail_to_read(path, EISDIR);
-  char piece[65536];
-  while (const std::size_t size = std::fread(piece, 1, sizeof piece, file.get())) take({piece, size});
+  constexpr std::size_t kPiece = 65536;  // A stack may be as small.
+  const auto piece = std::make_unique_for_overwrite<char[]>(kPiece);
+  while (const std::size_t size = std::fread(piece.get(), 1, kPiece, file.get())) take({piece.get(), size});
   if (std::ferror(file.get()) != 0) fail_to_read(path, errno);
 }
 
@@ -34,6 +35,8 @@ std::string read_text_file(const std::string& path) {
     text.append(piece);
     if (text.size() > kTextMax) refuse_input(path + ": is too large; a text file has at most 256 MiB");
   });
+  if (text.starts_with("version https://git-lfs.github.com/spec/"))
+    refuse_input(path + ": is a Git LFS pointer to the file; to fetch that: git lfs pull");
   return text;
 }
 

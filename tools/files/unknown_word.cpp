@@ -7,6 +7,7 @@
 namespace hyrax {
 namespace {
 
+constexpr std::size_t kWordsListedMax = 40;
 constexpr std::size_t kSuggestedMax = 40;  // Longer words get no suggestion: the time is quadratic.
 
 char lower(char letter) {
@@ -51,8 +52,9 @@ std::string_view suggestion(std::string_view found, const std::vector<std::strin
 std::string listed(std::span<const std::string_view> words) {
   if (words.empty()) return "none";
   std::string list(words.front());
-  for (const std::string_view word : words.subspan(1)) list.append(", ").append(word);
-  return list;
+  const std::size_t count = std::min(words.size(), kWordsListedMax);
+  for (const std::string_view word : words.subspan(1, count - 1)) list.append(", ").append(word);
+  return words.size() > count ? list + " and " + std::to_string(words.size() - count) + " more" : list;
 }
 
 std::string unknown_word(std::string_view kind, std::string_view found,

@@ -8,7 +8,7 @@
 
 namespace hyrax {
 
-/// "A, B, C"; "none" without words.
+/// "A, B, C"; of very many the first, "and 460 more"; "none" without words.
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
 
 /// "unknown KIND (found WORD); allowed: A, B (did you mean B?)". The suggestion is the first of the words

@@ -1,5 +1,6 @@
 // hyrax-replay: the state hash of scenarios, without HDF5 and GSL, so that it builds for every target.
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "sim/core/shipped_core.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "sim/replay/replay.h"
+#include "sim/trajectory/physics_model.h"
 #include "tools/files/build_info.h"
 #include "tools/files/failure.h"
 #include "tools/files/main_program.h"
@@ -125,6 +127,8 @@ ExitCode run(const Core& core, std::vector<std::string> words) {
 }  // namespace hyrax
 
 int main(int argument_count, char** arguments) {
+  const std::string_view core = hyrax::shipped_core().name;
+  if (!hyrax::is_paper_model(core)) hyrax::name_program("hyrax-replay", std::string(core) + "-replay");
   return hyrax::run_program(
       "hyrax-replay", argument_count, arguments,
       [](const std::vector<std::string>& words) { return hyrax::run(hyrax::shipped_core(), words); });

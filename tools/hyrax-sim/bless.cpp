@@ -4,6 +4,7 @@
 #include "tools/app/command_line/options.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
+#include "tools/store/golden_file.h"
 
 namespace hyrax {
 namespace {
@@ -38,11 +39,19 @@ void complete(BlessRequest& request) {
                                                 [](DifferenceClass value) { return name_of(value); });
 }
 
+bool is_golden_file(const std::string& path) try {
+  static_cast<void>(read_golden(path));
+  return true;
+} catch (const Failure&) {
+  return false;
+}
+
 // All checks come before the first write: if one fails, no golden file is changed.
 ExitCode bless(const Core& core, BlessRequest& request) {
   complete(request);
   BlessReport report;
-  if (request.prunes) report.pruning = find_prunable(request.files, request.options.golden_folder);
+  if (request.prunes)
+    report.pruning = find_prunable(request.files, request.options.golden_folder, is_golden_file);
   const std::vector<std::string> paths =
       blesses(request) ? list_scenarios(request.files) : std::vector<std::string>{};
   if (!request.accepts_core_only) report.blessings = plan_blessings(core, paths, request.options);
@@ -58,6 +67,7 @@ ExitCode bless(const Core& core, BlessRequest& request) {
   if (is_refused) print_error(refusal_sentence(report));
   report.is_written = !is_refused && !request.is_dry_run;
   if (report.is_written) {
+    require_unchanged(report.blessings);
     for (Blessing& blessing : report.blessings)
       if (blessing.writes()) write(core, blessing, request.options);
     if (const std::string sentence = unfinished_sentence(report); !sentence.empty()) {
@@ -66,6 +76,7 @@ ExitCode bless(const Core& core, BlessRequest& request) {
     }
     remove_files(report.pruning.removed);
     write_cores(report.cores, report.blessings);
+    for (const std::string& sentence : git_ignored_sentences(report)) print_error(sentence);
   }
   if (request.accepts_core_only && report.cores.empty()) {
     if (libraries_of(request.files, request.options.golden_folder).empty())
@@ -75,10 +86,13 @@ ExitCode bless(const Core& core, BlessRequest& request) {
           request.files.front() + ")");
     if (!request.printing.is_json) print_text("core: accepted already\n");
   }
-  if (request.printing.is_json)
+  if (request.printing.is_json) {
+    if (request.accepts_core_only)
+      report.is_written &= std::ranges::any_of(report.cores, &CoreAcceptance::is_accepted);
     print_json(bless_json(report, groups));
-  else
+  } else {
     print_done(report, request.is_dry_run);
+  }
   for (const std::string& path : report.pruning.left)
     print_error(path + ": has no scenario; left, as `bless` did not write it");
   if (request.prunes && report.pruning.removed.empty() && report.pruning.left.empty() &&
@@ -104,9 +118,9 @@ void declare(Options& options, BlessRequest& request) {
                   "whose own text changed need none"},
                  class_names);
   options.flag(request.is_dry_run, {"--dry-run", "", "show what would change; write nothing"});
-  options.flag(request.options.updates_hash,
-               {"--update-hash", "",
-                "put the new `expect.state_hash` into the scenario files; nothing else in them changes"});
+  options.flag(request.options.updates_hash, {"--update-hash", "",
+                                              "put the new `expect.state_hash` into the scenario files that "
+                                              "have one; nothing else in them changes"});
   options.flag(request.options.updates_ranges,
                {"--update-expect", "",
                 "as --update-hash, and new values for counts and ranges of `expect` that do not hold: a "

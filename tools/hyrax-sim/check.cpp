@@ -3,21 +3,26 @@
 #include <filesystem>
 #include <iterator>
 #include <new>
+#include <set>
 
 #include "tools/app/check/check_report.h"
+#include "tools/app/command_line/command_results.h"
 #include "tools/app/command_line/options.h"
-#include "tools/app/command_line/outcomes.h"
 #include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/shell_command.h"
 #include "tools/app/command_line/workers.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/text_file.h"
+#include "tools/report/page_file.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
 namespace {
+
+constexpr std::int64_t kFlings = 1000;
 
 struct CheckRequest {
   std::vector<std::string> files;
@@ -26,12 +31,13 @@ struct CheckRequest {
   std::string junit;
   std::string annotate;
   std::string summary;
+  std::string page;
   std::string filter;
   bool lists = false;
   bool takes_last_failed = false;
   bool judges_core_only = false;
   std::string unnoticed_folder;
-  bool is_quick = false;  // No effect: `check` always skips work that cannot change a verdict.
+  std::optional<std::int64_t> flings;
   Printing printing;
 };
 
@@ -40,7 +46,7 @@ struct CheckRequest {
 void read_open_goldens(const std::vector<CheckVerdict>& verdicts) {
   std::vector<std::string> paths;
   for (const CheckVerdict& verdict : verdicts)
-    if (verdict.is_open && verdict.golden && has_golden_file(*verdict.golden))
+    if (verdict.is_undecided && verdict.golden && has_golden_file(*verdict.golden))
       paths.push_back(verdict.golden->h5_path);
   read_goldens_ahead(paths);
 }
@@ -59,13 +65,13 @@ std::vector<CheckVerdict> check_all(const Core& core, const std::vector<std::str
       verdicts[index] = check_scenario(core, paths[index], options);
     } catch (const std::bad_alloc&) {
       if (options.reads_golden) throw;
-      verdicts[index].is_open = true;
+      verdicts[index].is_undecided = true;
     }
   };
   const auto work = [&](const auto& show) {
     for (std::size_t index = next++; index < paths.size(); index = next++) {
       check_one(index);
-      if (!verdicts[index].is_open) ++done;
+      if (!verdicts[index].is_undecided) ++done;
       show();
     }
   };
@@ -77,7 +83,7 @@ std::vector<CheckVerdict> check_all(const Core& core, const std::vector<std::str
   options.reads_golden = true;
   read_open_goldens(verdicts);
   for (std::size_t index = 0; index < paths.size(); ++index) {
-    if (!verdicts[index].is_open) continue;
+    if (!verdicts[index].is_undecided) continue;
     check_one(index);
     progress.show(++done);
   }
@@ -87,7 +93,7 @@ std::vector<CheckVerdict> check_all(const Core& core, const std::vector<std::str
 // GitHub reads both streams; the JSON document has standard output to itself.
 void annotate(const CheckReport& report, const CheckRequest& request) {
   if (request.annotate.empty()) return;
-  const std::string annotations = github_annotations(report);
+  const std::string annotations = github_annotations(report.entries);
   if (!request.printing.is_json)
     print_text("{}", annotations);
   else if (!annotations.empty())
@@ -132,10 +138,10 @@ Selection select(const CheckRequest& request, const LastFailed& last_failed) {
 }
 
 // What keeps scenarios from being found.
-void add_failures(const Selection& selection, Outcomes& outcomes) {
+void add_failures(const Selection& selection, CommandResults& results) {
   for (const Failure& failure : selection.unlisted) {
     print_error(failure.what());
-    outcomes.add(failure.exit_code());
+    results.add(failure.exit_code());
   }
 }
 
@@ -145,9 +151,9 @@ ExitCode list(const Selection& selection, const CheckRequest& request) {
     print_json(Json::Object{{"scenarios", Json::Array(paths.begin(), paths.end())}});
   else
     for (const std::string& path : paths) print_text("{}\n", printable(path));
-  Outcomes outcomes;
-  add_failures(selection, outcomes);
-  return outcomes.exit_code();
+  CommandResults results;
+  add_failures(selection, results);
+  return results.exit_code();
 }
 
 // The libraries that are played whole: their folder `scenarios` is an argument.
@@ -166,16 +172,24 @@ std::vector<Library> whole_libraries(const CheckRequest& request, bool has_faile
 // DIR/NAME.json of each scenario that shows an unnoticed difference.
 void write_unnoticed(const std::vector<const CoreVerdict*>& cores, const std::string& folder) {
   if (folder.empty()) return;
-  std::set<std::string> written;  // One scenario may show several.
+  std::vector<std::pair<std::string, const Scenario*>> scenarios;  // With their paths; one may show several.
   for (const CoreVerdict* const core : cores)
-    for (const UnnoticedDifference& unnoticed : core->unnoticed) {
-      if (!unnoticed.scenario || !written.insert(unnoticed.scenario->name).second) continue;
-      std::error_code error;
-      std::filesystem::create_directories(folder, error);
-      const std::string path = folder + "/" + unnoticed.scenario->name + ".json";
-      write_text_file(path, scenario_file_text(*unnoticed.scenario));
-      print_error(path + ": written");
-    }
+    for (const UnnoticedDifference& unnoticed : core->unnoticed)
+      if (unnoticed.scenario) {
+        const std::string path = folder + "/" + unnoticed.scenario->name + ".json";
+        const auto has_path = [&path](const auto& other) { return other.first == path; };
+        if (std::ranges::none_of(scenarios, has_path)) scenarios.emplace_back(path, &*unnoticed.scenario);
+      }
+  for (const auto& [path, scenario] : scenarios)
+    if (is_there(path))
+      refuse_input("hyrax-sim check: --unnoticed: exists already (found " + path +
+                   "); nothing written; name another folder");
+  std::error_code error;
+  if (!scenarios.empty()) std::filesystem::create_directories(folder, error);
+  for (const auto& [path, scenario] : scenarios) {
+    write_text_file(path, scenario_file_text(*scenario));
+    print_error(path + ": written");
+  }
 }
 
 // Nothing but the core: no scenario is compared with its golden file.
@@ -184,12 +198,13 @@ ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
   if (libraries.empty())
     refuse_input("hyrax-sim check: --core: needs a folder named scenarios, or a folder and --golden (found " +
                  request.files.front() + ")");
-  cores.judge_differences(libraries);
+  cores.judge_differences(libraries, request.flings.value_or(kFlings));
   Json::Array documents;
-  Outcomes outcomes;
+  CommandResults results;
   for (const CoreVerdict* const verdict : cores.verdicts()) {
     documents.push_back(core_json(*verdict));
-    outcomes.add(verdict->exit_code);
+    const bool is_missing = verdict->status == CoreStatus::none && verdict->exit_code == ExitCode::agreed;
+    results.add(is_missing ? ExitCode::golden_missing : verdict->exit_code);
     if (request.printing.is_json) continue;
     const bool is_alone = libraries.size() == 1;
     if (verdict->status == CoreStatus::accepted)
@@ -198,7 +213,16 @@ ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
   }
   if (request.printing.is_json) print_json(Json::Object{{"cores", std::move(documents)}});
   write_unnoticed(cores.verdicts(), request.unnoticed_folder);
-  return outcomes.exit_code();
+  return results.exit_code();
+}
+
+std::string command_of(const CheckReport& report, const CheckRequest& request) {
+  std::vector<std::string> words = {"check"};
+  for (const std::string& argument : report.arguments) words.push_back(as_argument(argument));
+  if (!report.golden_folder.empty())
+    words.insert(words.end(), {"--golden", as_argument(report.golden_folder)});
+  words.insert(words.end(), {"--report", as_argument(request.page)});
+  return program_command(words);
 }
 
 ExitCode check(const Core& core, CheckRequest& request) {
@@ -206,11 +230,12 @@ ExitCode check(const Core& core, CheckRequest& request) {
   const std::string golden_folder = request.golden_folder;
   const bool asks_for_scenarios =
       request.lists || request.takes_last_failed ||
-      !(request.filter + request.junit + request.annotate + request.summary).empty();
+      !(request.filter + request.junit + request.annotate + request.summary + request.page).empty();
   if (request.judges_core_only && asks_for_scenarios)
     refuse_input(
-        "hyrax-sim check: --core: not with --filter, --list, --last-failed, --junit, --annotate or "
-        "--summary");
+        "hyrax-sim check: --core: not with --filter, --list, --last-failed, --junit, --annotate, --summary "
+        "or "
+        "--report");
   set_default_folders(request.files, request.golden_folder);
   if (!request.unnoticed_folder.empty())
     OutputGuard({}, request.golden_folder)
@@ -222,11 +247,8 @@ ExitCode check(const Core& core, CheckRequest& request) {
   const std::vector<std::string>& paths = selection.paths;
   OutputGuard guard(paths, request.golden_folder);
   if (!request.junit.empty()) guard.admit("hyrax-sim check: --junit", request.junit);
-  if (!request.summary.empty()) {
-    guard.admit("hyrax-sim check: --summary", request.summary, {".md"});
-    for (const std::string& path : picture_paths(request.summary))
-      guard.admit("hyrax-sim check: --summary", path);
-  }
+  if (!request.summary.empty()) guard.admit("hyrax-sim check: --summary", request.summary);
+  if (!request.page.empty()) guard.admit_file("hyrax-sim check: --report", request.page, {".html"});
   const std::int64_t jobs = request.jobs.value_or(processors());
   std::vector<CheckVerdict> verdicts =
       check_all(core, paths,
@@ -243,26 +265,28 @@ ExitCode check(const Core& core, CheckRequest& request) {
   explain(report);
   std::vector<Library> libraries = whole_libraries(request, selection.has_failed_only);
   std::erase_if(libraries, [](const Library& library) { return !is_folder(library.golden_folder); });
-  report.cores.judge_differences(libraries);
+  report.cores.judge_differences(libraries, request.flings.value_or(kFlings));
+  put_into_words(report);
   if (request.printing.is_json)
     print_json(check_json(report));
   else
     print_check(report, request.printing);
   annotate(report, request);
-  Outcomes outcomes;
-  add_failures(selection, outcomes);
-  for (const CoreVerdict* const verdict : report.cores.verdicts()) outcomes.add(verdict->exit_code);
-  outcomes.attempt_after([&] { write_unnoticed(report.cores.verdicts(), request.unnoticed_folder); });
+  CommandResults results;
+  add_failures(selection, results);
+  for (const CoreVerdict* const verdict : report.cores.verdicts()) results.add(verdict->exit_code);
+  results.attempt_after([&] { write_unnoticed(report.cores.verdicts(), request.unnoticed_folder); });
   for (const CheckVerdict& verdict : report.verdicts) {
     if (!verdict.note.empty()) print_error(verdict.note);
-    outcomes.add(verdict.exit_code);
+    results.add(verdict.exit_code);
   }
   if (!request.junit.empty())
-    outcomes.attempt_after([&] { write_text_file(request.junit, check_junit(report)); });
+    results.attempt_after([&] { write_text_file(request.junit, junit_text(report.entries)); });
   if (!request.summary.empty())
-    outcomes.attempt_after(
-        [&] { write_text_file(request.summary, check_markdown(core, report, request.summary)); });
-  return outcomes.exit_code();
+    results.attempt_after([&] { write_text_file(request.summary, check_markdown(report)); });
+  if (!request.page.empty())
+    results.attempt_after([&] { write_check_page(report, request.page, command_of(report, request)); });
+  return results.exit_code();
 }
 
 void declare(Options& options, CheckRequest& request) {
@@ -278,10 +302,10 @@ void declare(Options& options, CheckRequest& request) {
   options.choice(request.annotate,
                  {"--annotate", "github", "also print a workflow command for each that does not agree"},
                  {"github"});
-  options.text(request.summary,
-               {"--summary", "FILE.md",
-                "also write the report in Markdown; beside it, the worst scenario of each of the first three "
-                "causes as a picture (FILE-1.svg ...), and of the first as a page (FILE.html)"});
+  options.text(request.summary, {"--summary", "FILE", "also write the report in Markdown"});
+  options.text(request.page, {"--report", "FILE.html",
+                              "also write the report as a page, with both paths of the worst "
+                              "scenario of each of the first three causes"});
   options.text(request.filter, {"--filter", "TEXT", "only those whose paths contain TEXT"});
   options.flag(request.lists, {"--list", "", "print the paths of the scenarios; play nothing"});
   options.flag(request.takes_last_failed,
@@ -291,11 +315,13 @@ void declare(Options& options, CheckRequest& request) {
   options.flag(request.judges_core_only,
                {"--core", "",
                 "only compare the core with the accepted one of golden/core, and look for changes that no "
-                "scenario notices; exit code 1 if there is one"});
+                "scenario notices; exit code 1 if there is one, 4 if no core is accepted"});
   options.text(request.unnoticed_folder,
                {"--unnoticed", "DIR", "write scenarios that show changes that no scenario notices"});
-  options.flag(request.is_quick,
-               {"--quick", "", "no effect: `check` always skips work that cannot change a verdict"});
+  options.integer(request.flings,
+                  {"--flings", "N", "random flings by both cores where the core changed (default: 1000)"}, 0,
+                  1'000'000);
+  options.removed("--quick", "leave it out: work that cannot change a verdict is always skipped");
   options.printing(request.printing, "print every scenario, and all contacts that moved, before the causes");
 }
 

@@ -4,7 +4,8 @@
 #include <filesystem>
 
 #include "tools/app/command_line/options.h"
-#include "tools/app/diff/difference_text.h"
+#include "tools/app/comparison/comparison_text.h"
+#include "tools/app/diff/diff_text.h"
 #include "tools/report/figure_svg.h"
 #include "tools/store/output_guard.h"
 
@@ -28,11 +29,8 @@ void print_difference(const TrajectoryDiff& diff, const TrajectoryFile& a, const
              !has_others                    ? ""
              : request.tolerance.is_exact() ? ", the others by the state hashes in the files"
                                             : ", the others not: a file does not hold them");
-  if (request.printing.is_quiet()) return;
-  if (diff.has_differences())
-    print_text("{}{}", consequence_text(diff), values_text(diff, request.printing.is_verbose()));
-  if (!comparison.agrees || request.printing.is_verbose())
-    print_text("{}", build_text(a.provenance(), b.provenance(), comparison.difference));
+  if (!request.printing.is_quiet())
+    print_text("{}", diff_text(diff, a.provenance(), b.provenance(), request.printing.is_verbose()));
 }
 
 // The ends of two paths, as long as it takes to distinguish them: a figure is shown on other machines, too.
@@ -53,22 +51,23 @@ void draw(const DiffRequest& request, const TrajectoryDiff& diff, const Overlay&
   const std::string difference =
       comparison.difference ? fmt::format("class {}, ", name_of(*comparison.difference)) : "";
   const auto [name_a, name_b] = short_names(request.files[0], request.files[1]);
-  const Figure figure = overlay.figure({.title = distance_sentence(diff),
-                                        .subtitle = difference + contacts_sentence(comparison.contacts),
+  const Figure figure = overlay.figure({.title = distance_text(comparison.distance),
+                                        .subtitle = difference + contacts_text(comparison.contacts.counts()),
                                         .a = name_a,
                                         .b = name_b,
-                                        .bounds = bounds_of(scenario.window, scenario.sprite)});
+                                        .window = scenario.window,
+                                        .sprite = scenario.sprite});
   draw_figure(request.figure, figure);
 }
 
-ExitCode diff(const DiffRequest& request) {
+ExitCode diff(const Core& core, const DiffRequest& request) {
   if (!request.figure.empty())
     OutputGuard(request.files).admit("hyrax-sim diff: --figure", request.figure, {".svg"});
   const TrajectoryFile a = TrajectoryFile::open(request.files[0]);
   const TrajectoryFile b = TrajectoryFile::open(request.files[1]);
   Overlay overlay;
   const TrajectoryDiff difference =
-      diff_trajectories(a, b, request.tolerance, request.figure.empty() ? nullptr : &overlay);
+      diff_trajectories(core, a, b, request.tolerance, request.figure.empty() ? nullptr : &overlay);
   if (request.printing.is_json)
     print_json(diff_json(difference));
   else

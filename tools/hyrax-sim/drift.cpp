@@ -3,16 +3,19 @@
 #include <fstream>
 #include <string_view>
 
+#include "tools/app/command_line/command_results.h"
 #include "tools/app/command_line/options.h"
-#include "tools/app/command_line/outcomes.h"
+#include "tools/app/command_line/shell_command.h"
 #include "tools/app/drift/drift.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/table_text.h"
-#include "tools/report/drift_figures.h"
+#include "tools/report/drift_figure.h"
 #include "tools/report/figure_svg.h"
+#include "tools/report/page_file.h"
+#include "tools/report/result_page.h"
 #include "tools/store/output_guard.h"
 #include "tools/store/trajectory_file.h"
 
@@ -24,6 +27,7 @@ struct DriftRequest {
   ReferenceRequest reference{.name = "gsl", .stepper = "", .tolerance = {}};
   std::string output;
   std::string figures;
+  std::string page;
   bool stores_rows = false;
   Printing printing;
 };
@@ -70,38 +74,55 @@ DriftRun measure(const Core& core, const DriftRequest& request, const DriftInput
 }
 
 void report(const DriftRequest& request, const std::string& path, const DriftReport& report,
-            Outcomes& outcomes) {
+            CommandResults& results) {
   const Result result = drift_result(report, request.printing.is_verbose());
   if (!request.printing.is_json)
     return print_verdict(report.run.scenario.name, result.verdict, request.printing);
   Json::Object entry{{"scenario", path}};
   add_members(entry, result.summary);
-  outcomes.add(Json(std::move(entry)));
+  results.add(Json(std::move(entry)));
+}
+
+// The answer, its picture, and what it rests on.
+ShownResult shown_drift(const DriftReport& report) {
+  Result result = drift_result(report, false);
+  Figure figure = drift_figure(report.run);
+  std::erase_if(result.summary, [](const Table& table) { return table.long_name.empty(); });
+  std::erase_if(result.verdict.text, [](const auto& part) { return std::holds_alternative<Table>(part); });
+  for (Table& table : result.summary)
+    if (row_count(table) > 0)
+      std::erase_if(table.columns, [](const Column& column) { return printed_values(column).empty(); });
+  return {.title = figure.title,
+          .subtitle = title_of(report.run.scenario, report.run.steps, report.run.simulated_s),
+          .verdict = std::move(result.verdict),
+          .judgement = "The reference is sound.",
+          .tables = std::move(result.summary),
+          .figures = {std::move(figure)},
+          .origin = {{"reference", "exact fling; closed form"}, {"checked by", report.run.checked_by}}};
 }
 
 void measure_one(const Core& own_core, const DriftRequest& request, const std::optional<GslOptions>& gsl,
-                 const DriftInput& input, Outcomes& outcomes) {
+                 const DriftInput& input, std::vector<ShownResult>& shown, CommandResults& results) {
   if (input.failure) throw *input.failure;
   const Core core = input.is_file ? core_of_file(own_core, input.path, *input.head) : own_core;
-  DriftReport measured{
-      .run =
-          measure(core, request, input,
-                  {.gsl = gsl, .keeps_rows = !request.figures.empty(), .stores_rows = request.stores_rows}),
-      .has_rows_stored = request.stores_rows};
+  DriftReport measured{.run = measure(core, request, input,
+                                      {.gsl = gsl,
+                                       .keeps_rows = !request.figures.empty() || !request.page.empty(),
+                                       .encloses = request.printing.is_json || !request.page.empty(),
+                                       .stores_rows = request.stores_rows}),
+                       .has_rows_stored = request.stores_rows};
   const DriftRun& run = measured.run;
-  measured.step_ns = step_ns(core, run.scenario);
   measured.half_dt = measure_half_dt(core, run.scenario);
-  measured.contact_chance = contact_chance(core, run.scenario, run.margin.half_width);
-  outcomes.add(drift_exit_code(run.summary));
-  report(request, input.path, measured, outcomes);
+  results.add(drift_exit_code(run));
+  report(request, input.path, measured, results);
+  results.attempt_after([&] { require_reached(run); });
+  if (!request.page.empty()) shown.push_back(shown_drift(measured));
   if (request.figures.empty()) return;
-  outcomes.attempt_after([&] {
+  results.attempt_after([&] {
     make_folder(request.figures, "cannot be created");
-    const std::vector<std::string> files = drift_figure_paths(request.figures, run.scenario.name);
-    const std::vector<Figure> figures = drift_figures(run);
-    for (std::size_t index = 0; index < files.size(); ++index) draw_figure(files[index], figures[index]);
-    if (!request.printing.is_json)
-      for (const std::string& file : files) print_error("written: " + file);
+    const std::string file = drift_figure_path(request.figures, run.scenario.name);
+    draw_figure(file, drift_figure(run));
+    if (!request.printing.is_json) print_error("written: " + file);
   });
 }
 
@@ -109,11 +130,12 @@ void admit_outputs(const DriftRequest& request, const std::vector<std::string>& 
                    const std::vector<DriftInput>& inputs) {
   OutputGuard guard(paths);
   if (!request.output.empty()) guard.admit_file("hyrax-sim drift: -o", request.output, {".h5"});
+  if (!request.page.empty()) guard.admit_file("hyrax-sim drift: --report", request.page, {".html"});
   if (request.figures.empty()) return;
   for (const DriftInput& input : inputs)
     if (input.head)
-      for (const std::string& figure : drift_figure_paths(request.figures, input.head->scenario.name))
-        guard.admit("hyrax-sim drift: --figures of " + input.path, figure);
+      guard.admit("hyrax-sim drift: --figures of " + input.path,
+                  drift_figure_path(request.figures, input.head->scenario.name));
 }
 
 ExitCode drift(const Core& core, const DriftRequest& request) {
@@ -129,11 +151,19 @@ ExitCode drift(const Core& core, const DriftRequest& request) {
   std::vector<DriftInput> inputs;
   for (const std::string& path : paths) inputs.push_back(read_input(path));
   admit_outputs(request, paths, inputs);
-  Outcomes outcomes;
+  CommandResults results;
+  std::vector<ShownResult> shown;
   for (const DriftInput& input : inputs)
-    outcomes.attempt(input.path, [&] { measure_one(core, request, gsl, input, outcomes); });
-  if (request.printing.is_json) print_json(outcomes.take_json("runs"), 4);
-  return outcomes.exit_code();
+    results.attempt(input.path, [&] { measure_one(core, request, gsl, input, shown, results); });
+  if (!request.page.empty())
+    results.attempt_after([&] {
+      std::vector<std::string> command{"drift"};
+      for (const std::string& path : request.files) command.push_back(as_argument(path));
+      command.insert(command.end(), {"--report", request.page});
+      write_result_page(request.page, program_command(command), shown);
+    });
+  if (request.printing.is_json) print_json(results.take_json("runs"), 4);
+  return results.exit_code();
 }
 
 void declare(Options& options, DriftRequest& request) {
@@ -145,9 +175,10 @@ void declare(Options& options, DriftRequest& request) {
   options.text(request.output,
                {"-o,--output", "FILE.h5", "write the trajectory with the groups /reference and /drift"});
   options.flag(request.stores_rows, {"--rows", "", "with -o: store the errors of every row as well"});
-  options.text(request.figures, {"--figures", "DIR",
-                                 "draw the distance from the exact fling, energy, its drift, the errors and "
-                                 "restitution"});
+  options.text(request.figures,
+               {"--figures", "DIR", "draw the distance from the exact fling, and energy drift by cause"});
+  options.text(request.page,
+               {"--report", "FILE.html", "write that picture, the figures and their tables as a page"});
   options.printing(request.printing, "print all arcs and contacts");
 }
 

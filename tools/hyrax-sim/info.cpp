@@ -1,38 +1,14 @@
 #include <gsl/gsl_version.h>
-#include <hdf5.h>
-#include <xxhash.h>
 
 #include "sim/core/core.h"
 #include "sim/core/core_record.h"
-#include "sim/physics/strict_arithmetic.h"
 #include "sim/trace/step_text.h"
 #include "tools/app/command_line/options.h"
-#include "tools/files/build_info.h"
 #include "tools/files/json.h"
+#include "tools/store/build_facts.h"
 
 namespace hyrax {
 namespace {
-
-// With the instruction sets of this machine.
-std::string processor() {
-#if defined(__x86_64__)
-  std::string text = "x86-64";
-  if (__builtin_cpu_supports("avx2")) text += ", avx2";
-  if (__builtin_cpu_supports("fma")) text += ", fma (not used: it would change bits)";
-  if (__builtin_cpu_supports("avx512f")) text += ", avx512f";
-  return text;
-#else
-  return std::string(build_info().target);
-#endif
-}
-
-std::string hdf5_version() {
-  unsigned major = 0;
-  unsigned minor = 0;
-  unsigned release = 0;
-  H5get_libversion(&major, &minor, &release);
-  return fmt::format("{}.{}.{}", major, minor, release);
-}
 
 // What the build could record of the core's step.
 std::string step_fact(const Core& core) {
@@ -42,23 +18,20 @@ std::string step_fact(const Core& core) {
                      read_step(record.step).value().paths_of(CoreFunction::update).size());
 }
 
+std::string contacts_fact(const Core& core) {
+  const std::string others = core.sources();
+  if (core.walls_of_rows == kAllWalls) return others;
+  return "from the step's comparisons" + (others.empty() ? "" : "; " + others);
+}
+
 Json::Object facts(const Core& core) {
-  const BuildInfo build = build_info();
-  const auto fault = arithmetic_fault();
-  return {{"version", build.version},
-          {"compiler", build.compiler},
-          {"flags", build.flags},
-          {"target", build.target},
-          {"instruction_set", build.instruction_set},
-          {"processor", processor()},
-          {"physics", core.name},
-          {"step", step_fact(core)},
-          {"contacts", core.record.why_incomplete.empty() ? "from the step's comparisons" : "from the rows"},
-          {"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
-          {"hdf5", hdf5_version()},
-          {"gsl", gsl_version},
-          {"xxhash", fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
-          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
+  Json::Object all = build_facts();
+  all.emplace_back("physics", core.name);
+  all.emplace_back("step", step_fact(core));
+  all.emplace_back("contacts", contacts_fact(core));
+  for (auto& fact : library_facts()) all.push_back(std::move(fact));
+  all.emplace_back("gsl", gsl_version);
+  return all;
 }
 
 ExitCode info(const Core& core, const Printing& printing) {

@@ -1,10 +1,7 @@
-#include <algorithm>
-#include <optional>
-
-#include "sim/result/number_text.h"
-#include "tools/app/clock/frame_times.h"
-#include "tools/app/command_line/options.h"
-#include "tools/files/json_pointer.h"
+#include "new_core.h"
+#include "tools/app/clock/new_scenario.h"
+#include "tools/files/build_info.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
 #include "tools/store/output_guard.h"
@@ -12,7 +9,6 @@
 namespace hyrax {
 namespace {
 
-constexpr std::int64_t kFlingStep = 120;
 constexpr std::string_view kTemplate = R"({
   "$schema": "scenario.schema.json",
   "format": "hyrax-scenario/1",
@@ -28,69 +24,41 @@ constexpr std::string_view kTemplate = R"({
   "expect": { "in_bounds": true, "finite": true }
 })";
 
-struct NewRequest {
-  std::vector<std::string> names;
-  FrameTimesRequest clock;
-  bool is_forced = false;
-  Printing printing;
-};
-
-Json new_document(const NewRequest& request, const std::optional<FrameTimes>& frames) {
-  Json document = parse_json(kTemplate, "new");
-  set_at(document, "/name", request.names.front());
-  if (!frames) return document;
-  const auto steps = static_cast<std::int64_t>(frames->dt_s.size());
-  set_at(document, "/clock", Json::Object{{"dt_s", Json::Array(frames->dt_s.begin(), frames->dt_s.end())}});
-  set_at(document, "/steps", steps);
-  set_at(document, "/events/0/step", std::min(kFlingStep, steps - 1));
-  return document;
-}
-
-ExitCode write_new(const NewRequest& request) {
-  std::optional<FrameTimes> frames;
-  if (!request.clock.path.empty())
-    frames = read_frame_times(request.clock);
-  else if (request.clock != FrameTimesRequest{})
-    refuse_input(
-        "hyrax-sim new: --column, --unit, --application, --process and --swap-chain need --clock-from");
-  const std::string path = request.names.front() + ".json";
-  const Json document = new_document(request, frames);
-  const std::int64_t steps = std::get<std::int64_t>(to_scenario(document, path, "").length);
-  std::vector<std::string> inputs;
-  if (frames) inputs.push_back(request.clock.path);
-  OutputGuard(inputs).admit_scenario("hyrax-sim new", path, request.is_forced);
-  write_text_file(path, to_text(document, 1) + "\n", request.is_forced);
-  if (request.printing.is_json) {
-    Json::Object written{{"scenario", path}, {"steps", steps}};
-    if (frames && frames->dropped) written.emplace_back("dropped", *frames->dropped);
-    print_json(written);
-    return ExitCode::agreed;
-  }
-  print_text("written: {} ({})\n", path, counted(steps, "step"));
-  if (frames && frames->dropped.value_or(0) > 0)
-    print_text("{} of the {} frames were dropped: computed, but never on the display; they are steps too\n",
-               *frames->dropped, steps);
-  if (!request.printing.is_quiet())
-    print_text("its $schema, for editors: hyrax-sim schema > scenario.schema.json\n");
+// A core that describes itself, and how to add it to a project.
+ExitCode write_core(const NewRequest& request) {
+  if (!request.names.empty() || request.clock != FrameTimesRequest{})
+    refuse_input("hyrax-sim new: --core writes a header; NAME and a clock are those of a scenario");
+  OutputGuard({}).admit_scenario("hyrax-sim new: --core", request.core, request.is_forced, {".h", ".hpp"});
+  write_text_file(request.core, kNewCore, request.is_forced);
+  const std::string stem(file_name(request.core).stem);
+  const std::string name = stem.ends_with("_core") ? stem.substr(0, stem.size() - 5) : stem;
+  const std::string_view version = build_info().version;
+  if (request.printing.is_json)
+    print_json(Json::Object{{"core", request.core}});
+  else
+    print_text(
+        "written: {}; in its folder, the lines for CMakeLists.txt:\n\n"
+        "find_package(hyrax {} REQUIRED)\n"
+        "hyrax_add_scenarios(scenarios CORE {}{})\n\n"
+        "They build {}-sim: `{}-sim new first` writes a scenario.\n",
+        request.core, version.substr(0, version.rfind('.')), stem, file_name(request.core).extension, name,
+        name);
   return ExitCode::agreed;
 }
 
+ExitCode write_scenario(const NewRequest& request) {
+  if (!request.core.empty()) return write_core(request);
+  if (request.names.empty()) refuse_usage("hyrax-sim new", "NAME: at least 1 needed (found 0)");
+  return write_new(request, parse_json(kTemplate, "new"), [](const Json& document, const std::string& path) {
+    static_cast<void>(to_scenario(document, path, ""));
+  });
+}
+
 void declare(Options& options, NewRequest& request) {
-  options.files(request.names, {"NAME", "", "the scenario's name; writes NAME.json in the current folder"}, 1,
-                1);
-  FrameTimesRequest& clock = request.clock;
-  options.text(clock.path,
-               {"--clock-from", "FRAMES.csv", "a CSV file of recorded frame times, as from PresentMon"});
-  options.text(clock.column,
-               {"--column", "NAME",
-                "the column of frame times (default: PresentMon's, MsBetweenPresents or FrameTime)"});
-  options.choice(clock.unit, {"--unit", "s|ms", "the unit of frame times (default for PresentMon's: ms)"},
-                 {"s", "ms"});
-  options.text(clock.application, {"--application", "NAME", "take the frames of this application only"});
-  options.text(clock.process, {"--process", "ID", "take those of this process"});
-  options.text(clock.swap_chain, {"--swap-chain", "ADDRESS", "take those of this swap chain"});
-  options.flag(request.is_forced, {"--force", "", "replace an existing NAME.json"});
-  options.printing(request.printing);
+  options.text(
+      request.core,
+      {"--core", "HEADER", "write a core that describes itself instead, with every list that it may have"});
+  declare_new(options, request, 0);
 }
 
 }  // namespace
@@ -100,7 +68,7 @@ Command new_command() {
           .summary = "write a scenario file to start from, with every common key",
           .example = "hyrax-sim new my-fling --clock-from presentmon.csv",
           .needs_strict_ieee = false,
-          .declare = with_request<NewRequest>(declare, write_new)};
+          .declare = with_request<NewRequest>(declare, write_scenario)};
 }
 
 }  // namespace hyrax

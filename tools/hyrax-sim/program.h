@@ -6,6 +6,7 @@
 namespace hyrax {
 
 /// What `main` returns, with its arguments.
-[[nodiscard]] int run_hyrax_sim(const Core& core, int argc, char** argv);
+/// @param is_own_program not hyrax-sim itself: suggested commands have the name by which it was called.
+[[nodiscard]] int run_hyrax_sim(const Core& core, int argc, char** argv, bool is_own_program = false);
 
 }  // namespace hyrax

@@ -37,7 +37,7 @@ ExitCode write_page(const Core& core, const ReportArguments& arguments) {
 
 void declare(Options& options, ReportArguments& arguments) {
   ReportRequest& request = arguments.request;
-  options.files(request.files, {"FILE.h5", "", "trajectory files; or files of studies and sweeps"}, 1, -1);
+  options.files(request.files, {"FILE.h5", "", "trajectory files; or files of sweeps"}, 1, -1);
   options.text(request.against, {"--against", "GOLDEN.h5", "compare with this trajectory, and draw both"});
   options.text(request.output, {"-o,--output", "FILE.html", "the page: one file, no network"});
   options.printing(arguments.printing);
@@ -46,15 +46,13 @@ void declare(Options& options, ReportArguments& arguments) {
 }  // namespace
 
 Command report_command() {
-  return {
-      .name = "report",
-      .summary =
-          "show trajectories, studies or sweeps on a page for the browser; trajectories are replayed there",
-      .example =
-          "hyrax-sim report first-fling.h5 -o first-fling.html\n"
-          "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html\n"
-          "  hyrax-sim report speed-error.h5 -o speed-error.html",
-      .declare = with_request<ReportArguments>(declare, write_page)};
+  return {.name = "report",
+          .summary = "show trajectories or sweeps on a page for the browser, which replays them",
+          .example =
+              "hyrax-sim report first-fling.h5 -o first-fling.html\n"
+              "  hyrax-sim report new.h5 --against golden/flings/first-fling.h5 -o difference.html\n"
+              "  hyrax-sim report sweep.h5 -o sweep.html",
+          .declare = with_request<ReportArguments>(declare, write_page)};
 }
 
 }  // namespace hyrax

@@ -4,10 +4,11 @@
 #include <filesystem>
 
 #include "sim/core/core.h"
+#include "tools/app/command_line/command_results.h"
 #include "tools/app/command_line/options.h"
-#include "tools/app/command_line/outcomes.h"
+#include "tools/app/command_line/overrides.h"
 #include "tools/app/command_line/shell_command.h"
-#include "tools/app/core/paper_model.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/drift/drift.h"
 #include "tools/app/report/report_page.h"
 #include "tools/app/runs/scenario_run.h"
@@ -45,17 +46,6 @@ struct Candidate {
   std::string output = {};
   std::optional<Failure> failure = {};
 };
-
-std::vector<Override> overrides_of(const std::vector<std::string>& texts) {
-  std::vector<Override> overrides;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || !text.starts_with('/'))
-      refuse_input("hyrax-sim run: --set: not POINTER=VALUE (found " + text + "); as in /clock/rate_hz=144");
-    overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
-  }
-  return overrides;
-}
 
 Candidate read_candidate(const std::string& path, const std::vector<Override>& overrides) {
   Candidate candidate{.path = path};
@@ -97,17 +87,16 @@ std::optional<DriftOptions> stored_drift(const Core& core, const RunRequest& req
   if (request.measures_drift) require_paper_core(core, "hyrax-sim run: --drift");
   if (request.measures_drift)
     return DriftOptions{.gsl = gsl_options(request.reference, "hyrax-sim run"),
+                        .encloses = request.printing.is_json,
                         .stores_rows = request.stores_rows};
   if (request.stores_rows || request.reference.is_given())
     refuse_input("hyrax-sim run: --rows, --reference, --stepper and --tolerance need --drift");
   return std::nullopt;
 }
 
-void report(const Core& core, const RunRequest& request, const ScenarioRun& run, Outcomes& outcomes) {
+void report(const Core& core, const RunRequest& request, const ScenarioRun& run, CommandResults& results) {
   DriftReport drift;
   if (run.drift) drift = {.run = *run.drift, .has_rows_stored = request.stores_rows};
-  if (run.drift && request.printing.is_verbose())
-    drift.contact_chance = contact_chance(core, run.scenario, run.drift->margin.half_width);
   if (!request.printing.is_json) {
     if (run.output == kStandardOutput)
       print_error(run.scenario.name + ": " + run.status());
@@ -124,7 +113,7 @@ void report(const Core& core, const RunRequest& request, const ScenarioRun& run,
     add_members(measured, drift_result(drift, false).summary);
     entry.get<Json::Object>()->emplace_back("drift", std::move(measured));
   }
-  outcomes.add(std::move(entry));
+  results.add(std::move(entry));
 }
 
 void print_written(const RunRequest& request, const std::string& path) {
@@ -145,7 +134,7 @@ void write_page(const Core& core, const RunRequest& request, const ScenarioRun& 
 }
 
 void run_one(const Core& core, const RunRequest& request, const std::optional<DriftOptions>& drift,
-             const Candidate& candidate, Outcomes& outcomes) {
+             const Candidate& candidate, CommandResults& results) {
   if (candidate.failure) throw *candidate.failure;
   require_measurable(core, candidate.path, *candidate.scenario);
   std::optional<RunPicture> picture;
@@ -158,19 +147,20 @@ void run_one(const Core& core, const RunRequest& request, const std::optional<Dr
                     .drift = drift,
                     .measures_start = request.printing.is_verbose() && !drift && core.constants,
                     .picture = picture ? &*picture : nullptr});
-  if (run.drift) outcomes.add(drift_exit_code(run.drift->summary));
-  if (!run.is_as_expected()) outcomes.add(ExitCode::disagreed);
-  report(core, request, run, outcomes);
-  if (!request.page.empty()) outcomes.attempt_after([&] { write_page(core, request, run); });
+  if (run.drift) results.add(drift_exit_code(*run.drift));
+  if (!run.is_as_expected()) results.add(ExitCode::disagreed);
+  report(core, request, run, results);
+  if (run.drift) results.attempt_after([&] { require_reached(*run.drift); });
+  if (!request.page.empty()) results.attempt_after([&] { write_page(core, request, run); });
   if (!picture) return;
-  outcomes.attempt_after([&] {
+  results.attempt_after([&] {
     picture->draw(request.figure, run);
     if (run.output != kStandardOutput) print_written(request, request.figure);
   });
 }
 
 ExitCode run(const Core& core, RunRequest request) {
-  const std::vector<Override> overrides = overrides_of(request.overrides);
+  const std::vector<Override> overrides = overrides_of("hyrax-sim run", request.overrides);
   const std::vector<std::string> paths = list_scenarios(request.files);
   constexpr std::size_t kPrintedInFullMax = 3;
   if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
@@ -196,11 +186,11 @@ ExitCode run(const Core& core, RunRequest request) {
       std::ranges::any_of(candidates, [](const Candidate& each) { return each.scenario.has_value(); });
   if (has_scenario && !request.output.empty() && writes_into_folder(request, candidates.size()))
     make_folder(request.output, "cannot be created");
-  Outcomes outcomes;
+  CommandResults results;
   for (const Candidate& candidate : candidates)
-    outcomes.attempt(candidate.path, [&] { run_one(core, request, drift, candidate, outcomes); });
-  if (request.printing.is_json) print_json(outcomes.take_json("runs"), 3);
-  return outcomes.exit_code();
+    results.attempt(candidate.path, [&] { run_one(core, request, drift, candidate, results); });
+  if (request.printing.is_json) print_json(results.take_json("runs"), 3);
+  return results.exit_code();
 }
 
 void declare(Options& options, RunRequest& request) {

@@ -11,53 +11,37 @@
 
 #include "sim/core/core.h"
 #include "sim/study/study.h"
-#include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/shell_command.h"
 #include "tools/app/core/accepted_core.h"
-#include "tools/files/json_reader.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/table_text.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
-#include "tools/report/figure_json.h"
 #include "tools/report/figure_svg.h"
+#include "tools/report/result_page.h"
 #include "tools/store/output_guard.h"
 #include "tools/store/table_file.h"
 
 namespace hyrax {
 namespace {
 
-constexpr std::string_view kVerdictsFormat = "hyrax-verdicts/1";
-
-// Reads { "format": "hyrax-verdicts/1", "verdicts": { "2.3-energy": "does not hold", ... } }. Whether its
-// names and verdicts exist is the study's to judge.
-ExpectedVerdicts read_verdicts(const std::string& path) {
-  const Json json = parse_json(read_text_file(path), path);
-  JsonProblems problems;
-  const JsonPlace document(&json, "", problems);
-  ExpectedVerdicts expected{path, {}};
-  if (document.is_object_of({"format", "verdicts"})) {
-    const JsonPlace format = document.required("format");
-    if (const auto name = format.text(); name && *name != kVerdictsFormat)
-      format.wrong(unknown_word("format", *name, {kVerdictsFormat}));
-    document.required("verdicts").each_member([&](const std::string& name, const JsonPlace& verdict) {
-      expected.verdicts.emplace_back(name, verdict.text().value_or(""));
-    });
-  }
-  problems.throw_if_any(path);
-  return expected;
-}
+// Studies of earlier versions, and what has their answers.
+constexpr std::pair<std::string_view, std::string_view> kRemoved[] = {
+    {"paper", "the paper's claims and their figures are in sim/physics/claims.md"},
+    {"rest", "study frame-rate says where, when and how flings end at each rate"},
+    {"bounces", "study hard-cases plays bounces without loss"}};
 
 struct StudyArguments {
   std::vector<std::string> files;  ///< The study's name, then scenarios.
   std::string folder = ".";
-  std::string expect_file;
   std::string within;
   bool is_quick = false;
   bool is_gate = false;
   bool has_no_figures = false;
+  std::string page;
   Printing printing;
 };
 
@@ -74,13 +58,17 @@ void declare_arguments(Options& options, StudyArguments& arguments) {
                                   "folder for NAME.h5, NAME.csv and the figures; default: the current one"});
   options.flag(arguments.is_quick, {"--quick", "", "a smaller study, in seconds"});
   options.flag(arguments.is_gate, {"--gate", "", "exit 1 if one of the study's rules does not hold"});
-  options.text(arguments.expect_file, {"--expect", "FILE", "paper: expected verdicts, compared with --gate"});
+  options.removed("--expect", "the paper's claims and their verdicts are in sim/physics/claims.md");
   options.text(arguments.within, {"--within", "LENGTH", "needs: the tolerance, as 1px"});
   options.flag(arguments.has_no_figures, {"--no-figures", "", "draw no figures"});
-  options.printing(arguments.printing);
+  options.text(arguments.page,
+               {"--report", "FILE.html", "write the answer, its pictures and its tables as a page"});
+  options.printing(arguments.printing, "print whole tables where the terminal is too narrow for them");
 }
 
 const Study& find_study(const std::string& name) {
+  for (const auto& [removed, instead] : kRemoved)
+    if (name == removed) refuse_input(fmt::format("hyrax-sim study {}: was removed; {}", removed, instead));
   std::vector<std::string_view> names;
   for (const Study& study : studies()) {
     if (study.name == name) return study;
@@ -113,18 +101,13 @@ double parse_length_px(const std::string& text, const std::string& place) {
   return length_px;
 }
 
-void refuse_what_it_does_not_take(const Core& core, const Study& study, const StudyArguments& arguments) {
+void refuse_what_it_does_not_take(const Study& study, const StudyArguments& arguments) {
   const auto refuse = [&](const std::string& what) {
     refuse_input("hyrax-sim study " + study.name + ": " + what + "; see `hyrax-sim study --help`");
   };
   if (arguments.files.size() > 1 && !study.takes_scenarios)
     refuse("takes no scenarios (found '" + arguments.files[1] + "')");
-  if (!arguments.expect_file.empty() && !study.takes_expected) refuse("takes no --expect");
-  if (study.takes_expected && arguments.is_gate && arguments.expect_file.empty())
-    refuse("--gate needs --expect FILE, the expected verdicts");
   if (!arguments.within.empty() && !study.takes_within) refuse("takes no --within");
-  if (study.is_of_paper && !is_paper_model(core.name))
-    refuse("is about the paper's own constants (found the core " + std::string(core.name) + ")");
 }
 
 // The scenario files that the study reads.
@@ -151,7 +134,6 @@ StudyRequest request_of(const Core& core, const Study& study, const StudyArgumen
   }
   if (!arguments.within.empty())
     request.within_px = parse_length_px(arguments.within, "hyrax-sim study " + study.name + ": --within");
-  if (!arguments.expect_file.empty()) request.expected = read_verdicts(arguments.expect_file);
   return request;
 }
 
@@ -168,41 +150,49 @@ Result run_study(const Study& study, StudyRequest request) {
   }
 }
 
+// The command that writes the same page.
+std::string command_of(const StudyArguments& arguments) {
+  std::vector<std::string> words = {"study"};
+  for (const std::string& file : arguments.files) words.push_back(as_argument(file));
+  if (arguments.is_quick) words.emplace_back("--quick");
+  if (!arguments.within.empty()) words.insert(words.end(), {"--within", arguments.within});
+  words.insert(words.end(), {"--report", as_argument(arguments.page)});
+  return program_command(words);
+}
+
 // Where the study's files go: FOLDER/NAME + an ending.
 std::string stem_of(const Study& study, const StudyArguments& arguments) {
   return arguments.folder == "." ? study.name
                                  : (std::filesystem::path(arguments.folder) / study.name).string();
 }
 
-// What the report page needs besides the tables, as text in the file: verdict and figures.
-Table report_table(const Result& result) {
-  const auto column = [](const char* name, const char* long_name, const Json& json) {
-    return Column{.name = name, .long_name = long_name, .values = std::vector<std::string>{to_text(json)}};
-  };
-  return {.name = kReportTable,
-          .long_name = "what hyrax-sim report shows besides the tables, as JSON",
-          .columns = {column("verdict", "sentences and rules", verdict_json(result.verdict)),
-                      column("figures", "the figures as data", list_of(result.figures, figure_json))}};
-}
-
 // The paths of its files.
-std::vector<std::string> write_result(const Study& study, const Result& result, const std::string& stem,
-                                      bool has_figures) {
+std::vector<std::string> write_result(const Study& study, const Result& result,
+                                      const StudyArguments& arguments) {
+  const std::string stem = stem_of(study, arguments);
   std::vector<std::string> paths = {stem + ".h5", stem + ".csv"};
-  std::vector<Table> tables = result.tables;
-  tables.push_back(report_table(result));
-  write_study_file(paths[0], {study.name, study.summary}, tables);
+  write_study_file(paths[0], {study.name, study.summary}, result.tables);
   write_text_file(paths[1], csv_text(result.tables.front()));
-  for (const Figure& figure : has_figures ? result.figures : std::vector<Figure>()) {
+  for (const Figure& figure : arguments.has_no_figures ? std::vector<Figure>() : result.figures) {
     paths.push_back(stem + figure.suffix + ".svg");
     draw_figure(paths.back(), figure);
   }
+  if (arguments.page.empty()) return paths;
+  paths.push_back(arguments.page);
+  write_result_page(paths.back(), command_of(arguments),
+                    {{.title = headline(result.verdict),
+                      .subtitle = study.name + ": " + study.summary,
+                      .verdict = result.verdict,
+                      .judgement = "No rule of the study is broken.",
+                      .tables = result.tables,
+                      .figures = result.figures}});
   return paths;
 }
 
 void print_json(const Study& study, const Result& result, const std::vector<std::string>& paths) {
   const std::vector<std::string>& broken = result.verdict.broken;
   Json::Object document{{"study", study.name},
+                        {"answer", result.verdict.answer},
                         {"files", Json::Array(paths.begin(), paths.end())},
                         {"broken", Json::Array(broken.begin(), broken.end())}};
   add_members(document, result.summary);
@@ -211,19 +201,19 @@ void print_json(const Study& study, const Result& result, const std::vector<std:
 
 ExitCode run_study_command(const Core& core, const StudyArguments& arguments) {
   const Study& study = find_study(arguments.files.front());
-  refuse_what_it_does_not_take(core, study, arguments);
-  std::vector<std::string> inputs = scenario_files(study, arguments);
+  refuse_what_it_does_not_take(study, arguments);
+  const std::vector<std::string> inputs = scenario_files(study, arguments);
   const StudyRequest request = request_of(core, study, arguments, inputs);
-  if (!arguments.expect_file.empty()) inputs.push_back(arguments.expect_file);
   const std::string stem = stem_of(study, arguments);
   OutputGuard guard(inputs);
+  if (!arguments.page.empty()) guard.admit_file("hyrax-sim study: --report", arguments.page, {".html"});
   for (const char* const ending : {".h5", ".csv"}) guard.admit("hyrax-sim study: -o", stem + ending);
   const Result result = run_study(study, request);
   if (!arguments.has_no_figures)
     for (const Figure& figure : result.figures)
       guard.admit("hyrax-sim study: -o", stem + figure.suffix + ".svg");
   make_folder(arguments.folder);
-  const std::vector<std::string> paths = write_result(study, result, stem, !arguments.has_no_figures);
+  const std::vector<std::string> paths = write_result(study, result, arguments);
   if (arguments.printing.is_json) {
     print_json(study, result, paths);
   } else {
@@ -240,9 +230,9 @@ ExitCode run_study_command(const Core& core, const StudyArguments& arguments) {
 
 Command study_command() {
   return {.name = "study",
-          .summary = "measure error against cost, needs, hard cases, frame rates, rest, the paper's claims",
+          .summary = "measure error against cost, needs, hard cases, frame rates",
           .example =
-              "hyrax-sim study speed-error -o studies\n"
+              "hyrax-sim study frame-rate --report frame-rate.html\n"
               "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px",
           .is_common = true,
           .needs_paper_step = true,

@@ -29,7 +29,6 @@ struct SweepRequest {
   std::optional<std::int64_t> threads;
   std::optional<std::int64_t> member;
   bool merges = false;
-  bool resumes = false;
   bool is_forced = false;
   Printing printing;
 };
@@ -64,7 +63,7 @@ ExitCode write_member(const SweepRequest& request) {
   if (*request.member >= file.sweep.members)
     refuse_request(
         fmt::format("--member: must be 0 .. {} (found {})", file.sweep.members - 1, *request.member));
-  guard_of(path, file).admit_scenario(kOutputOption, request.output, request.is_forced);
+  guard_of(path, file).admit_scenario(kOutputOption, request.output, request.is_forced, {".json"});
   const Scenario scenario = member_scenario(file.sweep, *request.member);
   write_text_file(request.output, scenario_file_text(scenario), request.is_forced);
   report(request, "written: " + request.output,
@@ -93,29 +92,17 @@ std::string output_of(const SweepRequest& request, const std::optional<WorkPart>
   return part ? part_path(output, *part) : output;
 }
 
-// Whether the result is there already, and complete. One of another sweep is replaced, as without --resume.
-bool is_complete(const std::string& path, const EnsembleHead& head) {
-  if (!is_there(path) || is_there(partial_path(path))) return false;
-  try {
-    return EnsembleReader(path).head() == head;
-  } catch (const Failure&) {
-    return false;
-  }
-}
-
-std::string summary_text(const SweepRequest& request, const SweepFile& file, const SweepOutcome& outcome,
-                         const std::string& output) {
-  const StepTally& tally = outcome.tally;
-  std::string text = fmt::format("{}: {}", request.files.front(), plain_counted(outcome.rows, "member"));
-  if (outcome.rows != file.sweep.members) text += fmt::format(" of {}", file.sweep.members);
-  if (outcome.rows_resumed > 0) text += fmt::format(", {} of them done before", outcome.rows_resumed);
+std::string summary_text(const SweepRequest& request, const Sweep& sweep, std::int64_t rows,
+                         const StepTally& tally, const std::string& output) {
+  std::string text = fmt::format("{}: {}", request.files.front(), plain_counted(rows, "member"));
+  if (rows != sweep.members) text += fmt::format(" of {}", sweep.members);
   text += fmt::format("\n  steps          {}", tally.steps);
   const std::int64_t left_out = tally.steps - tally.computed;
   if (left_out > 0)
     text += fmt::format("; {} left out, {:.3g} %: at rest, or repeating exactly", left_out,
                         100.0 * static_cast<double>(left_out) / static_cast<double>(tally.steps));
-  text += "\n  kept           " + names_of(file.sweep.keep, true);
-  const std::string dropped = names_of(file.sweep.keep, false);
+  text += "\n  kept           " + names_of(sweep.keep, true);
+  const std::string dropped = names_of(sweep.keep, false);
   if (!dropped.empty()) text += "\n  not computed   " + dropped;
   return text + "\nwritten: " + output;
 }
@@ -124,55 +111,42 @@ ExitCode compute(const Core& core, const SweepRequest& request) {
   const std::string& path = request.files.front();
   const auto part = choose_part(kName, request.part, request.parts);
   const SweepFile file = load_sweep(path);
-  SweepJob job;
-  job.head.sweep_text = file.text;
-  job.head.members = file.sweep.members;
-  job.head.physics = core.name;
-  job.head.is_part = part.has_value();
-  job.head.part = part.value_or(WorkPart{});
-  job.output = output_of(request, part);
-  job.threads = request.threads.value_or(processors());
-  if (request.resumes) job.existing = Existing::resumed;
-  if (request.is_forced) job.existing = Existing::replaced;
-  OutputGuard guard = guard_of(path, file);
-  guard.admit(kOutputOption, job.output, {".h5"});
-  guard.admit(kOutputOption, partial_path(job.output));
-  SweepOutcome outcome;
-  outcome.rows = job.head.part.rows(job.head.members);
-  if (request.resumes && is_complete(job.output, job.head))
-    outcome.rows_resumed = outcome.rows;
-  else
-    outcome = compute_sweep(core, file.sweep, job);
-  Json::Object document{{"sweep", path},
-                        {"members", file.sweep.members},
-                        {"computed", outcome.rows - outcome.rows_resumed},
-                        {"resumed", outcome.rows_resumed},
-                        {"steps", outcome.tally.steps},
-                        {"steps_computed", outcome.tally.computed},
-                        {"output", job.output}};
+  const EnsembleHead head{.sweep_text = file.text,
+                          .members = file.sweep.members,
+                          .part = part.value_or(WorkPart{}),
+                          .is_part = part.has_value(),
+                          .physics = std::string(core.name),
+                          .core = core.record.checksum()};
+  const std::string output = output_of(request, part);
+  guard_of(path, file).admit(kOutputOption, output, {".h5"});
+  const StepTally tally =
+      compute_sweep(core, file.sweep, head, output, request.threads.value_or(processors()));
+  const std::int64_t rows = head.part.rows(head.members);
+  Json::Object document{{"sweep", path},        {"members", head.members},          {"computed", rows},
+                        {"steps", tally.steps}, {"steps_computed", tally.computed}, {"output", output}};
   if (part) {
     document.emplace_back("part", part->index);
     document.emplace_back("parts", part->count);
   }
   report(request,
-         request.printing.is_quiet() ? "written: " + job.output
-                                     : summary_text(request, file, outcome, job.output),
+         request.printing.is_quiet() ? "written: " + output
+                                     : summary_text(request, file.sweep, rows, tally, output),
          std::move(document));
   return ExitCode::agreed;
 }
 
 ExitCode sweep(const Core& core, const SweepRequest& request) {
   if (request.merges) {
-    if (request.member || !request.part.empty() || request.parts || request.resumes || request.threads ||
-        request.is_forced)
-      refuse_request("--merge: not with --member, --part, --parts, --resume, --force or --threads");
+    if (request.member || !request.part.empty() || request.parts || request.threads || request.is_forced)
+      refuse_request("--merge: not with --member, --part, --parts, --force or --threads");
     return merge(request);
   }
   if (request.files.size() > 1)
     refuse_request(fmt::format("only one sweep allowed (found {})", request.files.size()));
-  if (request.member && (!request.part.empty() || request.parts || request.resumes))
-    refuse_request("--member: not with --part, --parts or --resume");
-  if (request.is_forced && request.resumes) refuse_request("--force: not with --resume");
+  if (request.is_forced && !request.member)
+    refuse_request("--force: only with --member; results are always replaced");
+  if (request.member && (!request.part.empty() || request.parts))
+    refuse_request("--member: not with --part or --parts");
   return request.member ? write_member(request) : compute(core, request);
 }
 
@@ -189,11 +163,10 @@ void declare_options(Options& options, SweepRequest& request) {
                 "Slurm array, an MPI launcher or, with --parts, a Kubernetes indexed job says)"});
   options.integer(request.parts, {"--parts", "N", "the number of parts; the part is JOB_COMPLETION_INDEX"},
                   1);
-  options.flag(request.resumes, {"--resume", "", "go on after a process that was stopped (FILE.h5.partial)"});
+  options.removed("--resume", "use --part and --merge: a part that was stopped is computed again");
   options.integer(request.member, {"--member", "I", "write member I as a scenario, to run it"}, 0);
   options.flag(request.is_forced,
-               {"--force", "",
-                "start over, if a stopped process left FILE.h5.partial; with --member: replace the file"});
+               {"--force", "", "with --member: replace the file (results are always replaced)"});
   options.flag(request.merges, {"--merge", "", "join the parts of a sweep"});
   options.printing(request.printing);
 }

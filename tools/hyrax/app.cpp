@@ -10,6 +10,7 @@ namespace hyrax {
 namespace {
 
 constexpr UINT kTrayMessage = WM_APP + 1;
+constexpr int kEscape = 1;  // The hot key during a drag.
 constexpr UINT_PTR kMonitorTimer = Window::kModalTimer + 1;
 
 std::int64_t end_of(const PetOptions& options) {
@@ -21,8 +22,8 @@ std::int64_t end_of(const PetOptions& options) {
 }  // namespace
 
 App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
-    : monitor_(monitor_under({0, 0})),
-      pet_(core, monitor_.desk, clock_ticks_per_s(), clock_ticks()),
+    : desk_(desk_under({0, 0})),
+      pet_(core, desk_, clock_ticks_per_s(), clock_ticks()),
       recorder_(pet_, saver_, clock_ticks_per_s(),
                 {.notify = [this](const std::string& sentence) { notify(sentence); },
                  .new_path = new_recording_path}),
@@ -30,16 +31,16 @@ App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
       end_ticks_(end_of(options)),
       window_(instance,
               [this](UINT message, WPARAM wide, LPARAM low) { return on_message(message, wide, low); }) {
-  use_monitor(monitor_);
+  pacer_.set_rate(refresh_hz(desk_.origin));
+  pet_.use_monitors(all_desks(), desk_, clock_ticks());
   if (options.record_path) recorder_.start(*options.record_path, clock_ticks());
   if (options.log_path) log_.emplace(*options.log_path);  // Last: it creates the file.
   if (scenario_) {
     playback_.emplace(core, *scenario_, clock_ticks_per_s(), clock_ticks());
-    window_.show({Pose::fly, false, playback_->now().sprite},
-                 on_screen(monitor_.desk, playback_->position()));
+    show(playback_->now(), Pose::fly, false);
   } else {
     pet_.skip_time(clock_ticks());
-    window_.show({pet_.pose(), pet_.faces_left(), monitor_.desk.sprite}, pet_.place());
+    show(pet_.session().now(), pet_.pose(), pet_.faces_left());
   }
   ShowWindow(window_.handle(), SW_SHOWNOACTIVATE);
   tray_ = std::make_unique<TrayIcon>(window_.handle(), kTrayMessage);
@@ -78,7 +79,13 @@ LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
       on_mouse_move();
       return 0;
     case WM_LBUTTONUP:
-      if (pet_.is_held()) let_go(pointer_of_message());
+      if (pet_.is_held()) let_go(pointer_of_message(), ticks_of_message());
+      return 0;
+    case WM_HOTKEY:
+      if (pet_.is_held()) {
+        pet_.cancel(clock_ticks());
+        end_drag();
+      }
       return 0;
     case WM_CAPTURECHANGED:
       on_capture_lost(reinterpret_cast<HWND>(low));
@@ -92,7 +99,7 @@ LRESULT App::on_message(UINT message, WPARAM wide, LPARAM low) {
     case WM_TIMER:
       if (wide != kMonitorTimer) return play_frame(), 0;
       KillTimer(window_.handle(), kMonitorTimer);
-      check_monitor();
+      check_monitors();
       return 0;
     case WM_DISPLAYCHANGE:
     case WM_SETTINGCHANGE:
@@ -137,11 +144,13 @@ void App::play_frame() {
   pacer_.arm();
   if (playback_) return play_replayed_frame();
   follow_hand();
-  if (monitor_checks_.is_due(clock_ticks())) check_monitor();
+  if (monitor_checks_.is_due(clock_ticks())) check_monitors();
   if (pet_.is_asleep()) return;
   pet_.frame(clock_ticks());
+  follow_monitor();
   const Keyframe& now = pet_.session().now();
-  show(now, pet_.pose(), pet_.faces_left(), pet_.inputs_of_frame());
+  show(now, pet_.pose(), pet_.faces_left());
+  if (log_) log_->frame(now, desk_, pet_.inputs_of_frame(), window_.rect());
   if (pet_.is_asleep() && log_) log_->sleep(now);
   recorder_.save_if_due(clock_ticks());
 }
@@ -150,40 +159,38 @@ void App::play_replayed_frame() {
   const std::int64_t shown_step = playback_->now().row.step;
   playback_->play(clock_ticks());
   const Keyframe& now = playback_->now();
-  if (now.row.step > shown_step)
-    show(now, now.is_held ? Pose::held : Pose::fly, now.row.vx_px_per_s < 0.0, {});
+  if (now.row.step > shown_step) {
+    show(now, now.is_held ? Pose::held : Pose::fly, now.row.vx_px_per_s < 0.0);
+    if (log_) log_->frame(now, desk_, {}, window_.rect());
+  }
   if (playback_->is_over()) has_ended_ = true;
 }
 
-void App::show(const Keyframe& now, Pose pose, bool faces_left, const std::vector<Action>& inputs) {
-  window_.show({pose, faces_left, now.sprite}, on_screen(monitor_.desk, {now.row.x_px, now.row.y_px}));
-  if (log_) log_->frame(now, monitor_.desk, inputs, window_.rect());
+void App::show(const Keyframe& now, Pose pose, bool faces_left) {
+  const Shown shown = shown_on(desk_, now.window, now.sprite, {now.row.x_px, now.row.y_px});
+  window_.show({pose, faces_left, shown.sprite}, shown.at);
 }
 
-void App::use_monitor(const Monitor& monitor) {
-  monitor_ = monitor;
-  pacer_.set_rate(refresh_hz(monitor.handle));
-}
-
-void App::check_monitor() {
+void App::check_monitors() {
   if (playback_) return;
   monitor_checks_.done(clock_ticks());
-  if (const auto desk = desk_of(monitor_.handle)) {
-    monitor_.desk = *desk;
-  } else {
-    const Size sprite = monitor_.desk.sprite;
-    const ScreenPoint corner = pet_.place();
-    use_monitor(monitor_under({corner.x_px + sprite.width_px / 2, corner.y_px + sprite.height_px / 2}));
-  }
-  if (pet_.desk() == monitor_.desk) return;
-  pet_.move_to(monitor_.desk, clock_ticks());
+  pet_.use_monitors(all_desks(), desk_under(pet_.middle()), clock_ticks());
+  if (pet_.desk() == desk_) return;
+  follow_monitor();
+  if (pet_.is_paused()) show(pet_.session().now(), pet_.pose(), pet_.faces_left());
   is_frame_due_ = true;
+}
+
+void App::follow_monitor() {
+  if (pet_.desk() == desk_) return;
+  desk_ = pet_.desk();
+  pacer_.set_rate(refresh_hz(pet_.middle()));
 }
 
 // When the system reports another size, it may still return the old work area.
 void App::on_screen_change() {
   constexpr UINT kLater_ms = 300;
-  check_monitor();
+  check_monitors();
   SetTimer(window_.handle(), kMonitorTimer, kLater_ms, nullptr);
 }
 
@@ -202,14 +209,15 @@ void App::on_power(WPARAM change) {
 void App::on_button_down() {
   if (playback_ || pet_.is_held()) return;
   SetCapture(window_.handle());
-  pet_.grab(pointer_of_message(), clock_ticks());
+  RegisterHotKey(window_.handle(), kEscape, 0, VK_ESCAPE);  // The keyboard is another window's.
+  pet_.grab(pointer_of_message(), ticks_of_message());
   is_frame_due_ = true;
 }
 
 void App::on_mouse_move() {
   if (!pet_.is_held()) return;
   const bool was_asleep = pet_.is_asleep();
-  pet_.drag(pointer_of_message(), clock_ticks());
+  pet_.drag(pointer_of_message(), ticks_of_message());
   if (was_asleep) is_frame_due_ = true;
 }
 
@@ -219,20 +227,25 @@ void App::follow_hand() {
   if (!pet_.is_held()) return;
   const auto hand = pointer();
   if (!hand) return;
-  is_button_down() ? pet_.drag(*hand, clock_ticks()) : let_go(*hand);
+  is_button_down() ? pet_.drag(*hand, clock_ticks()) : let_go(*hand, clock_ticks());
 }
 
-void App::let_go(ScreenPoint hand) {
-  use_monitor(monitor_under(hand));
-  pet_.let_go(hand, clock_ticks(), monitor_.desk);
-  ReleaseCapture();  // It is no longer held, so the message of the lost capture has no effect.
+void App::let_go(ScreenPoint hand, std::int64_t ticks) {
+  pet_.let_go(hand, ticks, desk_under(hand));
+  end_drag();
+}
+
+// It is no longer held, so that the message of the lost capture has no effect.
+void App::end_drag() {
+  ReleaseCapture();
+  UnregisterHotKey(window_.handle(), kEscape);
   pacer_.arm();
 }
 
 void App::on_capture_lost(HWND taker) {
   if (taker == window_.handle() || !pet_.is_held()) return;
   pet_.drop(clock_ticks());
-  pacer_.arm();
+  end_drag();
 }
 
 void App::open_menu() {
@@ -257,7 +270,7 @@ void App::execute(Choice choice) {
   if (choice == Choice::quit) return window_.close();
   if (choice != Choice::about) return hyrax::execute(choice, pet_, recorder_, clock_ticks());
   const Window::Modal modal(window_);
-  show_about(window_.handle());
+  show_about();
 }
 
 // The icon is gone if the window was closed while a message box is open.

@@ -36,13 +36,13 @@ class App {
   void wait_for_work();
   void play_frame();
   void play_replayed_frame();
-  void show(const Keyframe& now, Pose pose, bool faces_left, const std::vector<Action>& inputs);
+  void show(const Keyframe& now, Pose pose, bool faces_left);
   [[nodiscard]] bool is_asleep() const;
   [[nodiscard]] DWORD ms_to_end() const;
 
   // Screen and power.
-  void use_monitor(const Monitor& monitor);
-  void check_monitor();
+  void check_monitors();
+  void follow_monitor();
   void on_screen_change();
   void on_power(WPARAM change);
 
@@ -50,14 +50,15 @@ class App {
   void on_button_down();
   void on_mouse_move();
   void follow_hand();
-  void let_go(ScreenPoint hand);
+  void let_go(ScreenPoint hand, std::int64_t ticks);
+  void end_drag();
   void on_capture_lost(HWND taker);
   void open_menu();
   void execute(Choice choice);
   void notify(const std::string& sentence) const;
 
   FramePacer pacer_;
-  Monitor monitor_;
+  Desk desk_;  // Whose rate the frames have.
   Pet pet_;
   ScenarioSaver saver_;
   Recorder recorder_;

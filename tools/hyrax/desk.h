@@ -1,6 +1,7 @@
 // The part of the screen that the hyrax moves in, and its position there.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,32 @@ inline constexpr int kUsualSprite_px = 128;  ///< Side of the sprite at it.
 
 /// The point of the screen nearest to a position; halves are rounded away from zero.
 [[nodiscard]] ScreenPoint on_screen(const Desk& desk, const Position& position);
+
+/// How a sprite in a window is shown on a desk: scaled down if the window is larger than the work area.
+struct Shown {
+  ScreenPoint at;
+  Size sprite;
+};
+[[nodiscard]] Shown shown_on(const Desk& desk, Size window, Size sprite, const Position& position);
+
+/// The corner nearest to `corner` at which no part of the sprite is outside the window, if it fits.
+[[nodiscard]] inline Position inside(const Position& corner, Size window, Size sprite) {
+  const auto within = [](double at_px, int side_px) {
+    return std::max(0.0, std::min<double>(at_px, side_px));
+  };
+  return {within(corner.x_px, window.width_px - sprite.width_px),
+          within(corner.y_px, window.height_px - sprite.height_px)};
+}
+
+/// Whether a sprite may be on that desk: it is one of a monitor, or of two that touch; see desk_of_way.
+[[nodiscard]] bool is_one_of(const std::vector<Desk>& monitors, const Desk& desk);
+
+/// The desk for the next frame of a sprite on `now` that moves from one position to another. Where two
+/// monitors touch there is no wall: a sprite that crosses their border is on a desk of both, as wide or high
+/// as the border, with the sprite's size unchanged; then on that of the other. `now` if no desk has all of
+/// the sprite.
+[[nodiscard]] Desk desk_of_way(const std::vector<Desk>& monitors, const Desk& now, const Position& from,
+                               const Position& to);
 
 /// The inputs that move a hyrax at `position` from one desk to another: the new sizes and, if the origin
 /// differs, the same point of the screen relative to the new one.

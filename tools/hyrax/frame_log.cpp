@@ -29,7 +29,7 @@ Json::Array names_of(const std::vector<Action>& actions) {
 
 FrameLog::FrameLog(const std::string& path) : path_(path) {
   if (is_regular_file(path)) refuse_input(path + ": exists already; name another file, or remove it first");
-  file_.reset(std::fopen(path.c_str(), "wb"));
+  file_.reset(open_file(path, "wb"));
   if (!file_) fail_to_write(path, errno);
 }
 

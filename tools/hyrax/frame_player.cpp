@@ -8,7 +8,7 @@ void FramePlayer::apply(const Action& action) {
   assert(!std::holds_alternative<Hitch>(action));
   assert(!std::holds_alternative<Grab>(action) || !now_.is_held);
   assert(!std::holds_alternative<Release>(action) || now_.is_held);
-  kernel_->apply(action, now_);
+  stepper_->apply(action, now_);
 }
 
 void FramePlayer::advance(double dt_s) {
@@ -22,7 +22,7 @@ void FramePlayer::advance(double dt_s) {
                       .frames = 1};
   CoreBody body{state_of(now_.row), std::move(now_.core_object)};
   row_.shrink(0);
-  kernel_->play(frame, body, rest_, row_, log_);
+  stepper_->play(frame, body, rest_, row_, log_);
   now_.timeline.play(dt_s);
   now_.row = row_.row(0);
   now_.core_object = std::move(body.object);

@@ -10,7 +10,7 @@ namespace hyrax {
 /// Plays single frames with the step and the inputs of a replay.
 class FramePlayer {
  public:
-  FramePlayer(const Core& core, const Keyframe& start) : kernel_(core.kernel), now_(start) {}
+  FramePlayer(const Core& core, const Keyframe& start) : stepper_(core.stepper), now_(start) {}
 
   /// The state before the next frame.
   [[nodiscard]] const Keyframe& now() const { return now_; }
@@ -21,7 +21,7 @@ class FramePlayer {
   void advance(double dt_s);
 
  private:
-  std::shared_ptr<const Kernel> kernel_;
+  std::shared_ptr<const Stepper> stepper_;
   Keyframe now_;
   RowBlock row_;  // Of the frame being played.
   StretchLog log_;

@@ -20,12 +20,15 @@ class Hold {
   /// REQUIRES: ticks_per_s > 0.
   Hold(std::int64_t ticks_per_s, ScreenPoint hand, std::int64_t ticks, Position corner, ScreenPoint origin);
 
-  /// Whether the hand was elsewhere before. REQUIRES: ticks do not go backwards.
+  /// Whether the hand was elsewhere before. A time before that of the last move counts as that one.
   bool move(ScreenPoint to, std::int64_t ticks);
   /// Where the hand puts the corner; nothing if the hand has not moved since the last call.
   [[nodiscard]] std::optional<Position> follow(ScreenPoint origin);
+  /// Where the corner was when the drag began.
+  [[nodiscard]] Position start(ScreenPoint origin) const { return corner_of(grabbed_at_, origin); }
   /// Mean velocity of the hand over the last 100 ms before `ticks`, or over all of a shorter drag; 0 if it
-  /// did not move. A drag shorter than 10 ms counts as 10 ms, so that a click is not a throw.
+  /// did not move. Between two positions it moved steadily. A drag shorter than 10 ms counts as 10 ms, so
+  /// that a click is not a throw.
   [[nodiscard]] Velocity velocity(std::int64_t ticks) const;
 
  private:
@@ -34,8 +37,12 @@ class Hold {
     std::int64_t ticks;
   };
 
+  [[nodiscard]] Position corner_of(ScreenPoint hand, ScreenPoint origin) const {
+    return {offset_.x_px + (hand.x_px - origin.x_px), offset_.y_px + (hand.y_px - origin.y_px)};
+  }
+
   std::int64_t ticks_per_s_;
-  std::int64_t grabbed_ticks_;
+  ScreenPoint grabbed_at_;
   std::deque<Sample> samples_;  // The oldest is the first one that still counts.
   Position offset_;             // Of the sprite's corner from the hand.
   bool has_moved_ = false;

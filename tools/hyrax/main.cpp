@@ -11,6 +11,7 @@
 #include "sim/core/shipped_core.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
+#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax/app.h"
 #include "tools/hyrax/report.h"

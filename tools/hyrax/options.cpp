@@ -29,9 +29,11 @@ PetOptions parse_options(const std::vector<std::string>& arguments) {
   std::set<std::string> given_options;
   for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
     const std::size_t equals = argument->starts_with("--") ? argument->find('=') : std::string::npos;
-    const std::string option = argument->substr(0, equals);
+    const bool is_file = !argument->empty() && argument->front() != '-' && *argument != "/?";
+    const std::string option = is_file ? "--replay" : argument->substr(0, equals);
     if (!given_options.insert(option).second) refuse(option + ": given twice");
-    std::optional<std::string> given;  // The value, after `=` or as the next argument.
+    std::optional<std::string> given;  // The value, after `=` or as the next argument; a file is one.
+    if (is_file) given = *argument;
     if (equals != std::string::npos) given = argument->substr(equals + 1);
     const auto value = [&] {
       if (!given && argument + 1 != arguments.end()) given = *++argument;
@@ -52,7 +54,7 @@ PetOptions parse_options(const std::vector<std::string>& arguments) {
       options.seconds = seconds_of(value());
     else if (option == "--exit")
       options.only_exits = flag();
-    else if (option == "--help" || option == "-h")
+    else if (option == "--help" || option == "-h" || option == "/?")
       options.wants_help = flag();
     else if (option == "--version")
       options.wants_version = flag();

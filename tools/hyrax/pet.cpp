@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kTurns_px_per_s = 20.0;  // It does not turn around at lower speeds.
 constexpr int kStandsFrames = 3;          // A bounce touches the ground for one frame.
-constexpr double kStands_px = 1.0;        // A settled hyrax on a display that drops frames hops by less.
+constexpr std::int64_t kSlowestFramesPerSecond = 10;
+constexpr double kStands_px = 1.0;  // A settled hyrax on a display that drops frames hops by less.
 
 Position start_on(const Desk& desk) { return {(desk.work_area.width_px - desk.sprite.width_px) / 2.0, 0.0}; }
 
@@ -26,7 +27,11 @@ Keyframe start_of(const Desk& desk) {
 }  // namespace
 
 Pet::Pet(const Core& core, const Desk& desk, std::int64_t ticks_per_s, std::int64_t ticks)
-    : desk_(desk), ticks_per_s_(ticks_per_s), last_ticks_(ticks), session_(core, start_of(desk)) {
+    : desk_(desk),
+      monitors_{desk},
+      ticks_per_s_(ticks_per_s),
+      last_ticks_(ticks),
+      session_(core, start_of(desk)) {
   assert(ticks_per_s > 0);
 }
 
@@ -46,12 +51,19 @@ void Pet::let_go(ScreenPoint hand, std::int64_t ticks, const Desk& desk) {
   drag(hand, ticks);
   follow_hand();
   move_to(desk, ticks);
+  cross_borders(0.0);  // It may be let go on a border.
   release(hold_->velocity(ticks), ticks);
 }
 
 void Pet::drop(std::int64_t ticks) {
   assert(is_held());
   follow_hand();
+  release({}, ticks);
+}
+
+void Pet::cancel(std::int64_t ticks) {
+  assert(is_held());
+  apply(Place{hold_->start(desk_.origin)});
   release({}, ticks);
 }
 
@@ -75,18 +87,29 @@ void Pet::resume(std::int64_t ticks) {
 void Pet::move_to(const Desk& desk, std::int64_t ticks) {
   const std::vector<Action> inputs = inputs_of_move(desk_, desk, position());
   if (inputs.empty()) return;
+  const bool was_paused = is_paused_;
   wake(ticks);
   for (const Action& input : inputs) apply(input);
   desk_ = desk;
+  is_paused_ = was_paused;
+  if (is_paused_ && !is_held()) stay_inside();  // No frame does it.
+}
+
+void Pet::use_monitors(std::vector<Desk> monitors, const Desk& nearest, std::int64_t ticks) {
+  monitors_ = std::move(monitors);
+  if (!is_one_of(monitors_, desk_)) move_to(nearest, ticks);
 }
 
 void Pet::frame(std::int64_t ticks) {
   if (is_asleep()) return;
   follow_hand();
   // A clock may go backwards.
-  const std::int64_t elapsed_ticks = std::max<std::int64_t>(ticks - last_ticks_, 0);
+  const std::int64_t elapsed_ticks =
+      std::clamp<std::int64_t>(ticks - last_ticks_, 0, ticks_per_s_ / kSlowestFramesPerSecond);
   last_ticks_ = ticks;
-  session_.advance(static_cast<double>(elapsed_ticks) / static_cast<double>(ticks_per_s_));
+  const double dt_s = static_cast<double>(elapsed_ticks) / static_cast<double>(ticks_per_s_);
+  if (!is_held()) cross_borders(dt_s);
+  session_.advance(dt_s);
   inputs_of_frame_ = std::exchange(inputs_, {});
   const Row& row = session_.now().row;
   const int ground_px = desk_.work_area.height_px - desk_.sprite.height_px;
@@ -122,15 +145,31 @@ void Pet::follow_hand() {
   if (const auto corner = hold_->follow(desk_.origin)) apply(Place{*corner});
 }
 
+// Outside, the first step would take it back to the edge, and its speed with it.
+void Pet::stay_inside() {
+  const Position corner = inside(position(), desk_.work_area, desk_.sprite);
+  if (corner != position()) apply(Place{corner});
+}
+
+void Pet::cross_borders(double dt_s) {
+  const Row& row = session_.now().row;
+  const Position next{row.x_px + dt_s * row.vx_px_per_s, row.y_px + dt_s * row.vy_px_per_s};
+  const Desk desk = desk_of_way(monitors_, desk_, position(), next);
+  if (desk == desk_) return;
+  move_to(desk, last_ticks_);
+  if (!is_held()) stay_inside();  // It may be larger there.
+}
+
 // The first frame of flight begins here, not at the last frame.
 void Pet::release(const Velocity& velocity, std::int64_t ticks) {
   wake(ticks);
+  stay_inside();
   apply(Release{velocity});
   hold_.reset();
-  last_ticks_ = ticks;
+  last_ticks_ = std::max(last_ticks_, ticks);
 }
 
-std::int64_t next_due_ticks(const FrameTimes& times) {
+std::int64_t next_due_ticks(const DueTimes& times) {
   const std::int64_t due_ticks = times.last_due_ticks + times.period_ticks;
   const std::int64_t wait_ticks = due_ticks - times.now_ticks;
   const bool is_late_or_early =

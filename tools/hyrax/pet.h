@@ -63,7 +63,7 @@ class Repeated {
   std::int64_t due_ticks_ = 0;
 };
 
-struct FrameTimes {
+struct DueTimes {
   std::int64_t last_due_ticks;
   std::int64_t now_ticks;
   std::int64_t period_ticks;
@@ -71,7 +71,7 @@ struct FrameTimes {
 
 /// When the next frame is due: a period after the last due time, so that the rate is kept; after a late frame
 /// a period from now. A short frame after a late one would make a settled hyrax hop.
-[[nodiscard]] std::int64_t next_due_ticks(const FrameTimes& times);
+[[nodiscard]] std::int64_t next_due_ticks(const DueTimes& times);
 
 /// How the hyrax is drawn.
 enum class Pose { fly, held, stand, sleep };
@@ -91,10 +91,13 @@ class Pet {
   // The hand. REQUIRES: grab while not held, the others while held.
   void grab(ScreenPoint hand, std::int64_t ticks);
   void drag(ScreenPoint hand, std::int64_t ticks);
-  /// It flies with the hand's velocity, on the desk below the pointer.
+  /// It flies with the hand's velocity, on the desk below the pointer; from the edge, if it was dragged past
+  /// one.
   void let_go(ScreenPoint hand, std::int64_t ticks, const Desk& desk);
   /// The drag was interrupted: it falls from where it is.
   void drop(std::int64_t ticks);
+  /// The drag was cancelled: it falls from where it was grabbed.
+  void cancel(std::int64_t ticks);
 
   // The menu.
   void fling(const Velocity& velocity, std::int64_t ticks);
@@ -103,13 +106,15 @@ class Pet {
   void pause() { is_paused_ = true; }
   void resume(std::int64_t ticks);
 
-  /// The desk changed in size or place. The same desk is no input.
-  void move_to(const Desk& desk, std::int64_t ticks);
+  /// The desks of all monitors, between which it flies where they touch; at first only its own. If that is no
+  /// longer among them, it moves to `nearest`. A pause continues.
+  void use_monitors(std::vector<Desk> monitors, const Desk& nearest, std::int64_t ticks);
 
   /// The time until now does not count, as while the machine was suspended.
   void skip_time(std::int64_t ticks) { last_ticks_ = ticks; }
 
-  /// Plays a frame unless it is asleep.
+  /// Plays a frame unless it is asleep. A longer one than 0.1 s counts as 0.1 s: after a stall of the machine
+  /// a long step would launch it.
   void frame(std::int64_t ticks);
 
   /// Whether no frame is played until the next input: it is paused, or has not moved for
@@ -122,6 +127,10 @@ class Pet {
   [[nodiscard]] const Desk& desk() const { return desk_; }
   /// Its top left corner.
   [[nodiscard]] ScreenPoint place() const { return on_screen(desk_, position()); }
+  /// The middle of the sprite.
+  [[nodiscard]] ScreenPoint middle() const {
+    return {place().x_px + desk_.sprite.width_px / 2, place().y_px + desk_.sprite.height_px / 2};
+  }
   /// The inputs of the last frame that was played.
   [[nodiscard]] const std::vector<Action>& inputs_of_frame() const { return inputs_of_frame_; }
   [[nodiscard]] Session& session() { return session_; }
@@ -129,12 +138,16 @@ class Pet {
 
  private:
   [[nodiscard]] Position position() const;
+  void move_to(const Desk& desk, std::int64_t ticks);
   void wake(std::int64_t ticks);
   void apply(const Action& action);
   void follow_hand();
+  void stay_inside();
+  void cross_borders(double dt_s);
   void release(const Velocity& velocity, std::int64_t ticks);
 
   Desk desk_;
+  std::vector<Desk> monitors_;
   std::int64_t ticks_per_s_;
   std::int64_t last_ticks_;  // The next frame begins here; time before it belongs to none.
   Session session_;

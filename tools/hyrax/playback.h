@@ -28,7 +28,6 @@ class Playback {
   void play(std::int64_t ticks);
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] const Keyframe& now() const { return replay_.keyframe(); }
-  [[nodiscard]] Position position() const { return {now().row.x_px, now().row.y_px}; }
   /// The verdict. Before is_over, the hash that is expected was not compared: disagreed.
   [[nodiscard]] PlaybackVerdict finish();
 

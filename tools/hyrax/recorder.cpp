@@ -27,9 +27,12 @@ void Recorder::finish() {
 }
 
 void Recorder::save() {
-  const std::string path = recording()->path();
-  finish();
-  system_.notify("Saved as " + path);
+  try {
+    recording()->finish();
+  } catch (const Failure& failure) {
+    return system_.notify(failure.what() + std::string("; the recording continues"));
+  }
+  system_.notify("Saved as " + std::exchange(recording(), std::nullopt)->path());
 }
 
 void Recorder::save_just_happened() {

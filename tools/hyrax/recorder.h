@@ -36,7 +36,7 @@ class Recorder {
   void start_new(std::int64_t ticks);
   /// Finishes the recording, if there is one. ERRORS: Failure(cannot_access); it has ended nevertheless.
   void finish();
-  /// Finishes the recording and notifies the user. ERRORS: Failure(cannot_access).
+  /// Finishes the recording and notifies the user; if it cannot be written, it continues.
   void save();
   /// Saves the last minutes in a new file, and notifies the user. ERRORS: Failure(cannot_access).
   void save_just_happened();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdio>
 #include <exception>
 #include <utility>
 
@@ -66,7 +65,7 @@ bool ScenarioSaver::has_written(const std::string& path) {
 
 void ScenarioSaver::remove(const std::string& path) {
   const std::lock_guard lock(mutex_);
-  if (written_.erase(path) > 0) std::remove(path.c_str());
+  if (written_.erase(path) > 0) remove_file(path);
 }
 
 void ScenarioSaver::wait() {
@@ -130,7 +129,14 @@ void Recording::finish() {
   save();  // All frames are kept if the complete file cannot be written.
   saver_.wait();
   if (all_.frames() == 0) return;
-  saver_.write(path_, all_.scenario(scenario_name_of(path_)));
+  try {
+    saver_.write(path_, all_.scenario(scenario_name_of(path_)));
+  } catch (const Failure& failure) {
+    std::string kept;
+    for (const std::string& path : part_paths_)
+      if (saver_.has_written(path)) kept += (kept.empty() ? "; what was saved is in " : ", ") + path;
+    throw Failure(failure.exit_code(), failure.what() + kept);
+  }
   for (const std::string& path : part_paths_)
     if (path != path_) saver_.remove(path);
 }

@@ -87,8 +87,8 @@ class Recording {
   void add_frame(const Keyframe& now);
   /// Queues the last part. Nothing is written of a recording without frames.
   void save();
-  /// Writes the complete file, and removes the parts. ERRORS: Failure(cannot_access); the parts are then
-  /// kept.
+  /// Writes the complete file, and removes the parts. ERRORS: Failure(cannot_access), which
+  /// names the parts: they are then kept. It may be tried again, also after more frames.
   void finish();
 
  private:

@@ -1,7 +1,7 @@
 #include <shlobj.h>
 
+#include "tools/files/path.h"
 #include "tools/hyrax/recording.h"
-#include "tools/hyrax/report.h"
 #include "tools/hyrax/window.h"
 
 namespace hyrax {

@@ -2,6 +2,8 @@
 
 #include <windows.h>
 
+#include "tools/files/path.h"
+
 namespace hyrax {
 namespace {
 
@@ -34,22 +36,6 @@ void report_error(std::string_view text) { report_on(STD_ERROR_HANDLE, text, MB_
 
 void report(const PlaybackVerdict& verdict) {
   verdict.exit_code == ExitCode::agreed ? report(verdict.sentence) : report_error(verdict.sentence);
-}
-
-std::wstring to_wide(std::string_view utf8) {
-  const int size = static_cast<int>(utf8.size());
-  std::wstring wide(static_cast<std::size_t>(MultiByteToWideChar(CP_UTF8, 0, utf8.data(), size, nullptr, 0)),
-                    0);
-  MultiByteToWideChar(CP_UTF8, 0, utf8.data(), size, wide.data(), static_cast<int>(wide.size()));
-  return wide;
-}
-
-std::string to_utf8(std::wstring_view wide) {
-  const int size = static_cast<int>(wide.size());
-  const int length = WideCharToMultiByte(CP_UTF8, 0, wide.data(), size, nullptr, 0, nullptr, nullptr);
-  std::string utf8(static_cast<std::size_t>(length), 0);
-  WideCharToMultiByte(CP_UTF8, 0, wide.data(), size, utf8.data(), length, nullptr, nullptr);
-  return utf8;
 }
 
 }  // namespace hyrax

@@ -1,7 +1,6 @@
 // Messages to the user.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "tools/hyrax/playback.h"
@@ -16,8 +15,5 @@ void report_error(std::string_view text);
 
 /// As `report` if it agreed, else as `report_error`.
 void report(const PlaybackVerdict& verdict);
-
-[[nodiscard]] std::wstring to_wide(std::string_view utf8);
-[[nodiscard]] std::string to_utf8(std::wstring_view wide);
 
 }  // namespace hyrax

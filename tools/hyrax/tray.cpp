@@ -3,7 +3,7 @@
 #include <shellapi.h>
 
 #include "tools/files/build_info.h"
-#include "tools/hyrax/report.h"
+#include "tools/files/path.h"
 #include "tools/hyrax/resource_ids.h"
 
 namespace hyrax {
@@ -69,11 +69,11 @@ Choice choose_from_menu(HWND window, const std::vector<MenuEntry>& entries) {
   return static_cast<Choice>(chosen);
 }
 
-void show_about(HWND window) {
+void show_about() {
   const std::string text = "Hyrax " + std::string(build_info().version) +
                            "\n\nGrab it, drag it, let go.\n"
                            "What you record, hyrax-sim replays to the bit.";
-  MessageBoxW(window, to_wide(text).c_str(), L"About Hyrax", MB_OK | MB_ICONINFORMATION);
+  MessageBoxW(nullptr, to_wide(text).c_str(), L"About Hyrax", MB_OK | MB_SETFOREGROUND | MB_ICONINFORMATION);
 }
 
 }  // namespace hyrax

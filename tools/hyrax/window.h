@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <windows.h>
 
@@ -38,22 +39,17 @@ class FramePacer {
   std::int64_t due_ticks_;
 };
 
-struct Monitor {
-  HMONITOR handle;
-  Desk desk;
-};
-
-/// The monitor at the point, or the nearest one; without any, an arbitrary desk.
-[[nodiscard]] Monitor monitor_under(ScreenPoint point);
-
-/// Its current work area, and the size of the sprite at its scaling. Nothing if it was disconnected.
-[[nodiscard]] std::optional<Desk> desk_of(HMONITOR monitor);
-
-/// Frames per second for it.
-[[nodiscard]] int refresh_hz(HMONITOR monitor);
+/// The work areas of all monitors, and the sizes of the sprite at their scalings.
+[[nodiscard]] std::vector<Desk> all_desks();
+/// That of the monitor at the point, or of the nearest one; without any, an arbitrary desk.
+[[nodiscard]] Desk desk_under(ScreenPoint point);
+/// Frames per second for the monitor at the point.
+[[nodiscard]] int refresh_hz(ScreenPoint point);
 
 /// The pointer when the current message was sent; it may have moved since.
 [[nodiscard]] ScreenPoint pointer_of_message();
+/// When that was, in ticks of the clock: earlier than now if the program stalled.
+[[nodiscard]] std::int64_t ticks_of_message();
 /// The pointer now. Nothing if the system refuses, as on a locked desktop.
 [[nodiscard]] std::optional<ScreenPoint> pointer();
 /// Whether the main button is pressed now.
@@ -141,7 +137,7 @@ class TrayIcon {
 /// A new file in "Documents\\Hyrax", named by the local time, as just-happened-20261121-134455.json.
 [[nodiscard]] std::string new_recording_path(const std::string& name);
 
-/// Shows the version in a message box.
-void show_about(HWND window);
+/// Shows the version in a message box, beside which the hyrax can be grabbed.
+void show_about();
 
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-// The three bodies that a figure may have.
+// The two bodies that a figure may have.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,10 @@ namespace hyrax {
 /// Of the sheet that a body needs, in px.
 [[nodiscard]] double sheet_width(const std::vector<Plot>& plots);
 [[nodiscard]] double sheet_width(const Grid& grid);
-[[nodiscard]] double sheet_width(const Listing& listing);
 
 /// Draws a body from `top` on; returns where it ends.
 double draw_body(Svg& svg, const std::vector<Plot>& plots, double width, double top);
 double draw_body(Svg& svg, const Grid& grid, double width, double top);
-double draw_body(Svg& svg, const Listing& listing, double width, double top);
 
 /// Of its area: a line or a text over a band of a hue stays readable.
 [[nodiscard]] double opacity_of(const Look& look);

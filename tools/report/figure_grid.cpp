@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cassert>
 
 #include "tools/report/figure_body.h"
 
@@ -14,8 +13,6 @@ constexpr double kGridWidth = 960.0;
 constexpr double kTurned_deg = 50.0;
 constexpr double kRise = 0.77, kRun = 0.65;  // Their sine and cosine.
 constexpr double kNameAbove = 16.0;          // A row's, where there is no room at its left.
-constexpr double kListRow = 38.0;
-constexpr double kListHead = 26.0;
 
 double widest(const std::vector<std::string>& texts) {
   double width = 0.0;
@@ -55,11 +52,6 @@ struct GridPlaces {
   }
 };
 
-std::string shortened(const std::string& text, std::size_t letters_max) {
-  if (letters_max == 0 || text.size() <= letters_max) return text;
-  return text.substr(0, text.rfind(' ', letters_max - 2)) + " …";
-}
-
 }  // namespace
 
 double sheet_width(const Grid& grid) {
@@ -96,45 +88,6 @@ double draw_body(Svg& svg, const Grid& grid, double width, double start) {
       svg.text(box.centre(), cell.text, {.size = kGridText, .tone = Tone::ink, .side = Side::middle});
   }
   return top + places.row * static_cast<double>(grid.rows.size());
-}
-
-double sheet_width(const Listing& listing) {
-  double width = 2 * kSheetMargin;
-  for (const ListColumn& column : listing.columns) width += column.width_px;
-  return width;
-}
-
-double draw_body(Svg& svg, const Listing& listing, double /*width*/, double top) {
-  constexpr double kFill = 9.5;   // Half the height of the colour behind a text.
-  constexpr double kSpace = 8.0;  // From it to the next column.
-  double left = kSheetMargin;
-  for (std::size_t index = 0; index < listing.columns.size(); ++index) {
-    const ListColumn& column = listing.columns[index];
-    const Side side = column.is_right ? Side::right : Side::left;
-    const double end = column.is_right ? left + column.width_px : left;
-    svg.text({end, top + kGridText / 2}, column.title, {.size = kGridText, .side = side});
-    for (std::size_t row = 0; row < listing.rows.size(); ++row) {
-      assert(listing.rows[row].size() == listing.columns.size());
-      const ListField& field = listing.rows[row][index];
-      const double y = top + kListHead + kListRow * (static_cast<double>(row) + 0.25);
-      const std::string text = shortened(field.text, column.letters_max);
-      if (field.fill == Tone::none) {
-        svg.text({end, y}, text,
-                 {.size = index == 0 ? kGridText : kGridText + 1,
-                  .tone = index == 0 ? Tone::quiet : Tone::ink,
-                  .side = side});
-      } else {
-        const Box box{left, y - kFill, left + column.width_px - kSpace, y + kFill};
-        svg.box(box, colour_of(field.fill), 3.0);
-        svg.text(box.centre(), text, {.size = kGridText, .tone = Tone::ink, .side = Side::middle});
-      }
-      // Smaller letters: a quarter more of them fit.
-      svg.text({end, y + 16}, shortened(field.detail, column.letters_max + column.letters_max / 4),
-               {.size = kGridText - 1.5, .side = side});
-    }
-    left += column.width_px;
-  }
-  return top + kListHead + kListRow * static_cast<double>(listing.rows.size());
 }
 
 }  // namespace hyrax

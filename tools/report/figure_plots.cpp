@@ -124,9 +124,8 @@ class PlotDrawing {
     if (!plot_.y.categories.empty())
       return (has_names_above_ ? kCategoryWithText : kCategory) *
              static_cast<double>(plot_.y.categories.size());
-    if (plot_.has_equal_scales && !std::isnan(plot_.x.low))
-      return (width - kSheetMargin) * (plot_.y.high - plot_.y.low) / (plot_.x.high - plot_.x.low);
-    return height;
+    const double ratio = (plot_.y.high - plot_.y.low) / (plot_.x.high - plot_.x.low);
+    return plot_.has_equal_scales && std::isfinite(ratio) ? (width - kSheetMargin) * ratio : height;
   }
 
   // Texts at vertical marks and dots are above the plot.
@@ -302,7 +301,7 @@ std::vector<LegendEntry> take_names(Plot& plot) {
     if (its != nullptr && its->look.form != Form::band) names.push_back({text.text, its->look});
     return its != nullptr;
   });
-  if (!names.empty()) plot.x.high = kNotGiven;
+  if (!names.empty() && !plot.has_equal_scales) plot.x.high = kNotGiven;
   return names;
 }
 

@@ -31,25 +31,6 @@ void draw_sign(Svg& svg, const Look& look, double x, double y) {
   if (look.form != Form::line) svg.sign(middle, look.marker, std::max(look.marker_size, 0.8), colour);
 }
 
-std::string listing_html(const Listing& listing) {
-  std::string html = "<table class=\"listing\">\n<thead><tr>";
-  for (const ListColumn& column : listing.columns) html += "<th>" + escaped(column.title) + "</th>";
-  html += "</tr></thead>\n<tbody>\n";
-  for (const std::vector<ListField>& row : listing.rows) {
-    html += "<tr>";
-    for (std::size_t index = 0; index < row.size(); ++index) {
-      const auto& [text, detail, fill] = row[index];
-      html += listing.columns[index].is_right ? "<td class=\"number\">" : "<td>";
-      html += fill == Tone::none ? escaped(text)
-                                 : "<mark style=\"background:var(--" + css_name_of(fill) + ")\">" +
-                                       escaped(text) + "</mark>";
-      html += detail.empty() ? "</td>" : "<small>" + escaped(detail) + "</small></td>";
-    }
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table>\n";
-}
-
 // Draws legend and body from `top` on; returns where they end.
 double draw_data(Svg& svg, const Figure& figure, double width, double top) {
   const double start = draw_legend(svg, figure.legend, width, top);
@@ -103,8 +84,6 @@ std::string figure_svg(const Figure& figure) {
 std::string figure_html(const Figure& figure) {
   constexpr double kLeft = kSheetMargin - 12;  // Before a sheet's texts; a font may be wider than text_width.
   std::string html = "<div class=\"picture\">\n";
-  if (const auto* const listing = std::get_if<Listing>(&figure.body))
-    return html + listing_html(*listing) + "</div>\n";
   const auto add = [&](const char* css_class, double width) {
     Sheet sheet{.width = width};
     sheet.height = draw_data(sheet.svg, figure, width, 0.0) + 4;

@@ -74,14 +74,12 @@ const std::string& speed_colour(double part) {
   return light_and_dark()[light_and_dark().size() - kSpeedColours + step].first;
 }
 
-std::string css_name_of(Tone tone) {
+const std::string& colour_of(Tone tone) {
   const bool is_fill = tone == Tone::good || tone == Tone::notable || tone == Tone::bad;
   std::string name = (is_fill ? "fill-" : "") + std::string(kToneNames.at(static_cast<std::size_t>(tone)));
   std::replace(name.begin(), name.end(), '_', '-');
-  return name;
+  return colour_named(name);
 }
-
-const std::string& colour_of(Tone tone) { return colour_named(css_name_of(tone)); }
 
 const std::string& dashes_of(Dash dash) {
   static const std::string solid;

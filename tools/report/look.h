@@ -14,7 +14,6 @@ namespace hyrax {
 
 /// The colour `--NAME` of page/look.css in light pictures, "#0072b2". REQUIRES: the list has it.
 [[nodiscard]] const std::string& colour_named(std::string_view name);
-[[nodiscard]] std::string css_name_of(Tone tone);
 [[nodiscard]] const std::string& colour_of(Tone tone);
 
 /// Speeds as colours, `part` from 0 to 1: viridis (van der Walt and Smith, 2015), without its palest part,

@@ -1,9 +1,12 @@
 #include "tools/report/page_file.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 
 #include "tools/files/failure.h"
 #include "tools/files/text_file.h"
+#include "tools/report/svg.h"
 
 namespace hyrax {
 namespace {
@@ -30,6 +33,10 @@ void require_page() {
     throw Failure(ExitCode::cannot_access,
                   "the report page is not part of this program; to build it in: tools/run SCENARIO --report "
                   "FILE.html, or cmake with -DHYRAX_PAGE=ON");
+}
+
+std::string html_line(std::string_view tag, std::string_view text) {
+  return text.empty() ? "" : fmt::format("<{0}>{1}</{0}>\n", tag, escaped(text, true));
 }
 
 void write_page_file(const std::string& path, PageKind kind, const Json& data, const std::string& still) {

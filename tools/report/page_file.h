@@ -10,9 +10,8 @@ namespace hyrax {
 
 /// Each page carries only what it shows.
 enum class PageKind {
-  runs,     ///< Replays trajectories: the core as WebAssembly, charts over time.
-  results,  ///< Verdicts, tables and figures: of studies.
-  sweeps    ///< The same, and the members of sweeps, which it replays.
+  runs,   ///< Replays trajectories: the core as WebAssembly, charts over time.
+  sweeps  ///< Results, and the members of sweeps, which it replays.
 };
 
 /// The page with an empty place for its data; empty if this program was built without it (the CMake option
@@ -25,7 +24,11 @@ enum class PageKind {
 /// Throws Failure(cannot_access) if this program was built without the pages, and says how to build them.
 void require_page();
 
-/// @param still HTML that a browser without JavaScript shows instead of the page.
+/// A text as an HTML element with a line end; empty for none. Its own line ends stay.
+[[nodiscard]] std::string html_line(std::string_view tag, std::string_view text);
+
+/// @param still HTML: of runs what a browser without JavaScript shows instead of the page, of sweeps the
+/// results.
 /// ERRORS: as require_page's; Failure(cannot_access) if `path` cannot be written.
 void write_page_file(const std::string& path, PageKind kind, const Json& data, const std::string& still);
 

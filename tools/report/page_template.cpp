@@ -13,7 +13,6 @@
       ".text\n");                              \
   extern "C" const char hyrax_##name##_begin, hyrax_##name##_end
 HYRAX_PAGE_OF(runs);
-HYRAX_PAGE_OF(results);
 HYRAX_PAGE_OF(sweeps);
 #endif
 
@@ -22,8 +21,7 @@ namespace hyrax {
 std::string_view page_template([[maybe_unused]] PageKind kind) {
 #ifdef HYRAX_PAGE_FOLDER
   if (kind == PageKind::runs) return {&hyrax_runs_begin, &hyrax_runs_end};
-  if (kind == PageKind::sweeps) return {&hyrax_sweeps_begin, &hyrax_sweeps_end};
-  return {&hyrax_results_begin, &hyrax_results_end};
+  return {&hyrax_sweeps_begin, &hyrax_sweeps_end};
 #else
   return {};
 #endif

@@ -32,18 +32,18 @@ class PlotScale {
   [[nodiscard]] std::optional<double> end_of_strip() const;
 
  private:
-  struct Part {
+  struct Range {
     double low = 0.0, high = 0.0;
     double low_px = 0.0, high_px = 0.0;
   };
-  [[nodiscard]] Part ends_of(double low, double high) const;
-  [[nodiscard]] const Part& part_of(double value) const;
-  void add_powers_of_ten(std::vector<Tick>& ticks, const Part& part) const;
+  [[nodiscard]] Range ends_of(double low, double high) const;
+  [[nodiscard]] const Range& range_of(double value) const;
+  void add_powers_of_ten(std::vector<Tick>& ticks, const Range& range) const;
   void add_round_numbers(std::vector<Tick>& ticks) const;
 
   const Axis& axis_;
-  std::vector<Part> parts_;  // From the low end; two if the axis has a strip.
-  bool has_zeros_ = false;   // Of a logarithmic axis: data at zero_at.
+  std::vector<Range> ranges_;  // From the low end; two if the axis has a strip.
+  bool has_zeros_ = false;     // Of a logarithmic axis: data at zero_at.
   double apart_px_ = 0.0;
 };
 

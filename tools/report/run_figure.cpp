@@ -111,7 +111,7 @@ class RunDrawing {
     draw_windows(svg);
     draw_sprites(svg);
     draw_path(svg);
-    draw_bounces(svg);
+    draw_touches(svg);
     svg.end_clip();
     draw_speeds(svg);
     LabelPlacer placer({room_.left, room_.top, room_.right, room_.bottom});
@@ -227,37 +227,29 @@ class RunDrawing {
     return line;
   }
 
-  // Where it touched the wall, and a dot at the centre; in a corner each dot is nearer to its wall.
-  void draw_bounces(Svg& svg) const {
-    constexpr double kPile =
-        10.0;  // Contacts at rest would pile up: one dot for those that nearly cover one another.
+  // Where it touched the wall, and for a bounce a dot at the centre; in a corner each dot is nearer to its
+  // wall.
+  void draw_touches(Svg& svg) const {
     constexpr double kAside = 5.0;
-    std::vector<std::pair<Wall, SvgPoint>> drawn;
-    for (std::size_t i = 0; i < scene_.bounces.size(); ++i) {
-      const Bounce& bounce = scene_.bounces[i];
-      const auto has_place_of = [&](const Bounce& other) {
-        return other.wall != bounce.wall && other.sprite.left == bounce.sprite.left &&
-               other.sprite.top == bounce.sprite.top;
+    for (const Touch& touch : scene_.touches) {
+      const auto has_place_of = [&](const Touch& other) {
+        return other.wall != touch.wall && other.sprite.left == touch.sprite.left &&
+               other.sprite.top == touch.sprite.top;
       };
-      const bool is_corner = std::any_of(scene_.bounces.begin(), scene_.bounces.end(), has_place_of);
-      const Box box = at(bounce.sprite);
-      const bool is_level = bounce.wall == Wall::top || bounce.wall == Wall::ground;
-      const double toward = bounce.wall == Wall::left || bounce.wall == Wall::top ? -1.0 : 1.0;
+      const bool is_corner = std::ranges::any_of(scene_.touches, has_place_of);
+      const Box box = at(touch.sprite);
+      const bool is_level = touch.wall == Wall::top || touch.wall == Wall::ground;
+      const double toward = touch.wall == Wall::left || touch.wall == Wall::top ? -1.0 : 1.0;
       const double x = toward < 0 ? box.left : box.right, y = toward < 0 ? box.top : box.bottom;
-      const std::string& colour = colour_of(kWallTones[wall_index(bounce.wall)]);
-      const bool is_new = std::none_of(drawn.begin(), drawn.end(), [&](const auto& other) {
-        return other.first == bounce.wall &&
-               std::hypot(other.second.x - box.centre().x, other.second.y - box.centre().y) < kPile;
-      });
-      if (is_new) drawn.emplace_back(bounce.wall, box.centre());
-      svg.begin(fmt::format("contact: {}", name_of(bounce.wall)));
+      const std::string& colour = colour_of(kWallTones[wall_index(touch.wall)]);
+      svg.begin(fmt::format("{}: {}", touch.is_resting ? "resting contact" : "bounce", name_of(touch.wall)));
       svg.line(is_level ? std::vector<SvgPoint>{{box.left, y}, {box.right, y}}
                         : std::vector<SvgPoint>{{x, box.top}, {x, box.bottom}},
-               {colour, 5.0});
+               {colour, kTouch});
       const double aside = is_corner ? toward * kAside : 0.0;
       const SvgPoint dot{box.centre().x + (is_level ? 0.0 : aside),
                          box.centre().y + (is_level ? aside : 0.0)};
-      if (is_new) {
+      if (!touch.is_resting) {
         svg.sign(dot, Marker::dot, 1.1, colour_named("screen"));
         svg.sign(dot, Marker::dot, 0.8, colour);
       }
@@ -362,10 +354,13 @@ class RunDrawing {
   [[nodiscard]] std::vector<LegendEntry> legend() const {
     std::vector<LegendEntry> entries;
     for (const Wall wall : kWalls)
-      if (const std::int64_t count = scene_.contacts[wall]; count > 0)
+      if (const std::int64_t count = scene_.bounces[wall]; count > 0)
         entries.push_back({fmt::format("{} {}", name_of(wall), with_decimals(static_cast<double>(count), 0)),
                            {.form = Form::points, .tone = kWallTones[wall_index(wall)]}});
-    if (!entries.empty()) entries.front().text = "contacts: " + entries.front().text;
+    if (!entries.empty()) entries.front().text = "bounces: " + entries.front().text;
+    if (std::ranges::any_of(scene_.touches, &Touch::is_resting))
+      entries.push_back(
+          {"resting contact", {.tone = kWallTones[wall_index(Wall::ground)], .width_px = kTouch}});
     const auto has = [this](StrokeKind kind) {
       return std::ranges::any_of(scene_.path.strokes,
                                  [kind](const Stroke& stroke) { return stroke.kind == kind; });
@@ -388,6 +383,7 @@ class RunDrawing {
   static constexpr double kPlotHeightMin = 220.0;
   static constexpr double kTick = 12.0;  // Of letters.
   static constexpr double kArm = 10.0;   // Of the cross.
+  static constexpr double kTouch = 5.0;  // Width of a wall where it was touched.
 
   const Scenario& scenario_;
   const Columns& rows_;
@@ -401,11 +397,11 @@ class RunDrawing {
 }  // namespace
 
 std::string run_svg(const Scenario& scenario, const Columns& rows, const std::vector<Contact>& contacts,
-                    const std::optional<WallCounts>& contacts_counted) {
+                    const std::optional<WallCounts>& bounces) {
   constexpr double kDetail_px = 1.25;  // What is smaller, the path need not show.
   RunScene scene = make_run_scene(scenario, rows, contacts,
                                   (RunDrawing::kWidth - RunDrawing::kLeft - RunDrawing::kRight) / kDetail_px);
-  if (contacts_counted) scene.contacts = *contacts_counted;
+  if (bounces) scene.bounces = *bounces;
   RunDrawing drawing(scenario, rows, scene);
   const Sheet wide = drawing.sheet(RunDrawing::kWidth, 0.0);
   const Sheet narrow =

@@ -8,6 +8,7 @@
 #include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
+#include "sim/trajectory/resting_contact.h"
 
 namespace hyrax {
 namespace {
@@ -150,22 +151,29 @@ std::vector<Throw> throws_in(const Box& view, std::vector<Throw> throws) {
   return throws;
 }
 
-std::vector<Bounce> bounces_of(const std::vector<Contact>& contacts, const SizesInForce& sizes) {
-  std::vector<Bounce> bounces;
-  for (std::size_t i = 0; i < std::min(contacts.size(), kBouncesShownMax); ++i)
-    bounces.push_back({contacts[i].wall,
-                       sprite_box(contacts[i].x_px, contacts[i].y_px, sizes.at(contacts[i].step).sprite)});
-  return bounces;
+// By the rows that are recorded: the floor is that of the contact's stretch, which the next event ends.
+bool is_resting(const Contact& contact, const Columns& rows, const SizesInForce& sizes,
+                const std::vector<std::int64_t>& frames) {
+  if (contact.wall != Wall::ground) return false;
+  const auto event = std::lower_bound(frames.begin(), frames.end(), contact.step);
+  const std::int64_t end = event == frames.end() ? rows.step.back() : *event;
+  const SizesInForce::Change& size = sizes.at(contact.step);
+  const double floor_px = bounds_of(size.window, size.sprite).bottom_px;
+  auto row = std::upper_bound(rows.step.begin(), rows.step.end(), contact.step);
+  if (row == rows.step.end() || *row > end) return false;
+  for (; row != rows.step.end() && *row <= end; ++row)
+    if (!RestingContact::is_near(rows.y_px[static_cast<std::size_t>(row - rows.step.begin())], floor_px))
+      return false;
+  return true;
 }
 
-std::vector<Box> ghosts_of(const std::vector<Bounce>& bounces) {
-  constexpr double kTolerance = 0.2;  // Contacts at rest would pile up.
+std::vector<Box> ghosts_of(const std::vector<Touch>& touches) {
+  constexpr double kTolerance = 0.2;
   std::vector<Box> ghosts;
-  for (const Bounce& bounce : bounces) {
-    const auto covers = [&bounce](const Box& ghost) {
-      return nearly_cover(ghost, bounce.sprite, kTolerance);
-    };
-    if (std::none_of(ghosts.begin(), ghosts.end(), covers)) ghosts.push_back(bounce.sprite);
+  for (const Touch& touch : touches) {
+    const auto covers = [&touch](const Box& ghost) { return nearly_cover(ghost, touch.sprite, kTolerance); };
+    if (!touch.is_resting && std::none_of(ghosts.begin(), ghosts.end(), covers))
+      ghosts.push_back(touch.sprite);
   }
   return ghosts;
 }
@@ -227,9 +235,14 @@ RunScene make_run_scene(const Scenario& scenario, const Columns& rows, const std
   std::erase_if(scene.inputs,
                 [&scene](const TimedInput& input) { return !scene.view.holds(input.x_px, input.y_px); });
   scene.inputs.resize(std::min(scene.inputs.size(), kInputsLabelledMax));
-  scene.bounces = bounces_of(contacts, sizes);
-  scene.ghosts = ghosts_of(scene.bounces);
-  for (const Contact& contact : contacts) ++scene.contacts[contact.wall];
+  for (const Contact& contact : contacts) {
+    const bool rests = is_resting(contact, rows, sizes, frames);
+    if (!rests) ++scene.bounces[contact.wall];
+    if (scene.touches.size() < kTouchesShownMax)
+      scene.touches.push_back(
+          {contact.wall, sprite_box(contact.x_px, contact.y_px, sizes.at(contact.step).sprite), rests});
+  }
+  scene.ghosts = ghosts_of(scene.touches);
   if (rows.size() > 0) {
     scene.start = outline_at(rows, 0, sizes);
     scene.end = outline_at(rows, rows.size() - 1, sizes);

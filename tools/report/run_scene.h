@@ -91,18 +91,20 @@ struct TimedInput {
 /// Whether two outlines differ by less than `tolerance` times the sides of the first.
 [[nodiscard]] bool nearly_cover(const Box& a, const Box& b, double tolerance);
 
-struct Bounce {
+/// A contact: a bounce, or a resting contact, which the picture shows by the floor below it alone.
+struct Touch {
   Wall wall = Wall::ground;
   Box sprite;
+  bool is_resting = false;
 };
 
 struct RunScene {
   std::vector<Size> windows;  ///< Each once, in order; of many some, with the first and the last.
   std::optional<Box> start, end;
   std::optional<SvgPoint> not_finite;  ///< Centre before the row that is not finite, if that is in view.
-  std::vector<Bounce> bounces;         ///< The first kBouncesShownMax.
-  std::vector<Box> ghosts;             ///< Their outlines, without those that nearly cover one another.
-  WallCounts contacts{};               ///< How many there are, drawn or not.
+  std::vector<Touch> touches;          ///< The first kTouchesShownMax.
+  std::vector<Box> ghosts;             ///< Outlines of bounces, without those that nearly cover one another.
+  WallCounts bounces{};                ///< How many there are, drawn or not.
   std::vector<Throw> throws;           ///< The first kThrowsShownMax.
   std::vector<TimedInput> inputs;      ///< The first kInputsLabelledMax.
   RunPath path;
@@ -111,7 +113,7 @@ struct RunScene {
   Box view;
 };
 
-inline constexpr std::size_t kBouncesShownMax = 30;
+inline constexpr std::size_t kTouchesShownMax = 30;
 inline constexpr std::size_t kThrowsShownMax = 12;
 inline constexpr std::size_t kInputsLabelledMax = 12;
 inline constexpr std::size_t kWindowsShownMax = 12;
@@ -127,11 +129,11 @@ inline constexpr std::size_t kWindowsShownMax = 12;
 /// same scale. The same run gives the same text; its length has a bound, however long the run is.
 /// @param rows in order of steps, with row 0 first; rows that are not finite are left out. Missing rows are
 /// drawn as a dotted line.
-/// @param contacts_counted all contacts by wall, if `contacts` has only the first of them: 30 are drawn.
-/// Counted from `contacts` if left out.
+/// @param bounces all bounces by wall, if `contacts` has only the first contacts: 30 are drawn. Counted from
+/// `contacts` if left out. Which of those are bounces is judged by the rows.
 /// REQUIRES: rows and contacts are of this scenario, whose events have frames.
 [[nodiscard]] std::string run_svg(const Scenario& scenario, const Columns& rows,
                                   const std::vector<Contact>& contacts,
-                                  const std::optional<WallCounts>& contacts_counted = std::nullopt);
+                                  const std::optional<WallCounts>& bounces = std::nullopt);
 
 }  // namespace hyrax

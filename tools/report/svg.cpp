@@ -46,15 +46,15 @@ SvgPoint within_reach(SvgPoint at) {
 
 std::string path_of(const std::vector<SvgPoint>& points) {
   std::string path;
-  bool is_open = false;
+  bool is_continued = false;
   for (const SvgPoint& point : points) {
     if (!is_drawn(point)) {
-      is_open = false;
+      is_continued = false;
       continue;
     }
     const SvgPoint at = within_reach(point);
-    path += fmt::format("{}{},{}", is_open ? " " : "M", px(at.x), px(at.y));
-    is_open = true;
+    path += fmt::format("{}{},{}", is_continued ? " " : "M", px(at.x), px(at.y));
+    is_continued = true;
   }
   return path;
 }
@@ -72,6 +72,18 @@ std::string place_of(const Box& box) {
 
 std::string rounded_by(double corner) {
   return corner > 0.0 ? fmt::format(" rx=\"{}\"", px(corner)) : std::string();
+}
+
+// A hyphen before a number is its sign.
+std::string with_minus_signs(std::string_view text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool begins = at == 0 || text[at - 1] == ' ' || text[at - 1] == '(';
+    const bool is_sign =
+        text[at] == '-' && begins && at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9';
+    result += is_sign ? std::string_view("−") : text.substr(at, 1);
+  }
+  return result;
 }
 
 }  // namespace
@@ -142,7 +154,7 @@ void Svg::text(SvgPoint at, std::string_view text, const Lettering& lettering) {
       lettering.turned_deg == 0.0
           ? ""
           : fmt::format(" transform=\"rotate({:g} {} {})\"", -lettering.turned_deg, x, y),
-      escaped(text));
+      escaped(with_minus_signs(text)));
 }
 
 void Svg::begin(std::string_view name) {

@@ -52,8 +52,10 @@ DriftRowTable::DriftRowTable(hid_t reference, hid_t drift, std::int64_t steps, s
       steps_(steps),
       rows_every_(rows_every),
       rows_(TrajectoryWriter::row_count(steps, rows_every)),
-      of_reference_(reference, columns_of(kReferenceRowColumns, pending_), static_cast<hsize_t>(rows_)),
-      of_drift_(drift, columns_of(kDriftRowColumns, pending_), static_cast<hsize_t>(rows_)) {}
+      reference_columns_(columns_of(kReferenceRowColumns, pending_)),
+      drift_columns_(columns_of(kDriftRowColumns, pending_)),
+      of_reference_(reference, reference_columns_, static_cast<hsize_t>(rows_)),
+      of_drift_(drift, drift_columns_, static_cast<hsize_t>(rows_)) {}
 
 void DriftRowTable::row(const RowErrors& row) {
   const bool is_due = row.step % rows_every_ == 0;
@@ -66,9 +68,8 @@ void DriftRowTable::row(const RowErrors& row) {
 
 bool DriftRowTable::finish(hid_t file) {
   fill_up_to(rows_);
-  return flush() &&
-         describe(file, reference_, of_reference_, columns_of(kReferenceRowColumns, pending_), "y") &&
-         describe(file, drift_, of_drift_, columns_of(kDriftRowColumns, pending_), "truncation");
+  return flush() && describe(file, reference_, of_reference_, reference_columns_, "y") &&
+         describe(file, drift_, of_drift_, drift_columns_, "truncation");
 }
 
 void DriftRowTable::put(const RowErrors& row) {
@@ -82,15 +83,15 @@ void DriftRowTable::fill_up_to(std::int64_t index) {
 }
 
 bool DriftRowTable::flush() {
-  const bool is_written = of_reference_.append(columns_of(kReferenceRowColumns, pending_)) &&
-                          of_drift_.append(columns_of(kDriftRowColumns, pending_));
+  set_columns(reference_columns_, kReferenceRowColumns, pending_);
+  set_columns(drift_columns_, kDriftRowColumns, pending_);
   pending_.clear();
-  return is_written;
+  return of_reference_.append(reference_columns_) && of_drift_.append(drift_columns_);
 }
 
 bool write_measured_arcs(hid_t reference, hid_t drift, const DriftRun& run) {
   h5::write_attribute(reference, "solution",
-                      "closed form of v' = g - k v with k = -ln(0.999) / dt of each frame");
+                      "closed form of v' = g - k v with k = -ln(AIR_DRAG) / dt of each frame");
   h5::write_attribute(reference, "checked_by", run.checked_by.empty() ? "nothing" : run.checked_by);
   h5::write_attribute(drift, "differing_steps", run.summary.differing_steps);
   h5::write_attribute(drift, "reference_faults", run.summary.reference_faults);

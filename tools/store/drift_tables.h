@@ -41,6 +41,8 @@ class DriftRowTable final : public DriftSink {
   std::int64_t rows_;
   std::int64_t next_ = 0;  // Index of the next row in the file.
   std::vector<RowErrors> pending_;
+  std::vector<Column> reference_columns_;
+  std::vector<Column> drift_columns_;
   h5::ColumnWriter of_reference_;
   h5::ColumnWriter of_drift_;
 };

@@ -6,12 +6,13 @@
 #include <array>
 #include <cassert>
 #include <cerrno>
+#include <cstring>
+#include <iterator>
 #include <optional>
 #include <span>
 
 #include <fmt/format.h>
 
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/sweep_reader.h"
 #include "tools/store/isolated_read.h"
@@ -52,64 +53,91 @@ std::string unit_of(std::string_view name) {
   return "";
 }
 
-Table members_table(const KeepSet& keep, std::span<const MemberResult> results) {
+// What the sweep keeps, without rows.
+Table members_table(const KeepSet& keep) {
+  constexpr std::span<const MemberResult> kNone;
   Table table{.name = "members"};
-  const auto add = [&](Keep kept, const auto& described) {
-    if (!keep.has(kept)) return;
-    for (Column& column : columns_of(described, results)) table.columns.push_back(std::move(column));
+  const auto add = [&](Keep kept, std::vector<Column> columns) {
+    if (keep.has(kept)) std::ranges::move(columns, std::back_inserter(table.columns));
   };
-  add(Keep::final, kFinal);
-  if (keep.has(Keep::contacts)) {
-    std::vector<std::int64_t> counts;
-    for (const MemberResult& result : results)
-      for (const std::int64_t WallCounts::*wall :
-           {&WallCounts::left, &WallCounts::right, &WallCounts::top, &WallCounts::ground})
-        counts.push_back(result.contacts.*wall);
-    table.columns.push_back({.name = "contacts",
-                             .unit = "1",
-                             .long_name = "contacts with left, right, top, ground",
-                             .values = std::move(counts),
-                             .width = 4});
-  }
-  add(Keep::at_rest, kAtRest);
-  add(Keep::extremes, kExtremes);
-  if (keep.has(Keep::state_hash)) {
-    Codes bytes;
-    for (const MemberResult& result : results)
-      bytes.codes.insert(bytes.codes.end(), result.state_hash.begin(), result.state_hash.end());
-    table.columns.push_back({.name = "state_hash",
-                             .long_name = "XXH3-128 of all rows",
-                             .values = std::move(bytes),
-                             .width = sizeof(Digest)});
+  add(Keep::final, columns_of(kFinal, kNone));
+  add(Keep::contacts, {{.name = "contacts",
+                        .unit = "1",
+                        .long_name = "contacts with left, right, top, ground",
+                        .values = std::vector<std::int64_t>(),
+                        .width = 4}});
+  add(Keep::at_rest, columns_of(kAtRest, kNone));
+  add(Keep::extremes, columns_of(kExtremes, kNone));
+  add(Keep::state_hash, {{.name = "state_hash",
+                          .long_name = "XXH3-128 of all rows",
+                          .values = Codes(),
+                          .width = sizeof(Digest)}});
+  return table;
+}
+
+// What it varies, without rows.
+Table inputs_table(const Sweep& sweep) {
+  Table table{.name = "inputs"};
+  for (std::size_t key = 0; key < sweep.vary.size(); ++key) {
+    const std::string& pointer = sweep.vary[key].pointer;
+    const std::string name = input_name(pointer);
+    table.columns.push_back({.name = name, .unit = unit_of(name), .long_name = pointer, .values = {}});
+    std::visit([&]<class Value>(Value) { table.columns.back().values = std::vector<Value>(); },
+               value_of(sweep, key, 0));
   }
   return table;
 }
 
-// A varied key in rows of a part: a column of the group /inputs.
-Column input_column(const Sweep& sweep, std::size_t key, const WorkPart& part, std::int64_t first_row,
-                    std::int64_t count) {
-  const std::string& pointer = sweep.vary[key].pointer;
-  const std::string name = input_name(pointer);
-  Column column{.name = name, .unit = unit_of(name), .long_name = pointer, .values = {}};
-  std::visit(
-      [&]<class Value>(Value) {
-        std::vector<Value> values;
-        values.reserve(static_cast<std::size_t>(count));
-        for (std::int64_t row = first_row; row < first_row + count; ++row)
-          values.push_back(std::get<Value>(value_of(sweep, key, part.member(row))));
-        column.values = std::move(values);
-      },
-      value_of(sweep, key, 0));
-  return column;
+void set_members(const KeepSet& keep, std::span<const MemberResult> results, Table& table) {
+  auto column = table.columns.begin();
+  const auto set = [&](Keep kept, const auto& described) {
+    if (!keep.has(kept)) return;
+    for (const auto& each : described) set_values(*column++, each, results);
+  };
+  set(Keep::final, kFinal);
+  if (keep.has(Keep::contacts)) {
+    auto& counts = values_as<std::vector<std::int64_t>>(*column++);
+    counts.clear();
+    for (const MemberResult& result : results)
+      for (const Wall wall : kWalls) counts.push_back(result.contacts[wall]);
+  }
+  set(Keep::at_rest, kAtRest);
+  set(Keep::extremes, kExtremes);
+  if (keep.has(Keep::state_hash)) {
+    auto& bytes = values_as<Codes>(*column++).codes;
+    bytes.clear();
+    for (const MemberResult& result : results)
+      bytes.insert(bytes.end(), result.state_hash.begin(), result.state_hash.end());
+  }
 }
 
-constexpr const char* kRowsDone = "rows_done";
+// Calls a function with a varied key's values in its type, and with one that gives what the sweep says of a
+// member.
+void with_inputs(const Sweep& sweep, std::size_t key, Column& column, const auto& take) {
+  std::visit(
+      [&]<class Value>(Value) {
+        take(std::get<std::vector<Value>>(column.values),
+             [&](std::int64_t member) { return std::get<Value>(value_of(sweep, key, member)); });
+      },
+      value_of(sweep, key, 0));
+}
+
+void set_inputs(const Sweep& sweep, const WorkPart& part, std::int64_t first_row, std::int64_t count,
+                Table& table) {
+  for (std::size_t key = 0; key < sweep.vary.size(); ++key)
+    with_inputs(sweep, key, table.columns[key], [&](auto& values, const auto& input_of) {
+      values.clear();
+      for (std::int64_t row = first_row; row < first_row + count; ++row)
+        values.push_back(input_of(part.member(row)));
+    });
+}
 
 void write_head(hid_t file, const EnsembleHead& head) {
   h5::write_attribute(file, "format", kEnsembleFormat);
   h5::write_attribute(file, "sweep", head.sweep_text);
   h5::write_attribute(file, "members", head.members);
   h5::write_attribute(file, "physics", head.physics);
+  write_core_name(file, head.core);
   if (head.is_part) {
     h5::write_attribute(file, "part", head.part.index);
     h5::write_attribute(file, "parts", head.part.count);
@@ -125,7 +153,8 @@ std::optional<EnsembleHead> read_head(hid_t file) {
   EnsembleHead head{.sweep_text = *sweep,
                     .members = *members,
                     .part = {},
-                    .physics = h5::read_text_attribute(file, "physics").value_or("")};
+                    .physics = h5::read_text_attribute(file, "physics").value_or(""),
+                    .core = read_core_name(file)};
   const auto part = h5::read_integer_attribute(file, "part");
   const auto parts = h5::read_integer_attribute(file, "parts");
   if (part && parts) {
@@ -160,22 +189,22 @@ h5::Handle create_dimension(hid_t file, const char* name, std::size_t length) {
   return is_written;
 }
 
-[[nodiscard]] bool write_empty(hid_t file, const EnsembleHead& head, const Sweep& sweep) {
-  h5::write_attribute(file, kRowsDone, std::int64_t{0});
-  write_head(file, head);
+// The groups without rows; empty if they could not be written.
+std::vector<h5::ColumnWriter> create_groups(hid_t file, const EnsembleHead& head, const Sweep& sweep) {
   const auto rows = static_cast<hsize_t>(head.part.rows(head.members));
   const h5::Handle members = create_dimension(file, "member", rows);
-  for (const Table& table : ensemble_tables(sweep, head.part, 0, {})) {
+  std::vector<h5::ColumnWriter> writers;
+  for (const Table& table : ensemble_tables(sweep)) {
     const h5::Handle group = h5::create_group(file, table.name.c_str());
-    h5::ColumnWriter writer(h5::create_columns(group, table.columns, rows), 0);
-    if (!group.is_open() || !writer.finish(table.columns, nullptr) ||
+    h5::ColumnWriter& writer = writers.emplace_back(h5::create_columns(group, table.columns, rows));
+    if (!members.is_open() || !group.is_open() || !writer.finish(table.columns, nullptr) ||
         !attach_axes(file, table, writer.datasets(), members))
-      return false;
+      return {};
   }
-  return members.is_open();
+  return writers;
 }
 
-// The datasets of each table; empty if one is missing or has another shape.
+// The datasets of each table; empty if one is missing or has another extent.
 std::vector<std::vector<h5::Handle>> open_tables(hid_t file, const std::vector<Table>& tables,
                                                  std::int64_t rows) {
   std::vector<std::vector<h5::Handle>> datasets;
@@ -187,77 +216,47 @@ std::vector<std::vector<h5::Handle>> open_tables(hid_t file, const std::vector<T
   return datasets;
 }
 
-std::span<const std::byte> bytes_of(const Column& column) {
-  std::span<const std::byte> bytes;
-  with_numbers(column, [&](const auto& values) { bytes = std::as_bytes(std::span(values)); });
-  return bytes;
-}
-
 }  // namespace
 
-std::vector<Table> ensemble_tables(const Sweep& sweep, const WorkPart& part, std::int64_t first_row,
-                                   std::span<const MemberResult> results) {
-  Table inputs{.name = "inputs"};
-  for (std::size_t key = 0; key < sweep.vary.size(); ++key)
-    inputs.columns.push_back(
-        input_column(sweep, key, part, first_row, static_cast<std::int64_t>(results.size())));
-  return {members_table(sweep.keep, results), std::move(inputs)};
+std::vector<Table> ensemble_tables(const Sweep& sweep) {
+  return {members_table(sweep.keep), inputs_table(sweep)};
 }
 
-void create_ensemble(const std::string& path, const std::string& result, const EnsembleHead& head,
-                     const Sweep& sweep) {
+void set_ensemble_rows(const Sweep& sweep, const WorkPart& part, std::int64_t first_row,
+                       std::span<const MemberResult> results, std::vector<Table>& tables) {
+  set_members(sweep.keep, results, tables[0]);
+  set_inputs(sweep, part, first_row, std::ssize(results), tables[1]);
+}
+
+EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep)
+    : path_(path), target_(path) {
   constexpr std::uint64_t kNotInMemory = 1 << 30;
   errno = 0;
-  h5::Handle file = h5::create_file(path, kNotInMemory);
-  const bool is_written = file.is_open() && write_empty(file, head, sweep);
-  if (file.close() < 0 || !is_written) fail_to_write(result, errno == 0 ? EIO : errno);
-  trust_own_file(path);
+  file_ = h5::create_file(target_.part_path(), kNotInMemory);
+  require(file_.is_open());
+  write_head(file_, head);
+  groups_ = create_groups(file_, head, sweep);
+  require(!groups_.empty());
 }
 
-EnsembleWriter::EnsembleWriter(const std::string& path, const std::string& result, const EnsembleHead& head,
-                               const Sweep& sweep)
-    : result_(result) {
-  read_isolated(path, [&] { open(path, head, sweep); });
-  open(path, head, sweep);
-}
-
-void EnsembleWriter::open(const std::string& path, const EnsembleHead& head, const Sweep& sweep) {
-  file_ = h5::open_file_to_write(path);
-  const auto found = file_.is_open() ? read_head(file_) : std::nullopt;
-  if (!found) refuse_input(path + ": is no sweep's file that can be continued; `--force` starts over");
-  if (*found != head)
-    refuse_input(path + ": is of another sweep, part or physics model; `--force` starts over");
-  const std::int64_t rows = head.part.rows(head.members);
-  auto datasets = open_tables(file_, ensemble_tables(sweep, head.part, 0, {}), rows);
-  done_ = h5::Handle(H5Aopen(file_, kRowsDone, H5P_DEFAULT), H5Aclose);
-  rows_done_ = h5::read_integer_attribute(file_, kRowsDone).value_or(done_.is_open() ? -1 : rows);
-  if (rows_done_ < 0 || rows_done_ > rows || datasets.empty())
-    refuse_input(path + ": is damaged; `--force` starts over");
-  groups_.clear();
-  for (std::vector<h5::Handle>& each : datasets)
-    groups_.emplace_back(std::move(each), static_cast<hsize_t>(rows_done_));
-}
-
-// The rows are in the file before it says so.
 void EnsembleWriter::write(const std::vector<Table>& rows) {
   assert(rows.size() == groups_.size());
   errno = 0;
   for (std::size_t table = 0; table < rows.size(); ++table)
-    if (!groups_[table].append(rows[table].columns)) fail();
+    require(groups_[table].append(rows[table].columns));
   rows_done_ += static_cast<std::int64_t>(row_count(rows.front()));
-  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0 || H5Awrite(done_, H5T_NATIVE_INT64, &rows_done_) < 0 ||
-      H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0)
-    fail();
 }
 
 void EnsembleWriter::finish() {
   errno = 0;
   groups_.clear();
-  if (done_.is_open() && (done_.close() < 0 || H5Adelete(file_, kRowsDone) < 0)) fail();
-  if (file_.close() < 0) fail();
+  require(file_.close() >= 0);
+  target_.commit();
 }
 
-void EnsembleWriter::fail() const { fail_to_write(result_, errno == 0 ? EIO : errno); }
+void EnsembleWriter::require(bool is_written) const {
+  if (!is_written) fail_to_write(path_, errno == 0 ? EIO : errno);
+}
 
 EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
   const auto open = [&] {
@@ -265,12 +264,11 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
     const auto head = file_.is_open() ? read_head(file_) : std::nullopt;
     if (!head) refuse_input(path + ": is no result file of a sweep (" + std::string(kEnsembleFormat) + ")");
     head_ = *head;
-    if (const auto done = h5::read_integer_attribute(file_, kRowsDone))
-      refuse_input(path + ": " +
-                   fmt::format("is not complete: {} of {} members are done; continue it with --resume", *done,
-                               rows()));
+    if (h5::has_attribute(file_, "rows_done"))
+      refuse_input(path +
+                   ": is not complete: an older version was stopped while it wrote it; run the sweep again");
     sweep_ = parse_sweep(head_.sweep_text, path + ": sweep", SweepCheck::first_member).sweep;
-    tables_ = ensemble_tables(sweep_, head_.part, 0, {});
+    tables_ = ensemble_tables(sweep_);
     datasets_ = open_tables(file_, tables_, rows());
     if (datasets_.empty()) refuse_input(path + ": is damaged: a column is missing, or has another length");
   };
@@ -278,21 +276,22 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
   open();
 }
 
-Column EnsembleReader::read(std::size_t table, std::size_t column, std::int64_t first_row,
-                            std::int64_t count) const {
-  Column read = tables_[table].columns[column];
+void EnsembleReader::read(std::size_t table, std::size_t column, std::int64_t first_row, std::int64_t count,
+                          Column& rows) const {
   if (h5::read_rows(datasets_[table][column], static_cast<hsize_t>(first_row), static_cast<hsize_t>(count),
-                    read) < 0)
+                    rows) < 0)
     throw Failure(ExitCode::cannot_access, path_ + ": cannot be read: the HDF5 library fails");
-  if (tables_[table].name != "inputs") return read;
-  const Column said = input_column(sweep_, column, head_.part, first_row, count);
-  const auto bytes = bytes_of(read);
-  const auto differing = std::ranges::mismatch(bytes, bytes_of(said)).in1 - bytes.begin();
-  if (const auto row = differing / static_cast<std::ptrdiff_t>(sizeof(double)); row < count)
-    refuse_input(path_ + ": " +
-                 fmt::format("inputs/{}: the input of member {} is not the sweep's: the file was changed",
-                             read.name, head_.part.member(first_row + row)));
-  return read;
+  if (tables_[table].name != "inputs") return;
+  with_inputs(sweep_, column, rows, [&](const auto& values, const auto& input_of) {
+    for (std::int64_t row = 0; row < count; ++row) {
+      const std::int64_t member = head_.part.member(first_row + row);
+      const auto said = input_of(member);
+      if (std::memcmp(&values[static_cast<std::size_t>(row)], &said, sizeof said) != 0)
+        refuse_input(path_ + ": " +
+                     fmt::format("inputs/{}: the input of member {} is not the sweep's: the file was changed",
+                                 rows.name, member));
+    }
+  });
 }
 
 }  // namespace hyrax

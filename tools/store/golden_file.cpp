@@ -135,19 +135,23 @@ bool write_contacts(hid_t file, const StoredRun& run) {
   run.each_contact([&](const Contact& contact) { is_written = table.append(contact) && is_written; });
   is_written = table.finish() && is_written;
   h5::write_attribute(group, "total", run.contacts_total);
+  write_sources(group, run.walls_of_rows);
   return is_written;
 }
 
 bool write_rows(hid_t file, const Columns& rows) {
   const h5::Handle group = h5::create_group(file, "trajectory");
   RowTable table(group, static_cast<std::int64_t>(rows.size()));
-  return table.write(rows) && table.finish();
+  bool is_written = true;
+  for (std::size_t row = 0; row < rows.size(); ++row) is_written = table.append(rows.row(row)) && is_written;
+  return is_written && table.finish();
 }
 
 bool write_run(hid_t file, const StoredRun& run) {
   return write_rows(file, stored_rows(run)) && write_contacts(file, run) &&
          (run.blocks.empty() || write_blocks(file, run.blocks)) &&
-         write_head(file, {run.scenario, run.steps, run.physics, run.state_hash, run.constants}, run.inputs);
+         write_head(file, {run.scenario, run.steps, run.physics, run.state_hash, run.constants, run.core},
+                    run.inputs);
 }
 
 StoredRun read_run(const TrajectoryFile& file) {
@@ -155,10 +159,12 @@ StoredRun read_run(const TrajectoryFile& file) {
   run.scenario = file.head().scenario;
   run.physics = file.head().physics;
   run.constants = file.head().constants;
+  run.core = file.head().core;
   run.steps = file.head().steps;
   run.state_hash = file.head().state_hash;
   run.contacts = file.contacts();
   run.contacts_total = file.contacts_total();
+  run.walls_of_rows = file.walls_of_rows();
   run.inputs = file.inputs();
   if (file.has("blocks")) {
     read_blocks(file, run);
@@ -182,34 +188,35 @@ std::string attribute_text(hid_t object, const char* name) {
   return "a list";
 }
 
-struct Listing {
+struct AttributeLines {
   std::string path;
   std::vector<std::string> lines;
 };
 
-herr_t list_attribute(hid_t object, const char* name, const H5A_info_t*, void* listing) {
-  auto& [path, lines] = *static_cast<Listing*>(listing);
+herr_t list_attribute(hid_t object, const char* name, const H5A_info_t*, void* list) {
+  auto& [path, lines] = *static_cast<AttributeLines*>(list);
+  if (path == "/" && std::string_view(name) == kCoreAttribute) return 0;
   lines.push_back(path + "@" + name + " = " + attribute_text(object, name));
   return 0;
 }
 
-herr_t list_object(hid_t file, const char* name, const H5O_info_t*, void* listing) {
-  auto& [path, lines] = *static_cast<Listing*>(listing);
+herr_t list_object(hid_t file, const char* name, const H5O_info_t*, void* list) {
+  auto& [path, lines] = *static_cast<AttributeLines*>(list);
   path = std::string("/") + (std::string_view(name) == "." ? "" : name);
   if (path == "/provenance") return 0;
   lines.push_back(path);
-  return H5Aiterate_by_name(file, name, H5_INDEX_NAME, H5_ITER_INC, nullptr, list_attribute, listing,
+  return H5Aiterate_by_name(file, name, H5_INDEX_NAME, H5_ITER_INC, nullptr, list_attribute, list,
                             H5P_DEFAULT);
 }
 
 // A line for each object, "PATH", and for each of its attributes, "PATH@NAME = VALUE", in order of names.
-// /provenance is left out, as no comparison includes it. Lists are named without their values: references
-// between objects, which are addresses in the file, and codes.
+// /provenance and the core's name are left out, as no comparison includes them. Lists are named without their
+// values: references between objects, which are addresses in the file, and codes.
 std::vector<std::string> attribute_list(hid_t file) {
-  Listing listing;
-  if (H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, list_object, &listing, H5O_INFO_BASIC) < 0)
-    listing.lines.emplace_back("unreadable");
-  return listing.lines;
+  AttributeLines list;
+  if (H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, list_object, &list, H5O_INFO_BASIC) < 0)
+    list.lines.emplace_back("unreadable");
+  return list.lines;
 }
 
 std::vector<std::string> stored_attributes(const std::string& path) {

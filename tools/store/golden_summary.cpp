@@ -151,12 +151,10 @@ std::string file_checksum(const std::string& path) {
 std::string golden_summary_text(const StoredRun& run, const RunSummary& summary, const Waypoints& waypoints,
                                 const std::string& reason, const std::string& margin,
                                 const GoldenChecksums& checksums) {
-  const WallCounts& counts = summary.contacts;
   const Row& end = summary.final;
   std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\n{}{}\n", run.scenario.name,
                                  run.physics, run.steps, kStateHashKey, run.state_hash);
-  text += fmt::format("contacts: left {}, right {}, top {}, ground {}\n", counts.left, counts.right,
-                      counts.top, counts.ground);
+  text += fmt::format("contacts: {}\n", contacts_text(summary, true));
   text += list_of(run);
   text += waypoints_text(waypoints);
   text += fmt::format("end: t {} s\n", end.t_s);
@@ -168,15 +166,19 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
                                   : fmt::format("not settled: {}\n", summary.why_not_settled());
   if (!margin.empty()) text += fmt::format("margin: {}\n", margin);
   if (!checksums.core.empty()) text += fmt::format("{}{}\n", kCoreKey, checksums.core);
-  text += kReasonKey;
-  return text + reason + "\n" + checksums_line(text, checksums.contents, checksums.file);
+  return with_checksums(text, reason, checksums.contents, checksums.file);
+}
+
+std::string with_checksums(const std::string& lines, const std::string& reason, const std::string& contents,
+                           const std::string& file) {
+  const std::string head = lines + std::string(kReasonKey);
+  return head + reason + "\n" + checksums_line(head, contents, file);
 }
 
 bool has_checksums(const std::string& text, const std::string& contents, const std::string& file) {
   const std::size_t reason = text.find(std::string("\n").append(kReasonKey));
   if (reason == std::string::npos) return false;
-  const std::string head = text.substr(0, reason + 1 + kReasonKey.size());
-  return text == head + summary_reason(text) + "\n" + checksums_line(head, contents, file);
+  return text == with_checksums(text.substr(0, reason + 1), summary_reason(text), contents, file);
 }
 
 }  // namespace hyrax

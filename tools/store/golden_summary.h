@@ -31,6 +31,10 @@ struct GoldenChecksums {
                                               const Waypoints& waypoints, const std::string& reason,
                                               const std::string& margin, const GoldenChecksums& checksums);
 
+/// A summary's lines with the reason, which follows on them, and the checksums' line.
+[[nodiscard]] std::string with_checksums(const std::string& lines, const std::string& reason,
+                                         const std::string& contents, const std::string& file);
+
 /// Whether a summary ends with the checksum of these contents and of its own lines, all but the reason's
 /// text, and that of the file. Then a run of these contents agrees with the golden file in everything that a
 /// comparison looks at, and neither need be read nor written again to tell.

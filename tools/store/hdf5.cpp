@@ -48,8 +48,8 @@ Handle dataset_list() {
 }
 
 Handle create_with(hid_t creation, hid_t parent, const char* name, hid_t type,
-                   const std::vector<hsize_t>& shape, const hsize_t* shape_max = nullptr) {
-  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), shape_max), H5Sclose);
+                   const std::vector<hsize_t>& extent, const hsize_t* extent_max = nullptr) {
+  const Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), extent_max), H5Sclose);
   return {H5Dcreate2(parent, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
 }
 
@@ -101,35 +101,27 @@ Handle open_file(const std::string& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
 }
 
-Handle open_file_to_write(const std::string& path) {
-  initialize();
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
-  H5Pset_file_locking(access, false, true);  // Its writer has another lock on it.
-  return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose};
-}
-
 Handle create_group(hid_t parent, const char* name) {
   return {H5Gcreate2(parent, name, H5P_DEFAULT, object_list(H5P_GROUP_CREATE), H5P_DEFAULT), H5Gclose};
 }
 
-Handle create_dataset(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& shape) {
-  return create_with(dataset_list(), parent, name, type, shape);
+Handle create_dataset(hid_t parent, const char* name, hid_t type, const std::vector<hsize_t>& extent) {
+  return create_with(dataset_list(), parent, name, type, extent);
 }
 
-std::vector<hsize_t> shape_of(hid_t dataset) {
+std::vector<hsize_t> extent_of(hid_t dataset) {
   const Handle space(H5Dget_space(dataset), H5Sclose);
   const int dimensions = H5Sget_simple_extent_ndims(space);
-  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(dimensions, 0)));
-  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-  return shape;
+  std::vector<hsize_t> extent(static_cast<std::size_t>(std::max(dimensions, 0)));
+  H5Sget_simple_extent_dims(space, extent.data(), nullptr);
+  return extent;
 }
 
 namespace {
 
 // What transfer(memory space, file space) returns for rows of a dataset; negative if it has no such rows.
 herr_t transfer_rows(hid_t dataset, hsize_t first, hsize_t count, const auto& transfer) {
-  std::vector<hsize_t> size = shape_of(dataset);
+  std::vector<hsize_t> size = extent_of(dataset);
   if (size.empty() || first + count > size.front()) return -1;
   std::vector<hsize_t> start(size.size(), 0);
   start.front() = first;
@@ -151,7 +143,7 @@ void write_attribute_of(hid_t object, const char* name, hid_t type, hid_t memory
 }  // namespace
 
 herr_t write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* data) {
-  if (std::vector<hsize_t> size = shape_of(dataset); !size.empty() && first + count > size.front()) {
+  if (std::vector<hsize_t> size = extent_of(dataset); !size.empty() && first + count > size.front()) {
     size.front() = first + count;
     if (H5Dset_extent(dataset, size.data()) < 0) return -1;
   }
@@ -175,8 +167,8 @@ bool share_axis(hid_t group, const char* scale) {
     const auto& [scale_name, scale_dataset] = *static_cast<const Axis*>(to);
     const Handle object(H5Oopen(parent, name, H5P_DEFAULT), H5Oclose);
     if (std::string_view(name) == scale_name || H5Iget_type(object) != H5I_DATASET) return 0;
-    return shape_of(object) == shape_of(scale_dataset) ? H5DSattach_scale(object, scale_dataset, 0)
-                                                       : H5DSset_scale(object, name);
+    return extent_of(object) == extent_of(scale_dataset) ? H5DSattach_scale(object, scale_dataset, 0)
+                                                         : H5DSset_scale(object, name);
   };
   return H5DSset_scale(axis.scale, scale) >= 0 &&
          H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, attach, &axis) >= 0;
@@ -321,7 +313,7 @@ ColumnData data_of(const Column& column) {
   return std::visit([](const auto& values) { return data_of(values); }, column.values);
 }
 
-std::vector<hsize_t> shape_of(const Column& column, hsize_t rows) {
+std::vector<hsize_t> extent_of(const Column& column, hsize_t rows) {
   return column.width == 1 ? std::vector{rows} : std::vector<hsize_t>{rows, column.width};
 }
 
@@ -343,7 +335,7 @@ std::vector<Handle> create_columns(hid_t group, const std::vector<Column>& colum
   std::vector<Handle> datasets;
   for (const Column& column : columns)
     datasets.push_back(
-        create_with(creation, group, column.name.c_str(), data_of(column).type, shape_of(column, rows)));
+        create_with(creation, group, column.name.c_str(), data_of(column).type, extent_of(column, rows)));
   return datasets;
 }
 
@@ -351,7 +343,7 @@ std::vector<Handle> open_columns(hid_t group, const std::vector<Column>& columns
   std::vector<Handle> datasets;
   for (const Column& column : columns) {
     datasets.emplace_back(H5Dopen2(group, column.name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!datasets.back().is_open() || shape_of(datasets.back()) != shape_of(column, rows)) return {};
+    if (!datasets.back().is_open() || extent_of(datasets.back()) != extent_of(column, rows)) return {};
   }
   return datasets;
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,14 +52,11 @@ class Handle {
 /// opened a file with these functions the library prints no errors.
 [[nodiscard]] Handle open_file(const std::string& path);
 
-/// Opens an existing file for writing; not open if it is not an HDF5 file.
-[[nodiscard]] Handle open_file_to_write(const std::string& path);
-
 [[nodiscard]] Handle create_group(hid_t parent, const char* name);
 
 /// A dataset of fixed length, stored contiguously.
 [[nodiscard]] Handle create_dataset(hid_t parent, const char* name, hid_t type,
-                                    const std::vector<hsize_t>& shape);
+                                    const std::vector<hsize_t>& extent);
 /// Writes rows `first` .. `first + count - 1` of a dataset of one or two dimensions, and extends one that
 /// grows if needed. Returns a negative value on failure.
 [[nodiscard]] herr_t write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count,
@@ -69,7 +67,7 @@ class Handle {
 /// failure.
 [[nodiscard]] herr_t read_rows(hid_t dataset, hsize_t first, hsize_t count, Column& column);
 /// Sizes of a dataset's dimensions.
-[[nodiscard]] std::vector<hsize_t> shape_of(hid_t dataset);
+[[nodiscard]] std::vector<hsize_t> extent_of(hid_t dataset);
 
 /// Makes dataset `scale` of a group the axis (dimension scale) of the group's other datasets; those of
 /// another length become axes themselves. netCDF readers such as xarray need this to open the group.
@@ -83,11 +81,28 @@ class Handle {
 void write_flags(hid_t dataset, const char* codes, std::span<const std::uint8_t> values,
                  std::span<const std::string_view> meanings);
 
+/// The library's type of a number in memory.
+template <class Number>
+[[nodiscard]] hid_t native_type() {
+  if constexpr (std::is_floating_point_v<Number>)
+    return sizeof(Number) == sizeof(double) ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT;
+  constexpr std::size_t kSize = sizeof(Number);
+  if constexpr (std::is_signed_v<Number>)
+    return kSize == 1   ? H5T_NATIVE_INT8
+           : kSize == 2 ? H5T_NATIVE_INT16
+           : kSize == 4 ? H5T_NATIVE_INT32
+                        : H5T_NATIVE_INT64;
+  return kSize == 1   ? H5T_NATIVE_UINT8
+         : kSize == 2 ? H5T_NATIVE_UINT16
+         : kSize == 4 ? H5T_NATIVE_UINT32
+                      : H5T_NATIVE_UINT64;
+}
+
 /// Creates a dataset for each column, with `rows` rows. Their space is allocated at once, so that writing
 /// rows changes no other part of the file.
 [[nodiscard]] std::vector<Handle> create_columns(hid_t group, const std::vector<Column>& columns,
                                                  hsize_t rows);
-/// Opens the columns' datasets; empty if one is missing or has another shape.
+/// Opens the columns' datasets; empty if one is missing or has another extent.
 [[nodiscard]] std::vector<Handle> open_columns(hid_t group, const std::vector<Column>& columns, hsize_t rows);
 
 /// Datasets of a group, one for each column of a table whose chunks come one after another. Text is
@@ -98,9 +113,8 @@ class ColumnWriter {
   /// @param columns names and types; their values are not written. REQUIRES: columns of width 1.
   /// @param chunk more than 0: the datasets grow, stored in chunks of as many rows; else they have `rows`.
   ColumnWriter(hid_t group, const std::vector<Column>& columns, hsize_t rows, hsize_t chunk = 0);
-  /// Continues datasets of which rows were written. REQUIRES: it is finished without an axis.
-  ColumnWriter(std::vector<Handle> datasets, hsize_t written)
-      : datasets_(std::move(datasets)), written_(written) {}
+  /// Of create_columns. REQUIRES: it is finished without an axis.
+  explicit ColumnWriter(std::vector<Handle> datasets) : datasets_(std::move(datasets)) {}
 
   /// Each returns false if the file could not be written.
   [[nodiscard]] bool append(const std::vector<Column>& columns);

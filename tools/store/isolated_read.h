@@ -26,8 +26,4 @@ void read_isolated(const std::string& path, const std::function<void()>& read);
 void read_isolated_together(const std::vector<std::string>& paths,
                             const std::function<void(const std::string& path)>& read);
 
-/// Says that this process wrote the whole file itself: read_isolated does not read it, under any name, until
-/// its size or time of change is another one.
-void trust_own_file(const std::string& path);
-
 }  // namespace hyrax

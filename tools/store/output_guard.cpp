@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
@@ -156,6 +157,14 @@ void OutputGuard::refuse_scenarios(const std::string& option, const std::string&
   const bool is_scenario_by_name =
       route.is_in_scenarios && identity_of(path) && fs::path(route.end).extension() == ".json";
   if (is_scenario_by_name || holds_scenario(path)) refuse(option, "a scenario", path);
+}
+
+void require_writable(const std::string& path) {
+  fs::path folder = fs::absolute(path).parent_path();
+  while (!is_there(folder.string()) && folder.has_relative_path()) folder = folder.parent_path();
+  if (!is_folder(folder.string())) fail_to_write(path, ENOTDIR);
+  if (is_folder(path)) fail_to_write(path, EISDIR);
+  if (access(folder.c_str(), W_OK | X_OK) != 0) fail_to_write(path, errno);
 }
 
 void make_folder(const std::string& path, const std::string& what) {

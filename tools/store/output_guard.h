@@ -56,6 +56,9 @@ class OutputGuard {
   std::set<std::string> outputs_;
 };
 
+/// Throws Failure(cannot_access) where the file cannot be written, as far as can be known without writing.
+void require_writable(const std::string& path);
+
 /// Makes the folder of outputs, and those above it, unless it is there.
 /// ERRORS: Failure(cannot_access) "PATH: WHAT: REASON".
 void make_folder(const std::string& path, const std::string& what = "cannot create the folder");

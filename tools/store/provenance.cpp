@@ -23,4 +23,10 @@ Provenance read_provenance(hid_t file) {
   return provenance;
 }
 
+void write_core_name(hid_t file, const std::string& checksum) {
+  if (!checksum.empty()) h5::write_attribute(file, kCoreAttribute, checksum);
+}
+
+std::string read_core_name(hid_t file) { return h5::read_text_attribute(file, kCoreAttribute).value_or(""); }
+
 }  // namespace hyrax

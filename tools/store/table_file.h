@@ -16,10 +16,6 @@ namespace hyrax {
 
 inline constexpr std::string_view kStudyFormat = "hyrax-study/1";
 
-/// The name of the table that holds, as JSON, what the report page shows besides the others: its columns
-/// `verdict` and `figures` have one row.
-inline constexpr const char* kReportTable = "report";
-
 struct StudyHead {
   std::string study;      ///< Its name, as `hyrax-sim study` knows it.
   std::string long_name;  ///< What was studied, in one line.
@@ -31,17 +27,6 @@ struct StudyHead {
 /// length. ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON"; the file at `path` stays as it
 /// was.
 void write_study_file(const std::string& path, const StudyHead& head, const std::vector<Table>& tables);
-
-struct StudyFile {
-  StudyHead head;
-  std::vector<Table> tables;  ///< In the order in which they were written; a bool is 0 or 1.
-  Provenance provenance;
-};
-
-/// Reads a file of any origin, first in a child process.
-/// ERRORS: Failure(cannot_access) if it cannot be read; Failure(bad_input) "PATH: ..." if it is no result
-/// file of a study, damaged, or names no tables. REQUIRES: as read_isolated.
-[[nodiscard]] StudyFile read_study_file(const std::string& path);
 
 /// The attribute `format` of an HDF5 file of any origin; empty if it has none or is none.
 /// ERRORS: Failure(cannot_access) if it cannot be read. REQUIRES: as read_isolated.

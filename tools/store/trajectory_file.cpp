@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <filesystem>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -13,8 +14,10 @@
 #include "tools/files/failure.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/files/text_file.h"
 #include "tools/store/input_record.h"
 #include "tools/store/isolated_read.h"
+#include "tools/store/trajectory_parts.h"
 
 namespace hyrax {
 namespace {
@@ -28,19 +31,10 @@ bool is_locked(const std::string& path) {
   return is_held;
 }
 
-h5::Handle open_readable(const std::string& path) {
-  if (access(path.c_str(), R_OK) != 0) fail_to_read(path, errno);
-  if (!is_regular_file(path)) refuse_input(path + ": is not a regular file");
-  h5::Handle file = h5::open_file(path);
-  if (!file.is_open() && is_locked(path))
-    throw Failure(ExitCode::cannot_access,
-                  path + ": cannot be read: locked by another program, which may be writing it");
-  if (!file.is_open()) refuse_input(path + ": is not an HDF5 file, or is truncated");
-  return file;
-}
-
 bool has_common_format(hid_t type) {
-  for (const hid_t common : {H5T_IEEE_F64LE, H5T_IEEE_F64BE, H5T_STD_I64LE, H5T_STD_I64BE, H5T_STD_U8LE})
+  for (const hid_t common :
+       {H5T_IEEE_F64LE, H5T_IEEE_F64BE, H5T_IEEE_F32LE, H5T_STD_I64LE, H5T_STD_I64BE, H5T_STD_U64LE,
+        H5T_STD_I32LE, H5T_STD_U32LE, H5T_STD_I16LE, H5T_STD_U16LE, H5T_STD_I8LE, H5T_STD_U8LE})
     if (H5Tequal(type, common) > 0) return true;
   return false;
 }
@@ -58,6 +52,20 @@ std::vector<NumberColumn<double>> row_columns(hid_t file, const std::string& pat
 }
 
 }  // namespace
+
+h5::Handle open_readable(const std::string& path) {
+  if (access(path.c_str(), R_OK) != 0) fail_to_read(path, errno);
+  if (!is_regular_file(path)) refuse_input(path + ": is not a regular file");
+  h5::Handle file = h5::open_file(path);
+  if (!file.is_open() && is_locked(path))
+    throw Failure(ExitCode::cannot_access,
+                  path + ": cannot be read: locked by another program, which may be writing it");
+  constexpr std::uintmax_t kLfsPointerMax = 1024;
+  if (!file.is_open() && std::filesystem::file_size(path) <= kLfsPointerMax)
+    static_cast<void>(read_text_file(path));
+  if (!file.is_open()) refuse_input(path + ": is not an HDF5 file, or is truncated");
+  return file;
+}
 
 template <class Value>
 NumberColumn<Value>::NumberColumn(hid_t file, const std::string& path, const std::string& dataset,
@@ -79,27 +87,30 @@ NumberColumn<Value>::NumberColumn(hid_t file, const std::string& path, const std
 }
 
 template <class Value>
-std::vector<Value> NumberColumn<Value>::read(std::int64_t first, std::int64_t count) const {
+void NumberColumn<Value>::read(std::int64_t first, std::int64_t count, std::vector<Value>& values) const {
   assert(first >= 0 && count >= 0 && first + count <= length_);
-  std::vector<Value> values(static_cast<std::size_t>(count));
-  if (count == 0) return values;
+  values.resize(static_cast<std::size_t>(count));
+  if (count == 0) return;
   // Codes of an enumeration are read as they are stored: converted, a negative one would be 0.
   const h5::Handle stored(H5Dget_type(dataset_), H5Tclose);
-  const hid_t type = H5Tget_class(stored) == H5T_ENUM      ? hid_t{stored}
-                     : std::is_same_v<Value, double>       ? H5T_NATIVE_DOUBLE
-                     : std::is_same_v<Value, std::int64_t> ? H5T_NATIVE_INT64
-                                                           : H5T_NATIVE_UINT8;
+  const hid_t type = H5Tget_class(stored) == H5T_ENUM ? hid_t{stored} : h5::native_type<Value>();
   const herr_t result = count == length_
                             ? H5Dread(dataset_, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data())
                             : h5::read_rows(dataset_, type, static_cast<hsize_t>(first),
                                             static_cast<hsize_t>(count), values.data());
   if (result < 0) refuse_input(place_ + ": cannot be read: the file is truncated or damaged");
-  return values;
 }
 
 template class NumberColumn<double>;
+template class NumberColumn<float>;
+template class NumberColumn<std::int8_t>;
+template class NumberColumn<std::int16_t>;
+template class NumberColumn<std::int32_t>;
 template class NumberColumn<std::int64_t>;
 template class NumberColumn<std::uint8_t>;
+template class NumberColumn<std::uint16_t>;
+template class NumberColumn<std::uint32_t>;
+template class NumberColumn<std::uint64_t>;
 
 TrajectoryFile::TrajectoryFile(const std::string& path, Parsing parsing)
     : path_(path),
@@ -123,8 +134,9 @@ void TrajectoryFile::read_all() const {
       std::all_of(columns_.begin(), columns_.end(), [](const auto& c) { return c.is_plain(); });
   // Of plain columns it is enough to read the first and the last row.
   const std::int64_t stride = is_plain ? std::max<std::int64_t>(1, row_count() - 1) : kBatchRows;
+  Columns rows;
   for (std::int64_t first = 0; first < row_count(); first += stride)
-    static_cast<void>(rows(first, is_plain ? 1 : std::min(kBatchRows, row_count() - first)));
+    read_rows(first, is_plain ? 1 : std::min(kBatchRows, row_count() - first), rows);
   static_cast<void>(contacts());
   static_cast<void>(contacts_total());
   static_cast<void>(inputs());
@@ -136,11 +148,14 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
   if (format != kTrajectoryFormat)
     refuse("attribute format: unknown format (found " + format.value_or("none") +
            "); allowed: " + std::string(kTrajectoryFormat));
+  if (const auto core = h5::read_text_attribute(file_, "core_name"))
+    refuse("is of the core " + *core + ", which describes itself: read it with " + *core + "-sim");
   FileHead head;
   const std::string scenario = text("scenario");
   if (parsing == Parsing::on) head.scenario = parse_scenario(scenario, path_ + ": attribute scenario");
   head.physics = text("physics");
   head.state_hash = text("state_hash");
+  head.core = read_core_name(file_);
   const auto steps = h5::read_integer_attribute(file_, "steps");
   if (!steps || *steps < 0 || *steps > kStepsMax)
     refuse("attribute steps: is missing or not an integer 0 .. 1e12");
@@ -173,19 +188,24 @@ void TrajectoryFile::check_lengths() const {
     require(columns_[column].length(), kRowColumns[column].name);
   require(contact_.length(), "contact");
   if (row_count() == 0) refuse("/trajectory: has no rows");
-  const auto last = step_.read(row_count() - 1, 1).front();
-  if (last != head_.steps)
-    refuse("/trajectory/step: ends at the wrong row (found " + std::to_string(last) +
+  std::vector<std::int64_t> last;
+  step_.read(row_count() - 1, 1, last);
+  if (last.front() != head_.steps)
+    refuse("/trajectory/step: ends at the wrong row (found " + std::to_string(last.front()) +
            "); the attribute steps is " + std::to_string(head_.steps));
 }
 
 Columns TrajectoryFile::rows(std::int64_t first, std::int64_t count) const {
   Columns rows;
-  rows.step = step_.read(first, count);
-  for (std::size_t column = 0; column < columns_.size(); ++column)
-    rows.*kRowColumns[column].also = columns_[column].read(first, count);
-  rows.contact = contact_.read(first, count);
+  read_rows(first, count, rows);
   return rows;
+}
+
+void TrajectoryFile::read_rows(std::int64_t first, std::int64_t count, Columns& rows) const {
+  step_.read(first, count, rows.step);
+  for (std::size_t column = 0; column < columns_.size(); ++column)
+    columns_[column].read(first, count, rows.*kRowColumns[column].also);
+  contact_.read(first, count, rows.contact);
 }
 
 std::vector<Contact> TrajectoryFile::contacts() const {
@@ -216,6 +236,11 @@ std::int64_t TrajectoryFile::contacts_total() const {
   const auto total = h5::read_integer_attribute(group, "total");
   if (!total) refuse("/contacts: attribute total: is missing or not an integer");
   return *total;
+}
+
+std::uint8_t TrajectoryFile::walls_of_rows() const {
+  const h5::Handle group(H5Gopen2(file_, "contacts", H5P_DEFAULT), H5Gclose);
+  return read_sources(group);
 }
 
 std::vector<Input> TrajectoryFile::inputs() const {

@@ -16,20 +16,25 @@
 
 namespace hyrax {
 
+/// Opens a file for reading.
+/// ERRORS: Failure(cannot_access) if it cannot be read, Failure(bad_input) if it is no HDF5 file.
+[[nodiscard]] h5::Handle open_readable(const std::string& path);
+
 /// One dataset of numbers, checked: of the type class (the class of Value, or an enumeration) and size of
-/// Value, one axis, completely stored. Value: double, std::int64_t or std::uint8_t.
+/// Value, one axis, completely stored. Value: any number of up to 64 bits, no bool.
 template <class Value>
 class NumberColumn {
  public:
   /// ERRORS: Failure(bad_input) "PATH: DATASET: ...".
   NumberColumn(hid_t file, const std::string& path, const std::string& dataset,
-               H5T_class_t type_class = std::is_same_v<Value, double> ? H5T_FLOAT : H5T_INTEGER);
+               H5T_class_t type_class = std::is_floating_point_v<Value> ? H5T_FLOAT : H5T_INTEGER);
 
   [[nodiscard]] std::int64_t length() const { return length_; }
   /// Whether it is contiguous, in a common number format, so that the library decodes nothing.
   [[nodiscard]] bool is_plain() const { return is_plain_; }
-  /// Elements `first` .. `first + count - 1`. REQUIRES: 0 <= first, first + count <= length().
-  [[nodiscard]] std::vector<Value> read(std::int64_t first, std::int64_t count) const;
+  /// Elements `first` .. `first + count - 1`, in place of those in `values`. REQUIRES: 0 <= first, first +
+  /// count <= length().
+  void read(std::int64_t first, std::int64_t count, std::vector<Value>& values) const;
 
  private:
   std::string place_;
@@ -61,9 +66,12 @@ class TrajectoryFile {
   [[nodiscard]] std::int64_t row_count() const { return step_.length(); }
   /// Recorded rows `first` .. `first + count - 1`. REQUIRES: first + count <= row_count().
   [[nodiscard]] Columns rows(std::int64_t first, std::int64_t count) const;
+  /// The same in place of other rows, whose memory is used again.
+  void read_rows(std::int64_t first, std::int64_t count, Columns& rows) const;
   [[nodiscard]] std::vector<Contact> contacts() const;
   /// The number of contacts, with those that are not recorded.
   [[nodiscard]] std::int64_t contacts_total() const;
+  [[nodiscard]] std::uint8_t walls_of_rows() const;  ///< As StoredRun's.
   [[nodiscard]] std::vector<Input> inputs() const;
   [[nodiscard]] Provenance provenance() const { return read_provenance(file_); }
 
@@ -72,7 +80,9 @@ class TrajectoryFile {
   template <class Value, class... TypeClass>
   [[nodiscard]] std::vector<Value> column(const std::string& dataset, TypeClass... type_class) const {
     const NumberColumn<Value> numbers(file_, path_, dataset, type_class...);
-    return numbers.read(0, numbers.length());
+    std::vector<Value> values;
+    numbers.read(0, numbers.length(), values);
+    return values;
   }
   /// Throws Failure(bad_input) "PATH: SENTENCE".
   [[noreturn]] void refuse(const std::string& sentence) const;

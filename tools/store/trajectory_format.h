@@ -22,6 +22,8 @@ struct FileHead {
   /// Of the core that played the run: the paper's where the file of a paper's model does not have them,
   /// nothing for a core of one's own.
   std::optional<Constants> constants;
+  std::string core = {};           ///< CoreRecord::checksum of that core; empty: the file does not say.
+  std::uint8_t walls_of_rows = 0;  ///< As StoredRun's; attributes of /contacts.
 };
 
 /// The numbers of the attribute `constants`, in the order of the paper's table.

@@ -9,11 +9,21 @@
 namespace hyrax {
 namespace {
 
-std::vector<Column> row_columns(const Columns& rows) {
-  std::vector<Column> columns = {{"step", "", "", rows.step}};
-  for (const RowColumn& each : kRowColumns) columns.push_back({each.name, "", "", rows.*each.also});
-  columns.push_back({"contact", "", "", Codes{.codes = rows.contact}});
+std::string source_name(Wall wall) { return "source_" + std::string(name_of(wall)); }
+
+std::vector<Column> row_columns() {
+  std::vector<Column> columns = {{"step", "", "", std::vector<std::int64_t>()}};
+  for (const RowColumn& each : kRowColumns) columns.push_back({each.name, "", "", std::vector<double>()});
+  columns.push_back({"contact", "", "", Codes()});
   return columns;
+}
+
+// Gives the columns the vectors of the rows, or gives them back.
+void swap_values(std::vector<Column>& columns, Columns& rows) {
+  values_as<std::vector<std::int64_t>>(columns.front()).swap(rows.step);
+  for (std::size_t each = 0; each < kRowColumns.size(); ++each)
+    values_as<std::vector<double>>(columns[each + 1]).swap(rows.*kRowColumns[each].also);
+  values_as<Codes>(columns.back()).codes.swap(rows.contact);
 }
 
 // The meaning and unit of a and b depend on the kind.
@@ -39,19 +49,19 @@ bool write_inputs(hid_t file, const std::vector<InputRecord>& inputs) {
 }  // namespace
 
 RowTable::RowTable(hid_t group, std::int64_t rows)
-    : group_(group), rows_(rows), writer_(group, row_columns(Columns()), static_cast<hsize_t>(rows)) {}
+    : group_(group),
+      rows_(rows),
+      columns_(row_columns()),
+      writer_(group, columns_, static_cast<hsize_t>(rows)) {}
 
 bool RowTable::append(const Row& row) {
   pending_.append(row);
-  if (pending_.size() < kBatch) return true;
-  const bool is_written = write(pending_);
-  pending_.clear();
-  return is_written;
+  return pending_.size() < kBatch || write();
 }
 
 // Units, names and the time axis, as xarray (dimension scales) and silx (NXdata) expect them.
 bool RowTable::finish() {
-  const bool is_written = pending_.size() == 0 || write(pending_);
+  const bool is_written = write();
   const std::vector<h5::Handle>& datasets = writer_.datasets();
   for (std::size_t column = 0; column < kRowColumns.size(); ++column) {
     h5::write_attribute(datasets[column + 1], "units", kRowColumns[column].unit);
@@ -68,9 +78,13 @@ bool RowTable::finish() {
   return h5::share_axis(group_, "t") && is_written && written_ == rows_;
 }
 
-bool RowTable::write(const Columns& rows) {
-  written_ += static_cast<std::int64_t>(rows.size());
-  return writer_.append(row_columns(rows));
+bool RowTable::write() {
+  written_ += static_cast<std::int64_t>(pending_.size());
+  swap_values(columns_, pending_);
+  const bool is_written = writer_.append(columns_);
+  swap_values(columns_, pending_);
+  pending_.clear();
+  return is_written;
 }
 
 bool ContactTable::append(const Contact& contact) {
@@ -88,30 +102,55 @@ bool ContactTable::set_last_step(std::int64_t index, std::int64_t last_step) {
 }
 
 bool ContactTable::finish() {
-  const std::vector<Column> columns = columns_of(kContactColumns, batch_);
-  if (!writer_) writer_.emplace(group_, columns, batch_.size());
-  return writer_->append(columns) && writer_->finish(columns, "step");
+  set_columns(columns_, kContactColumns, batch_);
+  if (!writer_) writer_.emplace(group_, columns_, batch_.size());
+  return writer_->append(columns_) && writer_->finish(columns_, "step");
 }
 
 bool ContactTable::flush() {
-  const std::vector<Column> columns = columns_of(kContactColumns, batch_);
-  if (!writer_) writer_.emplace(group_, columns, 0, kBatch);
+  set_columns(columns_, kContactColumns, batch_);
+  if (!writer_) writer_.emplace(group_, columns_, 0, kBatch);
   flushed_ += static_cast<std::int64_t>(batch_.size());
   batch_.clear();
-  return writer_->append(columns);
+  return writer_->append(columns_);
 }
 
-bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inputs) {
+void write_sources(hid_t contacts, std::uint8_t walls_of_rows) {
+  if (walls_of_rows == 0) return;
+  for (const Wall wall : kWalls)
+    h5::write_attribute(contacts, source_name(wall).c_str(), touches(walls_of_rows, wall) ? "rows" : "step");
+}
+
+std::uint8_t read_sources(hid_t contacts) {
+  int walls = 0;
+  for (const Wall wall : kWalls)
+    if (h5::read_text_attribute(contacts, source_name(wall).c_str()) == "rows")
+      walls |= static_cast<int>(wall);
+  return static_cast<std::uint8_t>(walls);
+}
+
+void write_root(hid_t file, const RootAttributes& root) {
   h5::write_attribute(file, "format", kTrajectoryFormat);
-  h5::write_attribute(file, "name", head.scenario.name);
-  h5::write_attribute(file, "scenario", to_text(to_json(head.scenario)));
-  h5::write_attribute(file, "steps", head.steps);
-  h5::write_attribute(file, "physics", head.physics);
-  h5::write_attribute(file, "state_hash", head.state_hash);
-  if (head.constants) h5::write_attribute(file, "constants", numbers_of(*head.constants));
+  h5::write_attribute(file, "name", root.name);
+  h5::write_attribute(file, "scenario", root.scenario);
+  h5::write_attribute(file, "steps", root.steps);
+  h5::write_attribute(file, "physics", root.physics);
+  h5::write_attribute(file, "state_hash", root.state_hash);
+  if (root.constants) h5::write_attribute(file, "constants", *root.constants);
+  write_core_name(file, root.core);
   h5::write_attribute(file, "NX_class", "NXroot");
   h5::write_attribute(file, "default", "trajectory");
   write_provenance(file);
+}
+
+bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inputs) {
+  write_root(file, {.name = head.scenario.name,
+                    .scenario = to_text(to_json(head.scenario)),
+                    .steps = head.steps,
+                    .physics = head.physics,
+                    .state_hash = head.state_hash,
+                    .constants = head.constants ? std::optional(numbers_of(*head.constants)) : std::nullopt,
+                    .core = head.core});
   std::vector<InputRecord> records;
   for (const Input& input : inputs) records.push_back(record_of(input));
   return write_inputs(file, records);

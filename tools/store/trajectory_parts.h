@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/scenario/schedule.h"
@@ -21,16 +23,17 @@ class RowTable {
 
   /// Each returns false if the file could not be written.
   [[nodiscard]] bool append(const Row& row);
-  /// A large batch at once. REQUIRES: no row was appended before.
-  [[nodiscard]] bool write(const Columns& rows);
   [[nodiscard]] bool finish();
   void close() { writer_.close(); }
 
  private:
+  [[nodiscard]] bool write();
+
   hid_t group_;
   std::int64_t rows_;
   std::int64_t written_ = 0;
   Columns pending_;
+  std::vector<Column> columns_;  // Have the vectors of `pending_` as long as they are written.
   h5::ColumnWriter writer_;
 };
 
@@ -41,7 +44,7 @@ class ContactTable {
   static constexpr std::size_t kBatch = 4096;
 
   /// @param group the open group /contacts.
-  explicit ContactTable(hid_t group) : group_(group) {}
+  explicit ContactTable(hid_t group) : group_(group), columns_(columns_of(kContactColumns, batch_)) {}
 
   /// Each returns false if the file could not be written.
   [[nodiscard]] bool append(const Contact& contact);
@@ -55,9 +58,28 @@ class ContactTable {
 
   hid_t group_;
   std::vector<Contact> batch_;
+  std::vector<Column> columns_;
   std::int64_t flushed_ = 0;
   std::optional<h5::ColumnWriter> writer_;
 };
+
+/// Which walls' contacts the rows tell: attributes `source_left` ... of the open group /contacts; none where
+/// all follow from the step.
+void write_sources(hid_t contacts, std::uint8_t walls_of_rows);
+[[nodiscard]] std::uint8_t read_sources(hid_t contacts);
+
+/// The attributes of `/`, for any core.
+struct RootAttributes {
+  std::string name;
+  std::string scenario;  ///< As JSON text.
+  std::int64_t steps = 0;
+  std::string physics;
+  std::string state_hash;
+  std::optional<ConstantNumbers> constants = {};
+  std::string core = {};
+};
+/// With the group /provenance.
+void write_root(hid_t file, const RootAttributes& root);
 
 /// Writes the attributes of `/`, the group /events and the group /provenance.
 /// Returns false if the file could not be written.

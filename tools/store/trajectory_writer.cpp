@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
-#include <system_error>
-
-#include <unistd.h>
 
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
-#include "tools/files/printable.h"
 #include "tools/files/table_text.h"
 
 namespace hyrax {
@@ -21,19 +16,6 @@ constexpr std::uint64_t kContactBytes = 8 * std::size(kContactColumns);  // The 
 // At most two contacts in each step, in a corner.
 std::uint64_t contact_bytes_max(std::int64_t steps) {
   return kContactBytes * static_cast<std::uint64_t>(std::min(2 * steps, kContactsRecordedMax));
-}
-
-// Fails at once if the disk is too small, instead of filling it first.
-std::uint64_t require_disk_space(const std::string& path, std::int64_t rows, std::uint64_t row_bytes) {
-  const std::uint64_t bytes = row_bytes * static_cast<std::uint64_t>(rows);
-  std::error_code error;
-  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  const std::filesystem::space_info space = std::filesystem::space(folder, error);
-  if (!error && bytes > space.available)
-    throw Failure(ExitCode::cannot_access, path + ": cannot be written: its rows need at least " +
-                                               size_text(bytes) + " (found " + size_text(space.available) +
-                                               " free); record fewer with /record/every");
-  return bytes;
 }
 
 }  // namespace
@@ -66,6 +48,7 @@ void TrajectoryWriter::finish(const FileHead& head, const std::vector<Input>& in
   require(row_table_.finish());
   require(contact_table_.finish());
   h5::write_attribute(contacts_, "total", contacts_total);
+  write_sources(contacts_, head.walls_of_rows);
   require(write_head(file_, head, inputs));
   if (write_more) require(write_more(file_));
   row_table_.close();
@@ -81,46 +64,19 @@ void TrajectoryWriter::require(bool is_written) const {
 }
 
 TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, std::int64_t steps)
-    : path_(path), rows_every_(scenario.record_every) {
-  constexpr std::uint64_t kCsvRowBytesMin =
-      2 * (kRowColumns.size() + 2);  // A digit and a comma for each number.
-  if (path == kStandardOutput) {
-    file_.reset(fdopen(dup(STDOUT_FILENO), "wb"));
-  } else {
-    file_.reset(std::fopen(target_.emplace(path).part_path().c_str(), "wb"));
-    require_disk_space(path, TrajectoryWriter::row_count(steps, rows_every_), kCsvRowBytesMin);
-  }
-  if (!file_) fail();
-  text_ = "step";
+    : rows_every_(scenario.record_every),
+      file_(path, TrajectoryWriter::row_count(steps, rows_every_), kRowColumns.size() + 2) {
+  std::string head = "step";
   for (const RowColumn& column : kRowColumns)
-    text_.append(",").append(
+    head.append(",").append(
         key_of({.name = column.name, .unit = column.unit, .long_name = "", .values = {}}));
-  text_ += ",contact\n";
+  file_.append(head + ",contact\n");
 }
 
 void TrajectoryCsv::row(const Row& row) {
-  constexpr std::size_t kBatchBytes = 1 << 18;
-  text_ += std::to_string(row.step);
-  for (const RowColumn& column : kRowColumns) text_.append(",").append(to_text(*column.number(row)));
-  text_.append(",").append(std::to_string(row.contact)).append("\n");
-  if (text_.size() >= kBatchBytes) write();
-}
-
-void TrajectoryCsv::finish() {
-  write();
-  if (std::fclose(file_.release()) != 0) fail();
-  if (target_) target_->commit();
-}
-
-void TrajectoryCsv::fail() const {
-  if (path_ == kStandardOutput)
-    throw Failure(ExitCode::cannot_access, "hyrax-sim: standard output cannot be written");
-  fail_to_write(path_, errno);
-}
-
-void TrajectoryCsv::write() {
-  if (std::fwrite(text_.data(), 1, text_.size(), file_.get()) != text_.size()) fail();
-  text_.clear();
+  std::string line = std::to_string(row.step);
+  for (const RowColumn& column : kRowColumns) line.append(",").append(to_text(*column.number(row)));
+  file_.append(line.append(",").append(std::to_string(row.contact)).append("\n"));
 }
 
 }  // namespace hyrax

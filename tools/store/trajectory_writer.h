@@ -3,16 +3,13 @@
 
 #include <cassert>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/trajectory/row_sink.h"
 #include "tools/files/atomic_file.h"
+#include "tools/store/csv_file.h"
 #include "tools/store/trajectory_parts.h"
 
 namespace hyrax {
@@ -57,9 +54,6 @@ class TrajectoryWriter : public RowSink {
   ContactTable contact_table_;
 };
 
-/// As an output's path.
-inline constexpr std::string_view kStandardOutput = "-";
-
 /// The header "step,t_s,dt_s,x_px,y_px,vx_px_per_s,vy_px_per_s,contact", then every record.every-th row.
 /// Numbers are shortest-round-trip; contact has the bits of a trajectory file. Memory does not grow with the
 /// run. The file is at `path` only after finish(); kStandardOutput gets rows as they are played. ERRORS:
@@ -71,21 +65,11 @@ class TrajectoryCsv : public RowSink {
 
   [[nodiscard]] Wants wants() const override { return {.rows_every = rows_every_, .contacts = false}; }
   void row(const Row& row) override;
-  void finish();
+  void finish() { file_.finish(); }
 
  private:
-  void write();
-  [[noreturn]] void fail() const;
-
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  std::string path_;
   std::int64_t rows_every_;
-  std::optional<AtomicFile> target_;  // Nothing for standard output.
-  std::unique_ptr<std::FILE, Close> file_;
-  std::string text_;  // Not yet written.
+  CsvFile file_;
 };
 
 }  // namespace hyrax

@@ -13,7 +13,7 @@
 namespace hyrax {
 namespace {
 
-constexpr double kUntil_s = 16.0;  // Longer than any of the flings takes to lie.
+constexpr double kUntilLeast_s = 16.0, kUntilMost_s = 60.0;
 constexpr std::array<double, 6> kPathRates_hz = {24.0, 30.0, 60.0, 120.0, 240.0, 1000.0};
 
 Clock clock_of(DisplayClock kind, double rate_hz) {
@@ -22,6 +22,45 @@ Clock clock_of(DisplayClock kind, double rate_hz) {
   if (kind == DisplayClock::jittered) clock.jitter = Jitter{Jitter::Kind::normal, 0.002, kJitterSeed};
   if (kind == DisplayClock::missing) clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.05, kJitterSeed};
   return clock;
+}
+
+// How long a fling of ManyFlings may take to settle, at most. It falls with at most v = sqrt(2000^2 + 2 G H);
+// a flight up and down takes 2 v / G, and all bounces are a geometric series of the restitution. Where frames
+// drag so often that it sinks instead of falling, H / terminal speed comes on top; at last it slides, until
+// drag and friction have left less of 2000 px/s than half a pixel a second. Infinite: it may never.
+double settling_s(const Constants& core, const std::vector<double>& rates_hz) {
+  constexpr double kFastest_px_per_s = 2000.0;
+  const auto [slowest_hz, fastest_hz] = std::ranges::minmax(rates_hz);
+  const double gravity = core.gravity_px_per_s2;
+  const double falling_px_per_s =
+      std::sqrt(kFastest_px_per_s * kFastest_px_per_s + 2.0 * gravity * kDesktop.bottom_px);
+  const double bounces_s = 2.0 * falling_px_per_s / gravity / (1.0 - core.restitution);
+  const double sinks_s = kDesktop.bottom_px * (1.0 - core.air_drag) * fastest_hz / (core.air_drag * gravity);
+  const double slides_s =
+      std::log(2.0 * kFastest_px_per_s) / -std::log(core.air_drag * core.ground_friction) / slowest_hz;
+  return bounces_s + sinks_s + slides_s + RestAnchor::kLeastRest_s;
+}
+
+std::array<double, kStateNames.size()> values_of(const State& state) {
+  return {state.x_px, state.y_px, state.vx_px_per_s, state.vy_px_per_s};
+}
+
+// Plays a fling on from its end, from that frame of its clock on, for a second: `play` plays a frame of that
+// dt and returns the row.
+template <class Play>
+void watch(Landing& landing, const FrameClock& frames, std::int64_t frame, Play play) {
+  constexpr double kWatched_s = 1.0;
+  State last = landing.end;
+  for (Timeline time; time.time_s() < kWatched_s; ++frame) {
+    time.play(frames.dt_s(frame));
+    const State now = play(frames.dt_s(frame));
+    landing.moves_px =
+        std::max(landing.moves_px, std::hypot(now.x_px - landing.end.x_px, now.y_px - landing.end.y_px));
+    for (std::size_t each = 0; each < landing.changes.size(); ++each)
+      landing.changes[each] |= !(std::fabs(values_of(now)[each] - values_of(last)[each]) <=
+                                 1e-9 * std::fabs(values_of(last)[each]));
+    last = now;
+  }
 }
 
 // Plays one fling to its end, frame by frame. Points of the path go into `path`, unless it is null.
@@ -56,7 +95,10 @@ Landing play_fling(const Core& core, const MethodKind& kind, Landing landing, co
     }
   }
   landing.end = now;
-  landing.time_s = rest.t_s;
+  landing.time_s = rest.at_rest_since_s(time.time_s()).value_or(kNotGiven);
+  watch(landing, frames, frame_count, [&](double dt_s) {
+    return method->play({&dt_s, 1}) ? method->motion() : State{kNotGiven, kNotGiven, kNotGiven, kNotGiven};
+  });
   landing.is_core = landing.method != 0 || same_bits(now, by_core);
   return landing;
 }
@@ -71,7 +113,7 @@ class DisplayFlings {
         std::ranges::min_element(rates_hz, {}, [](double rate_hz) { return std::fabs(rate_hz - 60.0); });
     near_60_ = static_cast<std::size_t>(nearest - rates_hz.begin());
     exact_px_.push_back(exact_place_px(kDrawnFling));
-    const ManyFlings random({FixedRate{*nearest}, {}}, kUntil_s, flings_);
+    const ManyFlings random({FixedRate{*nearest}, {}}, study_.until_s, flings_);
     for (std::int64_t number = 0; number < flings_; ++number)
       exact_px_.push_back(exact_place_px(random.start(number)));
   }
@@ -95,12 +137,12 @@ class DisplayFlings {
   [[nodiscard]] double exact_place_px(const State& start) const {
     ExactFling exact{FixedLaws(reference_model(core_))};
     exact.start(start, kDesktop);
-    return exact.at(kUntil_s).x_px;
+    return exact.at(study_.until_s).x_px;
   }
 
   // The drawn fling, then the random ones.
   void play_display(const MethodKind& kind, Landing landing) {
-    const ManyFlings flings(clock_of(landing.clock, landing.rate_hz), kUntil_s, flings_);
+    const ManyFlings flings(clock_of(landing.clock, landing.rate_hz), study_.until_s, flings_);
     const bool has_path = landing.clock == DisplayClock::steady &&
                           std::ranges::find(kPathRates_hz, landing.rate_hz) != kPathRates_hz.end();
     landings_.push_back(play_fling(core_, kind, landing, kDrawnFling, flings.clock(0), flings.frames(),
@@ -119,8 +161,13 @@ class DisplayFlings {
       const MemberResult& member = by_core[static_cast<std::size_t>(number)];
       if (is_stepped) played.is_core &= same_bits(played.end, member.final);
       played.end = member.final;
-      played.time_s = std::isnan(member.at_rest_since_s) ? kUntil_s : member.at_rest_since_s;
+      played.time_s = member.at_rest_since_s;
       played.contacts = member.contacts;
+      if (is_stepped) continue;
+      const Clock clock = flings.clock(number);
+      watch(played, FrameClock(clock), flings.frames(), [this, row = member.final](double dt_s) mutable {
+        return row = core_.step(row, dt_s, kDesktop);
+      });
     }
   }
 
@@ -166,12 +213,20 @@ class DisplayFlings {
 
   [[nodiscard]] DisplayShift shift(std::size_t method, DisplayClock clock, std::size_t rate) const {
     DisplayShift result{.method = method, .clock = clock, .rate_hz = rates_hz_[rate]};
-    std::vector<double> shifts_px, offs_px;
+    std::vector<double> shifts_px, offs_px, times_s;
     for (std::int64_t fling = 0; fling <= flings_; ++fling) {
       shifts_px.push_back(std::fabs(at(rate, fling).end.x_px - near_60(fling).end.x_px));
       offs_px.push_back(at(rate, fling).off_px);
       result.other_contacts.add(has_other_contacts(rate, fling));
+      const Landing& landing = at(rate, fling);
+      const bool has_settled = !std::isnan(landing.time_s);
+      result.settled.add(has_settled);
+      if (has_settled) times_s.push_back(landing.time_s);
+      if (has_settled) result.moves_px = std::max(result.moves_px, landing.moves_px);
+      for (std::size_t each = 0; each < landing.changes.size(); ++each)
+        result.changing[each] += landing.changes[each] ? 1 : 0;
     }
+    result.settles_s = band_of(times_s);
     result.shift_px = *band_of(shifts_px);
     result.off_px = *band_of(offs_px);
     return result;
@@ -191,6 +246,10 @@ class DisplayFlings {
 FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz, std::int64_t flings) {
   const std::vector<MethodKind> kinds = frame_methods(core);
   FrameRateStudy study;
+  const double settling = settling_s(core.constants.value(), rates_hz);
+  study.has_drag = core.constants->air_drag < 1.0;
+  study.is_cut = !(settling <= kUntilMost_s);
+  study.until_s = study.is_cut ? kUntilMost_s : std::max(std::ceil(settling), kUntilLeast_s);
   DisplayFlings displays(core, study, rates_hz, flings);
   std::array<std::vector<double>, kDisplayClockNames.size()> spreads_by_paper_px;
   for (std::size_t method = 0; method < kFrameRateMethods.size(); ++method)

@@ -1,9 +1,10 @@
-// One fling at many displays: how far its end depends on the frame rate, by the paper's step and by the same
-// step with its drag and friction taken by time.
+// One fling at many displays: where, when and how it ends at each frame rate, by the paper's step and by the
+// same step with its drag and friction taken by time.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,9 @@ inline constexpr std::array<std::string_view, 3> kClockTexts = {
 inline constexpr std::array<std::string_view, 2> kMethodTexts = {"the paper's step",
                                                                  "drag and friction by time"};
 
+/// Of a State.
+inline constexpr std::array<std::string_view, 4> kStateNames = {"x", "y", "vx", "vy"};
+
 /// The end of one fling.
 struct Landing {
   std::size_t method = 0;  ///< In kFrameRateMethods.
@@ -35,12 +39,16 @@ struct Landing {
   std::int64_t fling = 0;  ///< 0 is the one that is drawn; the others are random (ManyFlings).
   State end = {};          ///< Where it settles.
   double off_px = 0.0;     ///< Distance of that place from the one where the exact fling settles.
-  double time_s = 0.0;     ///< Since when it has stayed there within half a pixel.
+  double time_s = 0.0;     ///< Since when it has stayed there within half a pixel; NaN: it has not settled.
   /// Length of its path; NaN where the fling is played by sim/ensemble, which keeps no path: a random one by
   /// the paper's step, at a rate that is not nearest to 60 Hz.
   double path_px = kNotGiven;
   double across_px = kNotGiven;  ///< Horizontal part of the path.
   WallCounts contacts = {};
+  /// In the second after its end: the values that still change from row to row, by more than a billionth of
+  /// themselves, and the largest distance from the end.
+  std::array<bool, kStateNames.size()> changes = {};
+  double moves_px = 0.0;
   bool is_core = true;  ///< Of the paper's method: it has the core's bits, step by step and by sim/ensemble.
 };
 
@@ -77,9 +85,16 @@ struct DisplayShift {
   Band off_px = {};    ///< Landing's.
   Share other_contacts =
       {};  ///< Flings with another number of contacts with the left wall, right wall or top.
+  Share settled = {};
+  std::optional<Band> settles_s = {};                          ///< Landing's, of those that have settled.
+  std::array<std::int64_t, kStateNames.size()> changing = {};  ///< Flings of which a value still changes.
+  double moves_px = 0.0;                                       ///< The most that a settled one moves.
 };
 
 struct FrameRateStudy {
+  double until_s = 0.0;  ///< Each fling is played for so long.
+  bool is_cut = false;   ///< Some may take longer to settle.
+  bool has_drag = true;  ///< Else there is hardly anything to take by time.
   std::vector<Landing> landings;
   std::vector<FanPoint> paths;
   std::vector<Independence> scores;  ///< By method, then by clock.
@@ -102,8 +117,9 @@ inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
 /// drawn one by either method.
 [[nodiscard]] std::vector<Figure> frame_rate_figures(const FrameRateStudy& study);
 
-/// Tables, figures and verdict of the study. Broken: the paper's method is not the core's, or drag and
-/// friction by time spread less in no more than half of the flings, beyond the interval.
+/// Tables, figures and verdict of the study. Broken: the paper's method is not the core's, flings that have
+/// not settled on even frames though they were played for long enough, or drag and friction by time spread
+/// less in no more than half of the flings, beyond the interval.
 [[nodiscard]] Result frame_rate_result(const FrameRateStudy& study);
 
 }  // namespace hyrax

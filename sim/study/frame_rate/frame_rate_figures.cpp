@@ -21,12 +21,11 @@ Axis rate_axis(const FrameRateStudy& study) {
 
 Figure landing_figure(const FrameRateStudy& study) {
   Plot plot{.x = rate_axis(study), .y = {.label = "x where it settles, px"}};
-  Figure figure{
-      .title = "One fling, many displays",
-      .subtitle = fmt::format("Where it settles; frame-rate independence of {} flings {:.0f} by the "
-                              "paper's step, {:.0f} by time (100: the same place at every rate)",
-                              study.scores[0].spreads_px.samples, study.scores[0].score,
-                              study.scores[kDisplayClockNames.size()].score)};
+  Figure figure{.subtitle =
+                    fmt::format("Where it settles; frame-rate independence of {} flings {:.0f} by the "
+                                "paper's step, {:.0f} by time (100: the same place at every rate)",
+                                study.scores[0].spreads_px.samples, study.scores[0].score,
+                                study.scores[kDisplayClockNames.size()].score)};
   constexpr std::array<Look, kDisplayClockNames.size()> kLooks = {
       Look{.form = Form::line_and_points},
       Look{.form = Form::points, .marker = Marker::ring, .marker_size = 0.9},
@@ -84,19 +83,23 @@ Figure shift_figure(const FrameRateStudy& study) {
 Figure fan_figure(const FrameRateStudy& study, std::size_t method) {
   constexpr std::array<Tone, 6> kRateTones = {Tone::vermilion, Tone::orange,   Tone::blue,
                                               Tone::purple,    Tone::sky_blue, Tone::green};
-  Plot plot{.x = {.label = "x, px", .low = 0, .high = kDesktop.right_px},
-            .y = {.label = "y, px, downwards", .is_reversed = true, .low = 0, .high = kDesktop.bottom_px},
+  constexpr double kHalf_px = 64.0;  // Of the sprite in kDesktop.
+  Plot plot{.x = {.label = "x of the centre, px", .low = 0, .high = kDesktop.right_px + 2 * kHalf_px},
+            .y = {.label = "y of the centre, px, downwards",
+                  .is_reversed = true,
+                  .low = 0,
+                  .high = kDesktop.bottom_px + 2 * kHalf_px},
             .has_equal_scales = true};
   Figure figure{.suffix = method == 0 ? "-fan" : "-fan-by-time",
                 .title = method == 0 ? "The fan of one fling" : "The same fling, drag and friction by time"};
   std::map<double, Series> paths;
   for (const FanPoint& point : study.paths) {
     if (point.method != method) continue;
-    paths[point.rate_hz].x.push_back(point.x_px);
-    paths[point.rate_hz].y.push_back(point.y_px);
+    paths[point.rate_hz].x.push_back(point.x_px + kHalf_px);
+    paths[point.rate_hz].y.push_back(point.y_px + kHalf_px);
   }
   figure.subtitle =
-      fmt::format("The path of its corner, {}, at {} display rates", kMethodTexts[method], paths.size());
+      fmt::format("The path of its centre, {}, at {} display rates", kMethodTexts[method], paths.size());
   for (auto& [rate_hz, series] : paths) {
     series.name = fmt::format("{:.0f} Hz", rate_hz);
     series.look = {.tone = kRateTones[plot.series.size() % kRateTones.size()], .width_px = 2};

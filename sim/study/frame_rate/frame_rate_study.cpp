@@ -1,9 +1,13 @@
 // `hyrax-sim study frame-rate`: its tables, figures and verdict.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 
+#include "sim/result/number_text.h"
 #include "sim/study/display_rates.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/study.h"
@@ -75,24 +79,59 @@ Table shift_table(const std::vector<DisplayShift>& shifts) {
                  &DisplayShift::other_contacts);
 }
 
+Table end_table(const std::vector<DisplayShift>& shifts) {
+  StudyTable<std::vector<DisplayShift>> table = table_by_method(
+      "ends", "when flings settle, and what still changes in the second after the end", shifts);
+  table.add_share("settled", "flings that have settled", &DisplayShift::settled);
+  for (const auto& [name, what, part] : {std::tuple("time_median", "time to settle, median", &Band::median),
+                                         {"time_low", "time to settle, 10 %", &Band::low},
+                                         {"time_high", "time to settle, 90 %", &Band::high}})
+    table.add(name, "s", what, [part = part](const DisplayShift& shift) {
+      return shift.settles_s ? *shift.settles_s.*part : kNotGiven;
+    });
+  for (std::size_t each = 0; each < kStateNames.size(); ++each)
+    table.add(std::string(kStateNames[each]) + "_changes", "1",
+              "flings of which it still changes by more than a billionth of itself",
+              [each](const DisplayShift& shift) { return shift.changing[each]; });
+  return table.add("moves", "px", "the most that a settled sprite moves", &DisplayShift::moves_px);
+}
+
+// As printed: by the paper's step, every frame the same.
+Table shown_ends(const std::vector<DisplayShift>& shifts) {
+  std::vector<DisplayShift> steady;
+  std::ranges::copy_if(shifts, std::back_inserter(steady), [](const DisplayShift& shift) {
+    return shift.method == 0 && shift.clock == DisplayClock::steady;
+  });
+  StudyTable table("ends", "", steady);
+  table.add("rate", "Hz", &DisplayShift::rate_hz)
+      .add("settled", "",
+           [](const DisplayShift& shift) {
+             return fmt::format("{} of {}", shift.settled.count, shift.settled.of);
+           })
+      .add("after,_s", "", [](const DisplayShift& shift) {
+        return shift.settles_s ? interval_text(*shift.settles_s, 2) : "-";
+      });
+  for (std::size_t each = 0; each < kStateNames.size(); ++each)
+    table.add(std::string(kStateNames[each]) + "_changes_in", "1",
+              [each](const DisplayShift& shift) { return shift.changing[each]; });
+  return table.add("moves", "px", &DisplayShift::moves_px);
+}
+
 // As printed: by the paper's step and by time, every frame the same.
 Table shown_shifts(const FrameRateStudy& study) {
   using S = const DisplayShift&;
-  Table table{"shifts", "", {}};
-  for (const auto& [method, name] : {std::pair(std::size_t{0}, std::string("paper")), {1, "by_time"}}) {
-    std::vector<DisplayShift> steady;
-    for (const DisplayShift& shift : study.shifts)
-      if (shift.clock == DisplayClock::steady && shift.method == method) steady.push_back(shift);
-    if (method == 0)
-      table.columns = {column_of("rate", "Hz", "display rate", steady, &DisplayShift::rate_hz)};
-    const auto add = [&, name = name](const std::string& what, const auto& text) {
-      table.columns.push_back(column_of(name + what, "", "", steady, text));
-    };
-    add("_off_60_Hz,_px", [](S s) { return interval_text(s.shift_px); });
-    add("_off_exact,_px", [](S s) { return interval_text(s.off_px); });
-    add("_other_contacts_in",
-        [](S s) { return fmt::format("{} of {}", s.other_contacts.count, s.other_contacts.of); });
-  }
+  std::array<std::vector<DisplayShift>, kFrameRateMethods.size()> steady;
+  for (const DisplayShift& shift : study.shifts)
+    if (shift.clock == DisplayClock::steady) steady[shift.method].push_back(shift);
+  Table table{"shifts", "", {column_of("rate", "Hz", "display rate", steady[0], &DisplayShift::rate_hz)}};
+  const auto add = [&](const std::string& what, const auto& text) {
+    table.columns.push_back(column_of("paper_" + what, "", "", steady[0], text));
+    table.columns.push_back(column_of("by_time_" + what, "", "", steady[1], text));
+  };
+  add("off_60_Hz,_px", [](S s) { return interval_text(s.shift_px); });
+  add("off_exact,_px", [](S s) { return interval_text(s.off_px); });
+  add("other_contacts_in",
+      [](S s) { return fmt::format("{} of {}", s.other_contacts.count, s.other_contacts.of); });
   return table;
 }
 
@@ -117,7 +156,60 @@ std::vector<Table> summary_of(const FrameRateStudy& study) {
   Table landings = landing_table(drawn);
   std::erase_if(landings.columns,
                 [](const Column& column) { return column.name == "fling" || column.name == "across"; });
-  return {score_table("scores", study.scores), std::move(landings), shift_table(study.shifts)};
+  return {score_table("scores", study.scores), std::move(landings), shift_table(study.shifts),
+          end_table(study.shifts)};
+}
+
+// "The same fling ends at 1,139 px at 24 Hz and 1,701 px at 240 Hz.": at the slowest display and the fastest
+// that people have.
+std::string answer_of(const FrameRateStudy& study) {
+  constexpr double kFast_hz = 240.0;
+  const std::vector<Landing> drawn = drawn_landings(study, 0, DisplayClock::steady);
+  const Landing& slow = *std::ranges::min_element(drawn, {}, &Landing::rate_hz);
+  const Landing& fast = *std::ranges::min_element(
+      drawn, {}, [](const Landing& landing) { return std::fabs(landing.rate_hz - kFast_hz); });
+  const bool has_settled = !std::isnan(slow.time_s) && !std::isnan(fast.time_s);
+  return fmt::format("The same fling {} at {} px at {:g} Hz and {} px at {:g} Hz.",
+                     has_settled ? "ends" : fmt::format("is after {:g} s", study.until_s),
+                     with_decimals(slow.end.x_px, 0), slow.rate_hz, with_decimals(fast.end.x_px, 0),
+                     fast.rate_hz);
+}
+
+// Over all rates, by the paper's step, every frame the same.
+std::string ends_text(const FrameRateStudy& study) {
+  DisplayShift all;
+  for (const DisplayShift& shift : study.shifts) {
+    if (shift.method != 0 || shift.clock != DisplayClock::steady) continue;
+    all.settled.count += shift.settled.count;
+    all.settled.of += shift.settled.of;
+    all.moves_px = std::max(all.moves_px, shift.moves_px);
+    for (std::size_t each = 0; each < all.changing.size(); ++each) all.changing[each] += shift.changing[each];
+  }
+  std::string text =
+      fmt::format("{} of {} flings have settled within {:g} s, and move by at most {:.3g} px then;",
+                  all.settled.count, all.settled.of, study.until_s, all.moves_px);
+  for (std::size_t each = 0; each < all.changing.size(); ++each)
+    text += fmt::format("{} {}{} in {}", each == 0 ? "" : ",", kStateNames[each],
+                        each == 0 ? " still changes" : "", all.changing[each]);
+  return text + (study.is_cut ? ". Some may take longer than that to settle." : ".");
+}
+
+std::vector<std::string> broken_rules(const FrameRateStudy& study) {
+  std::vector<std::string> broken;
+  const auto other = std::ranges::find(study.landings, false, &Landing::is_core);
+  if (other != study.landings.end())
+    broken.push_back(fmt::format("{:g} Hz, {}: the method called the paper's step differs from the core",
+                                 other->rate_hz, clock_name(other->clock)));
+  for (const DisplayShift& shift : study.shifts)
+    if (!study.is_cut && shift.clock == DisplayClock::steady && shift.settled.count < shift.settled.of)
+      broken.push_back(fmt::format("{:g} Hz, {}: {} of {} flings have not settled within {:g} s",
+                                   shift.rate_hz, kMethodTexts[shift.method],
+                                   shift.settled.of - shift.settled.count, shift.settled.of, study.until_s));
+  for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock)
+    if (study.has_drag && !(study.steadier_by_time[clock].low() > 0.5))
+      broken.push_back(steadier_text(clock, study.steadier_by_time[clock]) +
+                       ": they are no more independent of the frame rate than the paper's step");
+  return broken;
 }
 
 Verdict verdict_of(const FrameRateStudy& study) {
@@ -126,35 +218,28 @@ Verdict verdict_of(const FrameRateStudy& study) {
     const std::vector<Landing> drawn = drawn_landings(study, method, DisplayClock::steady);
     if (method == 0) landings.columns = {column_of("rate", "Hz", "display rate", drawn, &Landing::rate_hz)};
     landings.columns.push_back(column_of(
-        name + "_settles_at", "px", "", drawn, [](const Landing& l) { return l.end.x_px; }, 5));
+        name + "_settles_at", "px", "", drawn,
+        [](const Landing& l) { return std::isnan(l.time_s) ? kNotGiven : l.end.x_px; }, 5));
     landings.columns.push_back(column_of(name + "_after", "s", "", drawn, &Landing::time_s, 3));
     landings.columns.push_back(column_of(name + "_path", "px", "", drawn, &Landing::path_px));
   }
   Verdict verdict{
-      {"frame-rate: one fling on every display, by the paper's step and with drag and friction by time",
+      answer_of(study),
+      {"One fling on every display, by the paper's step and with drag and friction by time:",
        std::move(landings),
-       fmt::format(
-           "The fling and {} random ones (seed {}, jitter seeds {} .. {}): distance from where a fling "
-           "settles at 60 Hz, and from where the exact fling does, median (10 .. 90 %)",
-           study.steadier_by_time[0].of - 1, kFlingSeed, kJitterSeed, kJitterSeed + kJitterSeeds - 1),
+       fmt::format("The fling and {} random ones (seed {}, jitter seeds {} .. {}) by the paper's step: when "
+                   "they settle, median (10 .. 90 %), and what still changes a second later:",
+                   study.steadier_by_time[0].of - 1, kFlingSeed, kJitterSeed, kJitterSeed + kJitterSeeds - 1),
+       shown_ends(study.shifts), ends_text(study),
+       "Distance from where a fling settles at 60 Hz, and from where the exact fling does:",
        shown_shifts(study),
-       std::string("Spread of the places where a fling settles over the displays; frame-rate independence, "
-                   "100 (1 - mean spread / mean horizontal path):"),
+       // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one sentence in two literals.
+       "Spread of the places where a fling settles over the displays; frame-rate independence, 100 (1 - mean "
+       "spread / mean horizontal path):",
        shown_scores(study.scores)},
-      {}};
+      broken_rules(study)};
   for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock)
-    verdict.text.push_back(steadier_text(clock, study.steadier_by_time[clock]) + ".");
-  for (const Landing& landing : study.landings)
-    if (!landing.is_core) {
-      verdict.broken.push_back(
-          fmt::format("{:g} Hz, {}: the method called the paper's step differs from the core",
-                      landing.rate_hz, clock_name(landing.clock)));
-      break;
-    }
-  for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock)
-    if (!(study.steadier_by_time[clock].low() > 0.5))
-      verdict.broken.push_back(steadier_text(clock, study.steadier_by_time[clock]) +
-                               ": they are no more independent of the frame rate than the paper's step");
+    verdict.text.emplace_back(steadier_text(clock, study.steadier_by_time[clock]) + ".");
   return verdict;
 }
 
@@ -169,16 +254,19 @@ Result run_frame_rate(const StudyRequest& request) {
 }  // namespace
 
 Result frame_rate_result(const FrameRateStudy& study) {
-  return {.tables = {landing_table(study.landings), score_table("independence", study.scores),
-                     path_table(study.paths), shift_table(study.shifts)},
-          .figures = frame_rate_figures(study),
-          .verdict = verdict_of(study),
-          .summary = summary_of(study)};
+  Result result{.tables = {landing_table(study.landings), score_table("independence", study.scores),
+                           path_table(study.paths), shift_table(study.shifts), end_table(study.shifts)},
+                .figures = frame_rate_figures(study),
+                .verdict = verdict_of(study),
+                .summary = summary_of(study)};
+  result.figures.front().title = headline(result.verdict);
+  return result;
 }
 
 Study frame_rate_study() {
-  return {
-      .name = "frame-rate", .summary = "one fling on every display, steady or not", .run = run_frame_rate};
+  return {.name = "frame-rate",
+          .summary = "where, when and how flings end at every display rate",
+          .run = run_frame_rate};
 }
 
 }  // namespace hyrax

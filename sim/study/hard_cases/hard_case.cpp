@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/compare/expectations.h"
+#include "sim/core/listing_core.h"
 #include "sim/reference/drift_meter.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/schedule.h"
@@ -46,27 +47,59 @@ void judge_expectations(const Core& core, PlayedCase& played) {
   }
 }
 
+// Without drag, friction, rest rule and loss at walls.
+Core lossless(const Core& core) {
+  return listing_core({.gravity_px_per_s2 = core.constants.value().gravity_px_per_s2,
+                       .restitution = 1.0,
+                       .air_drag = 1.0,
+                       .ground_friction = 1.0,
+                       .rest_threshold_px_per_s = 0.0});
+}
+
+// The part of the start's energy v^2 / 2 + G (bottom - y) that is left at the end.
+double kept_energy(const Core& core, const Scenario& scenario, const Row& last) {
+  const auto energy = [gravity = core.constants.value().gravity_px_per_s2,
+                       bounds = bounds_of(scenario.window, scenario.sprite)](const State& body) {
+    return (body.vx_px_per_s * body.vx_px_per_s + body.vy_px_per_s * body.vy_px_per_s) / 2 +
+           gravity * (bounds.bottom_px - body.y_px);
+  };
+  return energy(state_of(last)) / energy(start_state(scenario));
+}
+
 }  // namespace
 
 PlayedCase play_hard_case(const Core& core, HardCase hard_case,
                           const std::function<void(std::int64_t)>& report_steps) {
   const Scenario& scenario = hard_case.scenario;
+  const Core& playing = hard_case.is_lossless ? lossless(core) : core;
   PlayedCase played{check_run(
-      core, scenario, hard_case.stops.empty() ? usual_stops(scenario) : hard_case.stops, report_steps)};
+      playing, scenario, hard_case.stops.empty() ? usual_stops(scenario) : hard_case.stops, report_steps)};
   played.hard_case = std::move(hard_case);
+  const auto measure = [&](Invariant invariant, double slack) {
+    played.measures[static_cast<std::size_t>(invariant)].add(slack, played.summary.steps);
+  };
   if (played.hard_case.must_come_to_rest)
-    played.measures[static_cast<std::size_t>(Invariant::comes_to_rest)].add(
-        rest_slack(played.summary, played.last_speed_px_per_s), played.summary.steps);
+    measure(Invariant::comes_to_rest, rest_slack(played.summary, played.last_speed_px_per_s));
+  if (played.hard_case.rests_from_s)
+    measure(
+        Invariant::stays_at_rest,
+        *played.hard_case.rests_from_s - played.summary.at_rest_since_s.value_or(played.summary.simulated_s));
+  if (played.hard_case.is_lossless)
+    measure(Invariant::keeps_energy,
+            kept_energy(playing, played.hard_case.scenario, played.summary.final) - 0.5);
   judge_expectations(core, played);
   return played;
 }
 
 CaseVerdict judge(const PlayedCase& played, Invariant invariant) {
-  const bool is_known = invariant == Invariant::comes_to_rest && !played.hard_case.never_at_rest.empty();
+  const bool is_known = (invariant == Invariant::comes_to_rest && !played.hard_case.never_at_rest.empty()) ||
+                        (invariant == Invariant::stays_at_rest && !played.hard_case.thrown_at_rest.empty());
   if (played.measures[static_cast<std::size_t>(invariant)].holds)
     return is_known ? CaseVerdict::expected_failure_gone : CaseVerdict::held;
-  // The listing itself applies drag in a zero-length frame, in the user's own scenarios as well.
-  return is_known || is_broken_by_listing(invariant, played.hard_case.scenario)
+  // The listing itself applies drag in a zero-length frame, in the user's own scenarios as well; of bounces
+  // without loss each returns up to G dt less speed than it got.
+  return is_known || invariant == Invariant::keeps_energy ||
+                 is_broken_by_listing(invariant, played.hard_case.scenario)
              ? CaseVerdict::expected_failure
              : CaseVerdict::broken;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct HardCase {
   /// How the listing itself fails to, in one sentence without its full stop: an expected failure. Empty: it
   /// does not.
   std::string never_at_rest = {};
+  /// Since when, at the latest, it must be at rest to the end; none: it need not.
+  std::optional<double> rests_from_s = {};
+  /// How the listing itself throws it from there, as above.
+  std::string thrown_at_rest = {};
+  /// Played by the listing with the core's gravity, without drag, friction, rest rule and loss at walls.
+  bool is_lossless = false;
   bool is_long = false;  ///< Takes longer than all others together.
   /// Rows at which it is stopped and resumed, in order; empty: usual_stops.
   std::vector<std::int64_t> stops = {};

@@ -1,6 +1,7 @@
 // `hyrax-sim study hard-cases`: its tables, figure and verdict.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <span>
 
 #include <fmt/format.h>
@@ -123,7 +124,7 @@ Table summary_of(const std::vector<PlayedCase>& cases) {
     std::vector<Column> verdicts = verdict_table(judgements_of({&played, 1})).columns;
     std::erase_if(verdicts,
                   [](const Column& column) { return column.name == "case" || column.name == "margin_unit"; });
-    return Table{"invariants", "", std::move(verdicts), JsonShape::by_first};
+    return Table{"invariants", "", std::move(verdicts), JsonForm::by_first};
   }));
   return {"cases", "", std::move(columns)};
 }
@@ -152,6 +153,9 @@ Table invariant_table(const std::vector<Judgement>& judgements) {
 // so.
 std::string expected_failure_text(const Judgement& judgement) {
   if (judgement.invariant == Invariant::comes_to_rest) return judgement.played->hard_case.never_at_rest;
+  if (judgement.invariant == Invariant::stays_at_rest) return judgement.played->hard_case.thrown_at_rest;
+  if (judgement.invariant == Invariant::keeps_energy)
+    return "of bounces without loss each returns up to G dt less speed than it got";
   return judgement.invariant == Invariant::mirror
              ? "the sprite is wider than the window: both side walls clamp it, and the left one always wins"
              : "drag acts once a frame, even in a zero-length frame";
@@ -186,16 +190,30 @@ std::string broken_sentence(const Judgement& judgement) {
                      unit_text(std::string(text.unit)), measure.worst_step, text.rule);
 }
 
+// "393 cases: none is broken, 38 fail as the listing does."
+std::string answer_of(std::size_t cases, const std::vector<Judgement>& judgements) {
+  std::set<const PlayedCase*> broken, failing;
+  for (const Judgement& judgement : judgements)
+    if (judgement.verdict == CaseVerdict::expected_failure)
+      failing.insert(judgement.played);
+    else if (judgement.verdict != CaseVerdict::held)
+      broken.insert(judgement.played);
+  return fmt::format(
+      "{}: {} broken, {} as the listing itself does.", plain_counted(cases, "hard case"),
+      broken.empty() ? "none is" : fmt::format("{} {}", broken.size(), broken.size() == 1 ? "is" : "are"),
+      failing.size() == 1 ? "1 fails" : fmt::format("{} fail", failing.size()));
+}
+
 Verdict verdict_of(const std::vector<PlayedCase>& cases, const std::vector<Judgement>& judgements) {
   std::int64_t steps = 0, knife_edges = 0;
   for (const PlayedCase& played : cases) {
     steps += played.summary.steps;
     knife_edges += played.knife_edges;
   }
-  Verdict verdict{
-      {fmt::format("hard-cases: {} cases, {}, each step checked", cases.size(), counted(steps, "step")),
-       invariant_table(judgements)},
-      {}};
+  Verdict verdict{answer_of(cases.size(), judgements),
+                  {fmt::format("{}, each checked against these invariants:", counted(steps, "step")),
+                   invariant_table(judgements)},
+                  {}};
   if (knife_edges > 0)
     verdict.text.push_back(
         fmt::format("  rounding alone decided {} whether a wall was met", counted(knife_edges, "time")));

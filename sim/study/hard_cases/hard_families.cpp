@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/core/core.h"
+#include "sim/replay/replay.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_case.h"
@@ -114,6 +115,13 @@ void add_rests(FamilyBase& base) {
     member.must_come_to_rest = true;
     if (!(rate_hz > zero_speed_hz(base.core))) member.never_at_rest = kNoZeroSpeed;
   }
+  for (const auto& [name, jitter] : {std::pair("uniform", Jitter{Jitter::Kind::uniform, 0.5, 2026}),
+                                     {"normal", Jitter{Jitter::Kind::normal, 0.002, 2026}},
+                                     {"missed", Jitter{Jitter::Kind::missed_frames, 0.05, 2026}}}) {
+    HardCase& member = base.add(fmt::format("uneven-{}", name), "at rest no two frames take the same time");
+    member.scenario.clock = {FixedRate{60.0}, jitter};
+    member.rests_from_s = std::get<double>(member.scenario.length) - 1.0;
+  }
 }
 
 constexpr double kZenoFastest_hz = 1e4;
@@ -154,6 +162,14 @@ std::optional<std::int64_t> first_landing(const FamilyBase& base) {
   return std::nullopt;
 }
 
+// Whether it has been at rest for a second in a frame, without its events.
+bool has_settled_by(const FamilyBase& base, std::int64_t frame) {
+  Scenario scenario = base.scenario;
+  scenario.events.clear();
+  scenario.length = frame;
+  return replay(base.core, scenario).at_rest_since_s.has_value();
+}
+
 // A hitch of half a second at each kind of moment, and of the hours for which a machine is suspended.
 void add_hitches(FamilyBase& base) {
   if (!(base.is_steady && base.length > kHitchAtRest && !base.scenario.events.empty() &&
@@ -166,10 +182,19 @@ void add_hitches(FamilyBase& base) {
                                       {"at-contact", *landing},
                                       {"after-contact", *landing + 1},
                                       {"at-rest", kHitchAtRest}})
-    for (const double dt_s : {0.5, 3600.0, 28800.0})
-      base.add(fmt::format("{}-{:g}-s", moment, dt_s),
-               "one frame takes long: nothing may be launched or fall through")
-          .scenario.events = {{frame, Hitch{dt_s}}};
+    for (const double dt_s : {0.5, 3600.0, 28800.0}) {
+      HardCase& member = base.add(fmt::format("{}-{:g}-s", moment, dt_s),
+                                  "one frame takes long: nothing may be launched or fall through");
+      member.scenario.events = {{frame, Hitch{dt_s}}};
+      if (frame != kHitchAtRest || !has_settled_by(base, frame)) continue;
+      member.rests_from_s = static_cast<double>(frame) * base_dt_s(base.scenario.clock);
+      // It falls for so long and is turned at the frame's end: that throws it so high.
+      const Constants laws = base.core.constants.value();
+      const double up_s = laws.restitution * laws.air_drag * dt_s;
+      if (up_s * up_s * laws.gravity_px_per_s2 / 2.0 > 1.0)
+        member.thrown_at_rest =
+            "at rest, a long frame throws the sprite up: it falls for as long before the floor turns it";
+    }
 }
 
 void add_jitters(FamilyBase& base) {
@@ -211,6 +236,24 @@ void add_repeated_flings(FamilyBase& base) {
         member.scenario.events.push_back(
             {time * base.length + std::get<std::int64_t>(event.when), event.action});
   }
+}
+
+// Each of the base's flings on its own, for as long, with nothing to take its energy but the step itself.
+void add_lossless_bounces(FamilyBase& base) {
+  if (!(base.has_jitter(Jitter::Kind::missed_frames) && base.length >= 10'000 && base.length <= 100'000 &&
+        !base.scenario.events.empty() && base.has_only<Fling>()))
+    return;
+  const double duration_s = static_cast<double>(base.length) * base_dt_s(base.scenario.clock);
+  for (std::size_t each = 0; each < base.scenario.events.size(); ++each)
+    for (const double rate_hz : {24.0, 60.0, 144.0, 240.0}) {
+      HardCase& member = base.add(fmt::format("lossless-{}-{:g}-hz", each + 1, rate_hz),
+                                  "bounces without loss: nothing may take the energy away");
+      member.is_lossless = true;
+      member.scenario.clock = {FixedRate{rate_hz}, {}};
+      member.scenario.length = duration_s;
+      member.scenario.start_velocity = std::get<Fling>(base.scenario.events[each].action).velocity;
+      member.scenario.events.clear();
+    }
 }
 
 // The billionths of a second as the smallest double there is.
@@ -359,9 +402,9 @@ void add_starts_outside(FamilyBase& base) {
 
 // In the order in which their cases are played.
 constexpr void (*kFamilies[])(FamilyBase&) = {
-    add_repeated_flings, add_frames,           add_jitters, add_speeds,           add_corners,
-    add_starts_outside,  add_grazings,         add_hitches, add_places_on_bounds, add_rests,
-    add_billion_steps,   add_subnormal_frames, add_zenos};
+    add_repeated_flings, add_lossless_bounces, add_frames,           add_jitters, add_speeds,
+    add_corners,         add_starts_outside,   add_grazings,         add_hitches, add_places_on_bounds,
+    add_rests,           add_billion_steps,    add_subnormal_frames, add_zenos};
 
 // Whether the run ends with a sprite that is larger than its window and is not held.
 bool is_larger_than_window(const Scenario& scenario) {
@@ -370,10 +413,15 @@ bool is_larger_than_window(const Scenario& scenario) {
   return !world.is_held && (world.bounds().right_px < 0.0 || world.bounds().bottom_px < 0.0);
 }
 
-// On the floor each frame leaves 0.7992 of vx (drag and friction): 1e12 px/s are subnormal after some 3,400
-// frames.
+// On the floor each frame leaves 0.7992 of vx (drag and friction): 1e12 px/s are at the least double after
+// some 3,400 frames. Factors above one half round it up again there.
 bool slides_to_subnormal_speed(const FamilyBase& base) {
-  return base.is_left_alone && base.is_inside && step_count(base.scenario) >= 3'500 &&
+  const Constants laws = base.core.constants.value();
+  const double frames =
+      (std::log(std::fabs(base.start.vx_px_per_s)) - std::log(std::numeric_limits<double>::denorm_min())) /
+      -std::log(laws.air_drag * laws.ground_friction);
+  return base.is_left_alone && base.is_inside && std::min(laws.air_drag, laws.ground_friction) > 0.5 &&
+         static_cast<double>(step_count(base.scenario)) >= frames &&
          base.start.y_px == base.bounds.bottom_px && base.start.vy_px_per_s == 0.0 &&
          base.start.vx_px_per_s != 0.0;
 }
@@ -390,8 +438,7 @@ std::vector<HardCase> hard_cases_of(const Core& core, const Scenario& scenario) 
     itself.never_at_rest =
         "the sprite is larger than the window: it jumps from wall to wall forever, without any input";
   else if (slides_to_subnormal_speed(base))
-    itself.never_at_rest =
-        "vx becomes subnormal and stays at 1e-323 px/s, never 0; the position stands still";
+    itself.never_at_rest = "vx becomes subnormal and stays so, never 0; the position stands still";
   itself.must_come_to_rest = !itself.never_at_rest.empty();
   itself.is_long = base.length > 1'000'000;
   base.members.push_back(std::move(itself));

@@ -163,7 +163,7 @@ class FrameMethod final : public MotionMethod {
     bool lies = lies_;
     const ListingStep walls(
         Constants{.restitution = laws_.restitution, .rest_threshold_px_per_s = laws_.rest_threshold_px_per_s},
-        AllBut<Part::friction>{}, within);
+        AllBut<ModelPart::friction>{}, within);
     for (const double frame_s : frames_s) {
       if (frame_s != flight.frame_s) {
         flight.prepare(frame_s);
@@ -172,7 +172,8 @@ class FrameMethod final : public MotionMethod {
       flight.fly(m);
       walls.meet_walls_in_x(m);
       const bool lay = lies;
-      lies = touches(walls.meet_walls_in_y(m), Wall::ground);
+      // A frame too short to move it leaves it lying.
+      lies = touches(walls.meet_walls_in_y(m), Wall::ground) || (lay && m.y_px == within.bottom_px);
       if (lies) m.vx_px_per_s *= lay ? lying_friction : laws_.ground_friction;
     }
     at = m;
@@ -185,8 +186,9 @@ class FrameMethod final : public MotionMethod {
   bool lies_ = false;  // The last frame touched the ground.
 };
 
-// The exact flight of each frame, and where it meets a wall, the impacts inside the frame: the closed form is
-// left only in a frame with an impact.
+// The exact flight of each frame, and where it meets a wall, the impacts inside the frame: at their exact
+// times, or swept, where the straight way of the frame meets the wall.
+template <bool kIsSwept>
 class ImpactsInFrame final : public MotionMethod {
  public:
   using MotionMethod::MotionMethod;
@@ -213,7 +215,7 @@ class ImpactsInFrame final : public MotionMethod {
       if (is_free(m, next, frame_s, bounds)) {
         m = next;
       } else {
-        m = with_impacts(m, t_s, frame_s);
+        m = kIsSwept ? with_swept_impacts(m, t_s, frame_s) : with_impacts(m, t_s, frame_s);
         slides = slides_;
       }
       t_s += frame_s;
@@ -237,16 +239,50 @@ class ImpactsInFrame final : public MotionMethod {
                                     const Bounds& bounds) {
     if (to.x_px < 0.0 || to.x_px > bounds.right_px || to.y_px < 0.0 || to.y_px > bounds.bottom_px)
       return false;
-    return from.vy_px_per_s >= 0.0 || to.vy_px_per_s < 0.0 || from.y_px + from.vy_px_per_s * frame_s >= 0.0;
+    return kIsSwept || from.vy_px_per_s >= 0.0 || to.vy_px_per_s < 0.0 ||
+           from.y_px + from.vy_px_per_s * frame_s >= 0.0;
   }
   [[nodiscard]] [[gnu::noinline]] State with_impacts(State from, double t_s, double frame_s) {
     fling_.start(from, within, slides_, frame_s);
-    State to = fling_.at(frame_s);
+    const State to = fling_.at(frame_s);
     slides_ = fling_.slides();
     for (const ExactImpact& impact : fling_.impacts()) impacts_.push_back({t_s + impact.t_s, impact.wall});
-    // Past a wall by rounding alone: the next frame begins with that impact.
-    to.x_px = std::clamp(to.x_px, 0.0, within.right_px);
-    to.y_px = std::clamp(to.y_px, 0.0, within.bottom_px);
+    return to;
+  }
+
+  // Nothing is iterated: the flight ends where its straight way meets the first wall, bounces, and the rest
+  // of the frame is flown. A sprite that meets more walls than these waits there for the next frame.
+  [[nodiscard]] [[gnu::noinline]] State with_swept_impacts(State m, double t_s, double frame_s) {
+    constexpr int kMeetingsMax = 8;
+    const ListingStep walls(laws_, AllParts{}, within);
+    double left_s = frame_s;
+    for (int meeting = 0; left_s > 0.0 && meeting < kMeetingsMax; ++meeting) {
+      const State end = flown(m, left_s);
+      const double in_x = part_until_wall(m.x_px, end.x_px, within.right_px);
+      const double in_y = part_until_wall(m.y_px, end.y_px, within.bottom_px);
+      const double part = std::min(in_x, in_y);
+      m = part < 1.0 ? flown(m, part * left_s) : end;
+      left_s -= part * left_s;
+      if (in_x == part) m.x_px = end.x_px;  // Past its wall, if there is one.
+      if (in_y == part) m.y_px = end.y_px;
+      const std::uint8_t met = walls.meet_walls_in_x(m) | walls.meet_walls_in_y(m);
+      slides_ = slides_ || (touches(met, Wall::ground) && m.vy_px_per_s == 0.0);
+      for (const Wall wall : kWalls)
+        if (touches(met, wall)) impacts_.push_back({t_s + frame_s - left_s, wall});
+    }
+    return m;
+  }
+  // Of the way from one position to another; 1: it ends inside. From outside it meets the wall at once.
+  [[nodiscard]] static double part_until_wall(double from_px, double to_px, double far_px) {
+    const double wall_px = std::clamp(to_px, 0.0, far_px);
+    const double part = wall_px == to_px ? 1.0 : (wall_px - from_px) / (to_px - from_px);
+    return part >= 0.0 && part <= 1.0 ? part : 0.0;
+  }
+  [[nodiscard]] State flown(const State& from, double t_s) const {
+    ExactFlight flight{{slides_ ? sliding_ : laws_}};
+    State to = from;
+    flight.prepare(t_s);
+    flight.fly(to);
     return to;
   }
 
@@ -301,7 +337,9 @@ std::vector<MethodKind> frame_methods(const Core& core) {
           {"verlet", "velocity Verlet", "", Convergent{2}, true, maker<FrameMethod<VerletFlight>>(core)},
           {"rk4", "Runge-Kutta 4", "", Convergent{4}, true, maker<FrameMethod<Rk4Flight>>(core)},
           {"exact-flight", "exact flight step", "", Exact{}, true, maker<FrameMethod<ExactFlight>>(core)},
-          {"exact-impacts", "exact flight and impacts", "", Exact{true}, true, maker<ImpactsInFrame>(core)},
+          {"swept-clamp", "exact flight, swept clamp", "", Exact{}, true, maker<ImpactsInFrame<true>>(core)},
+          {"exact-impacts", "exact flight and impacts", "", Exact{true}, true,
+           maker<ImpactsInFrame<false>>(core)},
           {"event-driven", "event-driven", "", Exact{true, true}, true, maker<EventDriven>(core)}};
 }
 

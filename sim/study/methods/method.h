@@ -14,7 +14,8 @@
 
 namespace hyrax {
 
-/// Moves one body, frame by frame or from impact to impact.
+/// Moves one body, frame by frame or from impact to impact. Not by Replay, which plays cores: a method need
+/// not be one (it may have no row at a wall, choose its own steps, or fail), and its time is measured.
 class Method {
  public:
   Method() = default;

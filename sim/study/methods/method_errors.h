@@ -18,8 +18,10 @@ struct MethodErrors {
   bool is_failed = false;  ///< The method gave up; then the other values mean nothing.
   double position_px = 0.0;
   double velocity_px_per_s = 0.0;
-  double energy_rel = 0.0;  ///< Of the largest kinetic energy of the exact fling: it has no datum.
-  double end_px = 0.0;      ///< Distance of the last positions.
+  /// Of the largest kinetic energy of the exact fling: it has no datum. Over the rows at which both have met
+  /// each wall equally often: where only one has bounced, energies are off by what a bounce takes.
+  double energy_rel = 0.0;
+  double end_px = 0.0;  ///< Distance of the last positions.
   /// Of the first three impacts of every stage, where both meet the same walls.
   double contact_time_s = kNotGiven;
   /// Another number of impacts on the left wall, right wall or top than the exact fling. Those on the ground

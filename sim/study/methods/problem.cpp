@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/reference/model.h"
+#include <fmt/format.h>
+
+#include "sim/reference/flight.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -26,11 +28,56 @@ Problem on_desktop(const std::string& name, const std::string& label, const Stat
   return problem;
 }
 
-// Coordinates stay as small as the flight allows, so that rounding does.
-Problem open_sky(const std::string& name, const std::string& label, const State& start, double duration_s) {
-  Problem problem = on_desktop(name, label, start, duration_s, {1'000'000, 1'000'000});
+constexpr Size kSky{1'000'000, 1'000'000};
+
+// Coordinates stay as small as the flight allows, so that rounding does: upwards it turns below the top.
+Problem open_sky(const std::string& name, const std::string& label, const Velocity& velocity,
+                 double duration_s, const FixedLaws& laws) {
+  const double up_px_per_s = -velocity.vy_px_per_s;
+  const double rise_px =
+      up_px_per_s <= 0.0
+          ? 200.0
+          : std::min(up_px_per_s * up_px_per_s / (2.0 * laws.gravity_px_per_s2), up_px_per_s * duration_s);
+  Problem problem = on_desktop(
+      name, label, {200.0, 100.0 * std::ceil(rise_px / 100.0), velocity.vx_px_per_s, velocity.vy_px_per_s},
+      duration_s, kSky);
   problem.is_free_flight = true;
   return problem;
+}
+
+// A fling that is played for 8 s, and for longer if the exact one then needs it until it lies, and slides by
+// less than half a pixel more.
+Problem until_settled(const std::string& name, const std::string& label, const State& start,
+                      const FixedLaws& laws) {
+  constexpr double kLeast_s = 8.0;
+  Problem problem = on_desktop(name, label, start, kLeast_s);
+  double& until_s = problem.stages.front().duration_s;
+  ExactFling fling(laws);
+  fling.start(start, problem.stages.front().bounds, false, kProblemMax_s);
+  const auto has_settled = [&] {
+    const double vx_px_per_s = fling.at(until_s).vx_px_per_s;
+    return fling.slides() &&
+           std::fabs(vx_px_per_s) <= 0.5 * (laws.drag_rate_per_s + laws.friction_rate_per_s);
+  };
+  while (!has_settled() && until_s < kProblemMax_s) ++until_s;
+  if (!has_settled()) {
+    until_s = kLeast_s;
+    problem.remark = fmt::format("its first {:g} s: it does not settle in {:g} s", kLeast_s, kProblemMax_s);
+  }
+  return problem;
+}
+
+// Thrown so that by the exact laws it meets both walls of the lower right corner at one time.
+State into_corner(const FixedLaws& laws) {
+  const Bounds bounds = bounds_of(kScreen, kSprite);
+  State start{300.0, 500.0, 0.0, 0.0};
+  const double k = laws.drag_rate_per_s, way_px = bounds.right_px - start.x_px;
+  start.vx_px_per_s = std::max(2400.0, 2.0 * k * way_px);
+  const double t_s = k > 0.0 ? -std::log1p(-k * way_px / start.vx_px_per_s) / k : way_px / start.vx_px_per_s;
+  start.vy_px_per_s =
+      (bounds.bottom_px - start.y_px - fly(0.0, laws.gravity_px_per_s2, k, t_s).displacement_px) /
+      fly(1.0, 0.0, k, t_s).displacement_px;
+  return start;
 }
 
 // The scenario's jitter, its size independent of the frame.
@@ -52,16 +99,14 @@ double Problem::duration_s() const {
   return sum_s;
 }
 
-std::vector<Problem> study_problems() {
+std::vector<Problem> study_problems(const FixedLaws& laws) {
   std::vector<Problem> problems = {
-      open_sky("long-arc", "one second in the air", {200.0, 400.0, 900.0, -900.0}, 1.0),
-      open_sky("short-arc", "a fifth of a second in the air", {200.0, 400.0, 900.0, -900.0}, 0.2),
-      open_sky("fast-arc", "one second at 10,000 px/s", {200.0, 6000.0, 8000.0, -6000.0}, 1.0),
-      open_sky("terminal-speed", "one second at terminal speed",
-               {200.0, 200.0, 0.0, Model{}.gravity_px_per_s2 / 0.0600300}, 1.0),
-      on_desktop("fling", "a fling that bounces until it settles", {60.0, 900.0, 1000.0, -1350.0}, 8.0),
-      on_desktop("corner-fling", "a fast fling into a corner", {300.0, 500.0, 2400.0, -700.0}, 8.0)};
-  Problem jittered = problems[4];
+      open_sky("long-arc", "one second in the air", {900.0, -900.0}, 1.0, laws),
+      open_sky("short-arc", "a fifth of a second in the air", {900.0, -900.0}, 0.2, laws),
+      open_sky("fast-arc", "one second at 10,000 px/s", {8000.0, -6000.0}, 1.0, laws),
+      until_settled("fling", "a fling that bounces until it settles", {60.0, 900.0, 1000.0, -1350.0}, laws),
+      until_settled("corner-fling", "a fast fling into a corner", into_corner(laws), laws)};
+  Problem jittered = problems[3];
   jittered.name = "jittered-fling";
   jittered.label = "the fling on a clock that jitters by half a frame";
   jittered.jitter = Jitter{Jitter::Kind::uniform, 0.5, 7};
@@ -74,6 +119,10 @@ std::vector<Problem> study_problems() {
   hitched.is_free_flight = false;
   problems.push_back(jittered);
   problems.push_back(hitched);
+  const double terminal_px_per_s = laws.gravity_px_per_s2 / laws.drag_rate_per_s;
+  if (terminal_px_per_s < 0.9 * kSky.height_px)  // Else it has no room for it, or there is no such speed.
+    problems.push_back(
+        open_sky("terminal-speed", "one second at terminal speed", {0.0, terminal_px_per_s}, 1.0, laws));
   return problems;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/reference/exact_fling.h"
 #include "sim/scenario/scenario.h"
 
 namespace hyrax {
@@ -21,7 +22,7 @@ struct Stage {
 struct Problem {
   std::string name;    ///< As a key: "long-arc".
   std::string label;   ///< For readers: "one second in the air".
-  std::string remark;  ///< What was left out of a scenario; may be empty.
+  std::string remark;  ///< What is left out, as "its first 60 s"; may be empty.
   State start;
   std::vector<Stage> stages;
   std::optional<Jitter> jitter;  ///< A normal one's sigma in units of the frame.
@@ -30,11 +31,12 @@ struct Problem {
   [[nodiscard]] double duration_s() const;
 };
 
-/// Flights that meet nothing, flings with contacts, and clocks out of step.
-[[nodiscard]] std::vector<Problem> study_problems();
-
-/// Longer scenarios are cut to this: at 7680 Hz it is half a million frames.
+/// Longer ones are cut to this: at 7680 Hz it is half a million frames.
 inline constexpr double kProblemMax_s = 60.0;
+
+/// Flights that meet nothing, flings with contacts, and clocks out of step. Flights have the room that they
+/// need by these laws, flings last until they have settled, and what is thrown into a corner meets it.
+[[nodiscard]] std::vector<Problem> study_problems(const FixedLaws& laws);
 
 /// A scenario as a problem: its events at their times, its jitter at every rate; a recorded clock becomes one
 /// without jitter. Nothing, and why, where it has no time or no room for its sprite.

@@ -48,7 +48,9 @@ struct ScriptFrame {
   std::uint8_t contact = 0;
 };
 
-/// Plays the script, or its first `frames_max` frames; `on_frame(ScriptFrame)` gets every one.
+/// Plays the script, or its first `frames_max` frames; `on_frame(ScriptFrame)` gets every one. Not by Replay:
+/// no core has a step without one of its parts, and what a part costs is measured here, with nothing beside
+/// it.
 template <class PartSet, class OnFrame>
 void play(const Script& script, const Constants& constants, const PartSet& parts, const OnFrame& on_frame,
           std::size_t frames_max = std::numeric_limits<std::size_t>::max()) {

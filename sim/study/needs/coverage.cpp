@@ -4,13 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "sim/result/number_text.h"
 #include "sim/study/study_table.h"
 
 namespace hyrax {
 
 const std::vector<std::string>& coverage_columns() {
   static const std::vector<std::string> columns = [] {
-    std::vector<std::string> names(kPartNames.begin(), kPartNames.end());
+    std::vector<std::string> names(kModelPartNames.begin(), kModelPartNames.end());
     for (const char* name : {"jitter", "fling", "place", "stop", "resize", "hitch", "hold"})
       names.emplace_back(name);
     return names;
@@ -73,16 +74,20 @@ Verdict coverage_verdict(const std::vector<ScenarioNeeds>& scenarios, double wit
     }
   }
   const std::vector<std::string> never = never_exercised(scenarios);
-  return {{fmt::format("What {} scenarios exercise, within {:g} px:", scenarios.size(), within_px),
-           Table{"coverage",
-                 "",
-                 {{"part", "", "", coverage_columns()},
-                  {"exercised", "1", "", std::move(exercised)},
-                  {"needed", "1", "", std::move(needed)},
-                  {"for_example_by", "", "", std::move(examples)}}},
-           never.empty() ? "Every part is exercised by some scenario."
-                         : fmt::format("Exercised by no scenario: {}.", fmt::join(never, ", "))},
-          {}};
+  const std::size_t columns = exercised.size();
+  Verdict verdict{fmt::format("{} of {} parts and inputs are exercised by some of {}.",
+                              columns - never.size(), columns, plain_counted(scenarios.size(), "scenario")),
+                  {fmt::format("What they exercise, within {:g} px:", within_px),
+                   Table{"coverage",
+                         "",
+                         {{"part", "", "", coverage_columns()},
+                          {"exercised", "1", "", std::move(exercised)},
+                          {"needed", "1", "", std::move(needed)},
+                          {"for_example_by", "", "", std::move(examples)}}}},
+                  {}};
+  if (!never.empty())
+    verdict.text.push_back(fmt::format("Exercised by no scenario: {}.", fmt::join(never, ", ")));
+  return verdict;
 }
 
 }  // namespace hyrax

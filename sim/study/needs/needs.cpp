@@ -111,9 +111,9 @@ bool comes_to_rest(const Script& script, const Rows& rows) {
 // Enough frames to measure a step's time.
 constexpr std::int64_t kFramesTimedMax = 10'000;
 
-// A run to be timed. Its last row is stored, so that the compiler cannot leave the run out.
-template <class PartSet>
-std::function<void()> timed(const Core& core, const Script& script, const PartSet& parts) {
+// A run to be timed, of one kernel whatever it leaves out. Its last row is stored, so that the compiler
+// cannot leave the run out.
+std::function<void()> timed(const Core& core, const Script& script, const ModelParts& parts) {
   return [&script, constants = core.constants.value(), parts] {
     State last;
     play(
@@ -123,17 +123,10 @@ std::function<void()> timed(const Core& core, const Script& script, const PartSe
   };
 }
 
-// A run without each part.
-template <std::size_t... kParts>
-std::array<std::function<void()>, kPartCount> timed_without_each(const Core& core, const Script& script,
-                                                                 std::index_sequence<kParts...>) {
-  return {timed(core, script, AllBut<static_cast<Part>(kParts)>())...};
-}
-
 std::vector<PartNeed> parts_of(const Script& script) {
   std::vector<PartNeed> parts;
-  for (std::size_t part = 0; part < kPartCount; ++part)
-    parts.push_back({.part = std::string(kPartNames[part]), .model_part = static_cast<Part>(part)});
+  for (std::size_t part = 0; part < kModelPartCount; ++part)
+    parts.push_back({.part = std::string(kModelPartNames[part]), .model_part = static_cast<ModelPart>(part)});
   if (script.is_jittered) parts.push_back({.part = "jitter", .model_part = {}});
   for (std::size_t input = 0; input < script.inputs.size(); ++input)
     parts.push_back({.part = script.inputs[input], .model_part = {}, .input = input});
@@ -141,24 +134,33 @@ std::vector<PartNeed> parts_of(const Script& script) {
 }
 
 // What leaving out a part saves is the difference of two runs; of different paths it would say more about
-// these than about the part.
+// these than about the part. The last one is without all parts that are not needed.
 void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, const CostOptions& options,
                 const NanosecondClock& now_ns) {
   if (needs.steps == 0) return;
-  std::vector<std::function<void()>> works{timed(core, script, AllParts())};
-  auto without_each = timed_without_each(core, script, std::make_index_sequence<kPartCount>());
+  std::vector<std::function<void()>> works{timed(core, script, ModelParts())};
   std::vector<PartNeed*> timed_parts;
+  ModelParts needed;
   for (PartNeed& part : needs.parts) {
-    if (!part.model_part || !part.difference.is_same_bits) continue;
-    works.push_back(std::move(without_each[static_cast<std::size_t>(*part.model_part)]));
+    if (!part.model_part) continue;
+    if (is_unneeded(part.need)) needed.leave_out(*part.model_part);
+    if (!part.difference.is_same_bits) continue;
+    ModelParts without_it;
+    without_it.leave_out(*part.model_part);
+    works.push_back(timed(core, script, without_it));
     timed_parts.push_back(&part);
   }
+  works.push_back(timed(core, script, needed));
   const Costs measured = measure_costs(works, now_ns, options);
   const auto steps = static_cast<double>(std::min(needs.steps, kFramesTimedMax));
   const Cost& complete = measured.costs.front();
+  const auto per_step = [steps](const Cost& run) {
+    const MedianEstimate& ns = run.time_ns;
+    return MedianEstimate{ns.median / steps, ns.low / steps, ns.high / steps};
+  };
   needs.probe = measured.probe;
-  needs.step_ns = {complete.time_ns.median / steps, complete.time_ns.low / steps,
-                   complete.time_ns.high / steps};
+  needs.step_ns = per_step(complete);
+  needs.unneeded_out_ns = per_step(measured.costs.back());
   for (std::size_t index = 0; index < timed_parts.size(); ++index)
     timed_parts[index]->saved_ns_per_step = difference_of(complete, measured.costs[index + 1], steps).time_ns;
 }
@@ -168,7 +170,7 @@ PathDifference difference_without(const Core& core, const Script& script, const 
                                   const std::vector<PartNeed*>& left_out) {
   std::vector<bool> inputs(script.inputs.size());
   bool jitter = false;
-  Parts parts;
+  ModelParts parts;
   for (const PartNeed* const each : left_out)
     if (each->model_part)
       parts.leave_out(*each->model_part);

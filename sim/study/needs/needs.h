@@ -40,13 +40,13 @@ struct PathDifference {
 
 /// What is left out at a time: a part of the step, the jitter, or an input.
 struct PartNeed {
-  std::string part;                ///< One of kPartNames, "jitter", or the name of an input.
-  std::optional<Part> model_part;  ///< None: jitter or an input.
+  std::string part;                     ///< One of kModelPartNames, "jitter", or the name of an input.
+  std::optional<ModelPart> model_part;  ///< None: jitter or an input.
   PathDifference difference = {};
   Need need = Need::needed;
   std::optional<std::size_t> input = {};  ///< Index into Script::inputs; none: a part of the step, or jitter.
-  /// Of the step with all parts minus the one without, run by run; may be negative. Not measured where the
-  /// part changes the run, and of jitter and inputs.
+  /// Of the step with all parts minus the one without, round by round; may be negative. Not measured where
+  /// the part changes the run, and of jitter and inputs.
   MedianEstimate saved_ns_per_step = {};
 
   /// Whether it takes longer with the part, beyond the noise.
@@ -56,10 +56,13 @@ struct PartNeed {
 struct ScenarioNeeds {
   std::string scenario;
   std::int64_t steps = 0;
-  bool is_cut = false;          ///< Only the first kScriptFramesMax frames were played.
-  bool comes_to_rest = false;   ///< Its position is settled at the end.
-  MedianEstimate step_ns = {};  ///< Of the variant kernel with all parts.
-  ClockProbe probe = {};        ///< When the steps were timed.
+  bool is_cut = false;         ///< Only the first kScriptFramesMax frames were played.
+  bool comes_to_rest = false;  ///< Its position is settled at the end.
+  /// Of a step of which any part can be left out, with all of them: what the times without some are compared
+  /// with.
+  MedianEstimate step_ns = {};
+  MedianEstimate unneeded_out_ns = {};  ///< The same without all parts that are not needed.
+  ClockProbe probe = {};                ///< When the steps were timed.
   std::vector<PartNeed> parts;
   std::set<std::uint32_t> paths_taken;  ///< Of NeedsOptions::core_step.
   PathDifference without_all_unneeded;  ///< All that are not needed, at once.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/result/number_text.h"
 #include "sim/study/needs/needs.h"
 #include "sim/study/study.h"
 #include "sim/study/study_table.h"
@@ -28,7 +29,8 @@ StudyTable<std::vector<ScenarioNeeds>> scenario_table(const std::string& name, c
 
 std::int64_t path_count_taken(Needs needs) { return std::ssize(needs.paths_taken); }
 
-Table part_table(const std::vector<ScenarioNeeds>& scenarios) {
+// In JSON the member `parts` of a scenario.
+Table part_table(std::span<const ScenarioNeeds> scenarios) {
   struct PartOfScene {
     const ScenarioNeeds* needs;
     const PartNeed* part;
@@ -39,30 +41,27 @@ Table part_table(const std::vector<ScenarioNeeds>& scenarios) {
   using R = const PartOfScene&;
   return StudyTable("parts", "every part of model and scene left out in turn", rows)
       .add("scenario", "", "what is played", [](R r) { return r.needs->scenario; })
+      .key("-")
       .add("part", "", "what is left out", [](R r) { return r.part->part; })
       .add("verdict", "", "needed, alone or with others left out; below the tolerance; or not exercised",
            [](R r) { return name_of(r.part->need); })
       .add("path_difference", "px", "largest distance at equal times",
            [](R r) { return r.part->difference.path_px; })
+      .key("path_px")
       .add("first_step", "1", "first row that differs; -1: none",
            [](R r) { return r.part->difference.first_step; })
+      .key("-")
       .add("contacts_moved", "1", "contacts that moved, appeared or vanished",
            [](R r) { return r.part->difference.contacts_moved; })
       .add("end_shift", "px", "distance at the end", [](R r) { return r.part->difference.end_px; })
-      .add_estimate("saved", "ns", "time saved per step, median; missing where the path changes",
-                    [](R r) { return r.part->saved_ns_per_step; })
-      .add("step", "ns", "time of a step with all parts, median",
-           [](R r) { return r.needs->step_ns.median; });
-}
-
-Table control_table(const std::vector<ScenarioNeeds>& scenarios, double within_px) {
-  return scenario_table("control", "everything that is not needed left out at once", scenarios)
-      .add("steps", "1", "frames played", &ScenarioNeeds::steps)
-      .add("left_out", "1", "parts left out", unneeded_count)
-      .add("path_difference", "px", "largest distance at equal times",
-           [](Needs needs) { return needs.without_all_unneeded.path_px; })
-      .add("tolerance", "px", "largest distance allowed", [within_px](Needs) { return within_px; })
-      .add("paths_taken", "1", "paths of the core's step taken", path_count_taken);
+      .key("end_px")
+      .add("saves", "", "whether a step takes less time without it, beyond the noise",
+           [](R r) { return r.part->saves(); })
+      .add_estimate(
+          "saved", "ns", "time saved per step, median; missing where the path changes",
+          [](R r) { return r.part->saved_ns_per_step; }, "saved_ns_per_step")
+      .add("step", "ns", "time of a step with all parts, median", [](R r) { return r.needs->step_ns.median; })
+      .key("-");
 }
 
 // The cheapest point of a scenario's methods, or of the paper's step; nullptr if there is none.
@@ -99,22 +98,9 @@ Table cheapest_table(const std::vector<ScenarioNeeds>& scenarios) {
       .add("paper_cost", "ns/s", "its median cost", value(true, cost));
 }
 
-// The JSON member `parts` of a scenario.
-Table parts_summary(const ScenarioNeeds& needs) {
-  using P = const PartNeed&;
-  return StudyTable("parts", "", needs.parts)
-      .add("part", "", &PartNeed::part)
-      .add("verdict", "", [](P part) { return name_of(part.need); })
-      .add("path", "px", [](P part) { return part.difference.path_px; })
-      .add("contacts_moved", "1", [](P part) { return part.difference.contacts_moved; })
-      .add("end", "px", [](P part) { return part.difference.end_px; })
-      .add("saved", "ns/step", [](P part) { return part.saved_ns_per_step.median; })
-      .add("saves", "", &PartNeed::saves);
-}
-
 // The JSON member `cheapest` of a scenario.
 Table cheapest_summary(const ScenarioNeeds& needs) {
-  Table table{"cheapest", "", {}, JsonShape::one};
+  Table table{"cheapest", "", {}, JsonForm::one};
   if (const WorkPoint* const point = cheapest_of(needs))
     table.columns = {column_of_one("method", "", needs.methods->methods[point->method].name),
                      column_of_one("rate", "Hz", point->rate_hz),
@@ -136,15 +122,18 @@ std::vector<Table> summary_of(const std::vector<ScenarioNeeds>& scenarios, doubl
   return {
       {.columns = {column_of_one("within", "px", within_px), column_of_one("paths", "1", paths),
                    column_of_one("paths_taken", "1", std::ssize(paths_taken(scenarios)))},
-       .shape = JsonShape::members},
+       .form = JsonForm::members},
       scenario_table("scenes", "", scenarios)
           .add("steps", "1", &ScenarioNeeds::steps)
           .add("step", "ns", [](Needs needs) { return needs.step_ns.median; })
-          .add("parts", "", parts_summary)
+          .add("parts", "",
+               [](Needs needs) {
+                 return part_table({&needs, 1});
+               })
           .add("paths_taken", "1", path_count_taken)
           .add("without_all_unneeded", "px", [](Needs needs) { return needs.without_all_unneeded.path_px; })
           .add("cheapest", "", cheapest_summary),
-      {"exercised_by_none", "", {{"part", "", "", never_exercised(scenarios)}}, JsonShape::values}};
+      {"exercised_by_none", "", {{"part", "", "", never_exercised(scenarios)}}, JsonForm::values}};
 }
 
 // A scenario's parts as they are printed; what is not exercised has no difference.
@@ -170,49 +159,120 @@ Table printed_parts(const ScenarioNeeds& needs) {
       .add("verdict", "", [](const PartNeed& part) { return name_of(part.need); });
 }
 
+// "exact flight, swept clamp from 120 Hz": the methods that are within the tolerance at 60 Hz or above, each
+// at its lowest rate.
+std::string within_text(const SpeedError& methods, double within_px) {
+  std::string text;
+  for (std::size_t method = 0; method < methods.methods.size(); ++method) {
+    if (methods.methods[method].is_reference()) continue;
+    const auto within = std::ranges::find_if(methods.points, [&](const WorkPoint& point) {
+      return point.method == method && point.rate_hz >= kRowRate_hz && !point.errors.is_failed &&
+             point.errors.position_px < within_px;
+    });
+    if (within != methods.points.end())
+      text += fmt::format("{}{} at {:.0f} Hz", text.empty() ? "" : ", ", methods.methods[method].label,
+                          within->rate_hz);
+  }
+  return text.empty() ? "none of the methods" : text;
+}
+
+// How near the paper's step gets, where none of its rates that were timed is near enough.
+std::string paper_scan_text(const SpeedError& methods, double within_px) {
+  const auto least = std::ranges::find(methods.least, std::size_t{0}, &LeastError::method);
+  if (least == methods.least.end() || std::isnan(least->position_px)) return "";
+  const std::string at = fmt::format("{} px at {:.4g} Hz", rounded(least->position_px, 3), least->rate_hz);
+  return least->position_px < within_px
+             ? "\nThe paper's step gets that close, but at none of the rates that are timed: " + at + "."
+             : fmt::format(
+                   "\nThe paper's step does not get that close at any rate from {:g} to {:g} Hz: at "
+                   "best {}.",
+                   methods.low_hz, methods.high_hz, at);
+}
+
 std::string cheapest_text(const ScenarioNeeds& needs, double within_px) {
   if (!needs.methods) return "\nNo cheapest method: " + needs.why_no_methods + ".";
+  const SpeedError& methods = *needs.methods;
   const WorkPoint* const best = cheapest_of(needs);
   const WorkPoint* const paper = cheapest_of(needs, true);
   const std::string head = fmt::format("\nCheapest within {:g} px of the exact motion: ", within_px);
-  if (!needs.methods->probe.is_steady()) return head + unsteady_text(needs.methods->probe) + ".";
+  if (!methods.probe.is_steady()) {
+    const std::string within = within_text(methods, within_px);
+    return fmt::format("{}{}; that near: {}.{}", head, unsteady_text(methods.probe), within,
+                       within.starts_with("the paper's step at") ? "" : paper_scan_text(methods, within_px));
+  }
   if (best == nullptr) return head + "none of the methods gets that close.";
   std::string text =
       fmt::format("{}{} at {:.0f} Hz, {:.0f} ns per simulated second.", head,
-                  needs.methods->methods[best->method].label, best->rate_hz, best->cost.time_ns.median);
-  if (const std::vector<std::size_t>& as_cheap = needs.methods->cheapest.front().as_cheap; !as_cheap.empty())
+                  methods.methods[best->method].label, best->rate_hz, best->cost.time_ns.median);
+  if (const std::vector<std::size_t>& as_cheap = methods.cheapest.front().as_cheap; !as_cheap.empty())
     text += fmt::format("\nIts cost does not differ measurably from that of {}{}.",
-                        point_text(*needs.methods, as_cheap.front()),
+                        point_text(methods, as_cheap.front()),
                         as_cheap.size() > 1 ? fmt::format(" and {} more", as_cheap.size() - 1) : "");
-  if (paper == nullptr) text += "\nThe paper's step does not get that close at any rate.";
+  if (paper == nullptr) text += paper_scan_text(methods, within_px);
   if (paper != nullptr && paper != best)
     text += fmt::format("\nThe paper's step gets that close at {:.0f} Hz, {:.0f} ns per simulated second.",
                         paper->rate_hz, paper->cost.time_ns.median);
   return text;
 }
 
-std::string step_text(const ScenarioNeeds& needs, const std::string& machine) {
-  if (!needs.probe.is_steady()) return "Times of steps: " + unsteady_text(needs.probe) + ".";
-  return fmt::format("A step with all parts takes {:.2f} ns ({:.2f} .. {:.2f}) on {}.", needs.step_ns.median,
-                     needs.step_ns.low, needs.step_ns.high, machine);
+// "gravity, drag and ground".
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t each = 0; each < names.size(); ++each)
+    text += (each == 0 ? "" : each + 1 == names.size() ? " and " : ", ") + names[each];
+  return text;
+}
+
+// "first-fling needs gravity, drag and ground; without the left wall and top it keeps its bits and a step
+// takes 3.0 of 3.2 ns."
+std::string answer_of(const ScenarioNeeds& needs) {
+  std::vector<std::string> needed, others;
+  for (const PartNeed& part : needs.parts) (is_unneeded(part.need) ? others : needed).push_back(part.part);
+  std::string text =
+      fmt::format("{} needs {}", needs.scenario, needed.empty() ? "no part alone" : listed(needed));
+  if (others.empty()) return text + ".";
+  const PathDifference& without = needs.without_all_unneeded;
+  text += fmt::format("; without {} ", listed(others));
+  text += without.is_same_bits     ? "it keeps its bits"
+          : without.path_px == 0.0 ? "only its speed changes"
+                                   : fmt::format("it moves by {} at most", length_text(without.path_px));
+  if (!needs.probe.is_steady() || std::isnan(needs.unneeded_out_ns.median)) return text + ".";
+  return fmt::format("{} and a step takes {:.2f} of {:.2f} ns.", text, needs.unneeded_out_ns.median,
+                     needs.step_ns.median);
 }
 
 void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, const StudyRequest& request) {
-  verdict.text.push_back(
-      fmt::format("{}What {} needs, within {:g} px, over {}{} steps ({}):", verdict.text.empty() ? "" : "\n",
-                  needs.scenario, within_px, needs.is_cut ? "its first " : "", needs.steps,
-                  needs.comes_to_rest ? "settles" : "does not settle"));
+  const std::string sentence = answer_of(needs);
+  verdict.text.push_back(fmt::format(
+      "{}Within {:g} px of the run with all parts, over {}{} steps ({}):",
+      sentence == verdict.answer ? "" : (verdict.text.empty() ? "" : "\n") + sentence + "\n", within_px,
+      needs.is_cut ? "its first " : "", needs.steps, needs.comes_to_rest ? "settles" : "does not settle"));
   verdict.text.emplace_back(printed_parts(needs));
   if (needs.parts.size() > kPartsPrintedMax)
     verdict.text.push_back(fmt::format("  and {} more, in the files", needs.parts.size() - kPartsPrintedMax));
   verdict.text.push_back(fmt::format(
-      "{}{}\n"
-      "With all {} parts that are not needed left out at once, the path moves {}, within {:g} px.{}",
+      "{}{}{}",
       request.core_step
           ? fmt::format("It takes {} of the step.\n", paths_text(needs.paths_taken, *request.core_step))
           : "",
-      step_text(needs, request.machine), unneeded_count(needs),
-      length_text(needs.without_all_unneeded.path_px), within_px, cheapest_text(needs, within_px)));
+      needs.probe.is_steady()
+          ? fmt::format("Times on {}: medians; of all rows against the step with all parts, "
+                        "{:.2f} ns ({:.2f} .. {:.2f}).",
+                        request.machine, needs.step_ns.median, needs.step_ns.low, needs.step_ns.high)
+          : "Times of steps: " + unsteady_text(needs.probe) + ".",
+      cheapest_text(needs, within_px)));
+}
+
+// Of one scenario what it needs; where that is too long for a few lines, how many parts.
+std::string answer_of(const std::vector<ScenarioNeeds>& scenarios) {
+  constexpr std::size_t kLettersMax = 240;
+  if (scenarios.size() > 1) return fmt::format("{} scenarios need some of their parts.", scenarios.size());
+  const ScenarioNeeds& needs = scenarios.front();
+  const std::string sentence = answer_of(needs);
+  return sentence.size() <= kLettersMax
+             ? sentence
+             : fmt::format("{} needs {} of {} parts.", needs.scenario,
+                           std::ssize(needs.parts) - unneeded_count(needs), needs.parts.size());
 }
 
 Result run_needs(const StudyRequest& request) {
@@ -235,10 +295,10 @@ Result run_needs(const StudyRequest& request) {
     scenarios.push_back(study_needs(request.core, named.scenario, options, request.now_ns));
   }
   const double within_px = options.within_px;
-  Result result{.tables = {part_table(scenarios), coverage_table(scenarios),
-                           control_table(scenarios, within_px), cheapest_table(scenarios)},
+  Result result{.tables = {part_table(scenarios), coverage_table(scenarios), cheapest_table(scenarios)},
                 .summary = summary_of(scenarios, within_px, options.core_step.get())};
   if (has_few_scenarios) {
+    result.verdict.answer = answer_of(scenarios);
     for (const ScenarioNeeds& needs : scenarios) {
       add_needs(result.verdict, needs, within_px, request);
       result.figures.push_back(needs_figure(needs, within_px));

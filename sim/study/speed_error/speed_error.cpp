@@ -96,21 +96,68 @@ class Measurer {
   std::vector<std::size_t> set_up_works_;  // As many as SpeedError::set_ups.
 };
 
-void fit_orders(SpeedError& study) {
+// Of a flight by its own errors, with walls over many flings: of one, impacts fall on any part of a frame.
+// Nothing where the errors, or their medians, do not become smaller with every shorter frame.
+std::optional<OrderFit> fit_order(const Core& core, const Problem& problem, const MethodKind& kind,
+                                  const std::vector<double>& rates_hz) {
+  constexpr std::size_t kPointsMin = 3;
+  std::vector<double> orders;
+  std::vector<std::vector<double>> by_rate(rates_hz.size());
+  OrderFit fit;
+  for (const Problem& fling : problems_like(problem, problem.is_free_flight ? 1 : kOrderFlings)) {
+    std::vector<double> dt_s, errors;
+    for (std::size_t rate = 0; rate < rates_hz.size(); ++rate) {
+      const MethodErrors at =
+          measure_errors(core, fling, kind, stage_frames_s(fling, rates_hz[rate]), rates_hz[rate]);
+      if (at.is_failed || !(at.position_px > rounding_px(at))) continue;
+      dt_s.push_back(1.0 / rates_hz[rate]);
+      errors.push_back(at.position_px);
+      by_rate[rate].push_back(at.position_px);
+    }
+    if (dt_s.size() < kPointsMin) continue;
+    static_cast<PowerFit&>(fit) = fitted_power(dt_s, errors);
+    fit.points = dt_s.size();
+    fit.low_hz = 1.0 / dt_s.front();
+    fit.high_hz = 1.0 / dt_s.back();
+    orders.push_back(fit.order);
+  }
+  std::erase_if(by_rate, [](const std::vector<double>& errors) { return errors.empty(); });
+  const auto is_no_smaller = [](const std::vector<double>& longer, const std::vector<double>& shorter) {
+    return quantile(longer, 0.5) <= quantile(shorter, 0.5);
+  };
+  if (orders.empty() || std::ranges::adjacent_find(by_rate, is_no_smaller) != by_rate.end())
+    return std::nullopt;
+  fit.flings = std::ssize(orders);
+  if (fit.flings > 1) {
+    const Band band = *band_of(orders);
+    static_cast<PowerFit&>(fit) = {.order = band.median, .least = band.low, .most = band.high};
+  }
+  return fit;
+}
+
+void fit_orders(const Core& core, SpeedError& study, const SpeedErrorOptions& options) {
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
     for (std::size_t method = 0; method < study.methods.size(); ++method) {
-      std::vector<double> dt_s, errors;
-      for (const WorkPoint& point : study.points) {
-        if (point.problem != problem || point.method != method || point.errors.is_failed) continue;
-        if (study.methods[method].is_adaptive() || !(point.errors.position_px > rounding_px(point.errors)))
-          continue;
-        dt_s.push_back(1.0 / point.rate_hz);
-        errors.push_back(point.errors.position_px);
-      }
-      constexpr std::size_t kPointsMin = 3;
-      if (dt_s.size() >= kPointsMin)
-        study.orders.push_back({fitted_power(dt_s, errors), problem, method, dt_s.size(), 1.0 / dt_s.front(),
-                                1.0 / dt_s.back()});
+      const Problem& played = study.problems[problem];
+      const MethodKind& kind = study.methods[method];
+      if (kind.is_adaptive() || kind.is_reference()) continue;
+      std::optional<OrderFit> fit =
+          fit_order(core, played, kind, played.is_free_flight ? options.rates_hz : options.order_rates_hz);
+      if (!fit) continue;
+      fit->problem = problem;
+      fit->method = method;
+      study.orders.push_back(*fit);
+    }
+}
+
+void scan_rates(const Core& core, SpeedError& study, const std::vector<double>& rates_hz) {
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
+    for (std::size_t method = 0; method < study.methods.size(); ++method) {
+      const MethodKind& kind = study.methods[method];
+      if (kind.is_adaptive() || kind.is_reference()) continue;
+      study.least.push_back(least_error(core, study.problems[problem], kind, rates_hz));
+      study.least.back().problem = problem;
+      study.least.back().method = method;
     }
 }
 
@@ -156,18 +203,42 @@ PaperErrors paper_errors(const Core& core, const Problem& flight, double rate_hz
   DriftMeter meter(scenario, {}, arc, nullptr, model);
   replay(core, scenario, meter);
   meter.finish();
-  const double a = model.air_drag;
-  const double frames = std::round(flight.stages.front().duration_s * rate_hz);
-  return {rate_hz,
-          arc.errors.implementation_px,
-          arc.errors.truncation_px,
-          arc.errors.model_px,
-          arc.errors.truncation_px_per_s,
-          model.gravity_px_per_s2 / rate_hz * (1.0 - std::pow(a, frames)) *
-              std::fabs(a / (1.0 - a) + 1.0 / std::log(a))};
+  PaperErrors paper{rate_hz, arc.errors.implementation_px, arc.errors.truncation_px, arc.errors.model_px};
+  const double a = model.air_drag, h = 1.0 / rate_hz, pull = model.gravity_px_per_s2 * h;
+  if (!(a < 1.0)) return paper;
+  const double sum = a / (1.0 - a), rate = -std::log(a), c = sum - 1.0 / rate;
+  double left = 1.0;  // Of the speed, by drag.
+  for (double frame = 1.0; frame <= std::round(flight.stages.front().duration_s * rate_hz); ++frame) {
+    left *= a;
+    const double x_px = (1.0 - left) * flight.start.vx_px_per_s;
+    const double y_px = pull * frame + (1.0 - left) * (flight.start.vy_px_per_s - pull * (sum + 1.0 / rate));
+    paper.truncation_expected_px =
+        std::max(paper.truncation_expected_px, std::fabs(c * h) * std::hypot(x_px, y_px));
+  }
+  return paper;
 }
 
 }  // namespace
+
+LeastError least_error(const Core& core, const Problem& problem, const MethodKind& kind,
+                       const std::vector<double>& rates_hz) {
+  LeastError least;
+  const double low_hz = rates_hz.front(), high_hz = rates_hz.back();
+  const auto try_rate = [&](double rate_hz) {
+    if (!(rate_hz >= low_hz && rate_hz <= high_hz)) return;
+    const MethodErrors at = measure_errors(core, problem, kind, stage_frames_s(problem, rate_hz), rate_hz);
+    if (!at.is_failed && !(least.position_px <= at.position_px))
+      least = {.rate_hz = rate_hz, .position_px = at.position_px};
+  };
+  constexpr double kRatio = 1.06, kParts = 8.0;  // A twelfth of an octave, and how much finer it becomes.
+  for (double rate_hz = low_hz; rate_hz < high_hz; rate_hz *= kRatio) try_rate(rate_hz);
+  for (const double rate_hz : rates_hz) try_rate(rate_hz);
+  for (double ratio = kRatio; ratio > 1.0 + 1e-3; ratio = std::pow(ratio, 1.0 / kParts)) {
+    const double middle_hz = least.rate_hz;
+    for (double part = -kParts; part <= kParts; ++part) try_rate(middle_hz * std::pow(ratio, part / kParts));
+  }
+  return least;
+}
 
 double end_only_hz(const Problem& problem) { return 1.0 / problem.duration_s(); }
 
@@ -223,13 +294,15 @@ void mark_pareto(SpeedError& study) {
 }
 
 std::vector<bool> pareto_front(const std::vector<Cost>& costs, const std::vector<double>& errors) {
+  // The largest distance is taken at rows: a smaller difference says where in a frame they fall.
+  constexpr double kErrorApart_rel = 1e-3;
   assert(costs.size() == errors.size());
   std::vector<bool> is_front(costs.size(), false);
   for (std::size_t i = 0; i < costs.size(); ++i) {
     bool is_beaten = std::isnan(errors[i]) || !costs[i].is_measured();
     for (std::size_t other = 0; other < costs.size() && !is_beaten; ++other)
-      is_beaten = errors[other] <= errors[i] && costs[other].time_ns.median < costs[i].time_ns.median &&
-                  is_cheaper(costs[other], costs[i]);
+      is_beaten = errors[other] <= errors[i] * (1.0 + kErrorApart_rel) &&
+                  costs[other].time_ns.median < costs[i].time_ns.median && is_cheaper(costs[other], costs[i]);
     is_front[i] = !is_beaten;
   }
   return is_front;
@@ -242,11 +315,14 @@ SpeedError study_speed_error(const Core& core, std::vector<Problem> problems, st
   study.laws = FixedLaws(reference_model(core));
   study.problems = std::move(problems);
   study.methods = std::move(methods);
+  study.low_hz = options.rates_hz.front();
+  study.high_hz = options.rates_hz.back();
   Measurer measurer(core, study, options);
   measurer.measure_errors_of_all();
   measurer.measure_costs_of_all(now_ns);
   mark_pareto(study);
-  fit_orders(study);
+  fit_orders(core, study, options);
+  scan_rates(core, study, options.rates_hz);
   find_cheapest(study, options.errors_asked_px);
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
     if (!study.problems[problem].is_free_flight)

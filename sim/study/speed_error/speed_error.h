@@ -79,24 +79,40 @@ struct PowerFit {
   double most = 0.0;                  ///< and the largest.
 };
 
-/// Over the rates at which the error is more than rounding.
+/// Over the rates at which the error is more than rounding; none where shorter frames do not always make it
+/// smaller. With walls it is the median over kOrderFlings flings like the problem, without a standard error,
+/// with their 10 and 90 % as `least` and `most`, where the medians of their errors become smaller.
 struct OrderFit : PowerFit {
   std::size_t problem = 0;
   std::size_t method = 0;
   std::size_t points = 0;
   double low_hz = 0.0;   ///< The lowest rate that it is fitted to,
   double high_hz = 0.0;  ///< and the highest.
+  std::int64_t flings = 1;
 };
+inline constexpr std::int64_t kOrderFlings = 200;
+
+/// The least error of a method over a problem at any rate from one to another: of a scan, refined around its
+/// minimum.
+struct LeastError {
+  std::size_t problem = 0;
+  std::size_t method = 0;
+  double rate_hz = 0.0;
+  double position_px = kNotGiven;  ///< NaN: the method failed at every rate.
+};
+/// @param rates_hz the lowest first, the highest last.
+[[nodiscard]] LeastError least_error(const Core& core, const Problem& problem, const MethodKind& kind,
+                                     const std::vector<double>& rates_hz);
 
 /// The paper's step in the free flight of a problem against three laws, by sim/reference.
 struct PaperErrors {
   double rate_hz = 0.0;
-  double implementation_px = 0.0;    ///< Against its own closed form: rounding.
-  double truncation_px = 0.0;        ///< Against the matched ODE, whose drag rate is that of this frame.
-  double model_px = 0.0;             ///< Against the fixed ODE.
-  double truncation_px_per_s = 0.0;  ///< Largest difference of velocity from the matched ODE.
-  /// The same by its closed form, g h (1 - a^n) |a / (1 - a) + 1 / ln a| after n frames.
-  double truncation_expected_px_per_s = 0.0;
+  double implementation_px = 0.0;  ///< Against its own closed form: rounding.
+  double truncation_px = 0.0;      ///< Against the matched ODE, whose drag rate is that of this frame.
+  double model_px = 0.0;           ///< Against the fixed ODE.
+  /// The truncation by its closed form, the largest after n frames: with c = a / (1 - a) + 1 / ln a and
+  /// f = 1 - a^n, c h f vx in x and c h (g n h + f (vy - g h (a / (1 - a) - 1 / ln a))) in y.
+  double truncation_expected_px = 0.0;
 };
 
 /// Into SpeedError::points.
@@ -109,7 +125,7 @@ struct CheapestBelow {
   PointIndex point = {};  ///< None: no method is so accurate.
   std::vector<std::size_t> as_cheap =
       {};  ///< Others below the error than which `point` is not cheaper beyond the noise.
-  PointIndex paper_point = {};  ///< None: the paper's step is not, at any rate.
+  PointIndex paper_point = {};  ///< None: the paper's step is not, at any rate that is ranked.
 };
 
 struct SpeedError {
@@ -120,15 +136,18 @@ struct SpeedError {
   std::vector<SetUp> set_ups;
   std::vector<MethodBands> bands;  ///< Over flings like those of the problems that meet walls.
   std::vector<OrderFit> orders;
+  std::vector<LeastError> least;  ///< Of all methods but adaptive ones and the reference.
   std::vector<CheapestBelow> cheapest;
   std::vector<PaperErrors> paper;  ///< Of the first problem, if it is free flight.
   ClockProbe probe;
   int repetitions = 0;
+  double low_hz = 0.0, high_hz = 0.0;  ///< The rates.
 };
 
 struct SpeedErrorOptions {
-  std::vector<double> rates_hz;            ///< Each kRowRate_hz times a power of two.
-  std::vector<double> band_rates_hz = {};  ///< Rates of `bands`; empty: there are none.
+  std::vector<double> rates_hz;             ///< Each kRowRate_hz times a power of two, from the lowest.
+  std::vector<double> band_rates_hz = {};   ///< Rates of `bands`; empty: there are none.
+  std::vector<double> order_rates_hz = {};  ///< To which orders with walls are fitted; empty: there are none.
   CostOptions cost;
   std::vector<double> errors_asked_px = {100.0, 10.0, 1.0,
                                          0.1,   0.01, 1e-6};             ///< What is cheapest below each?
@@ -154,7 +173,7 @@ struct SpeedErrorOptions {
 /// "the paper's step, 60 Hz".
 [[nodiscard]] std::string point_text(const SpeedError& study, std::size_t point);
 
-/// The tables points, orders, cheapest, paper, clock, set_up, bands.
+/// The tables points, orders, cheapest, paper, clock, set_up, bands, least.
 /// @param machine on which the costs were measured, as below.
 [[nodiscard]] std::vector<Table> speed_error_tables(const SpeedError& study, const std::string& machine);
 
@@ -183,8 +202,9 @@ struct SpeedErrorOptions {
 /// Sets WorkPoint::is_pareto of all points; errors that are no more than rounding are equal.
 void mark_pareto(SpeedError& study);
 
-/// The points than which no other that is as accurate is cheaper beyond the noise. Never one of a NaN or of a
-/// cost that is not measured. REQUIRES: as many errors as costs, which are of one measurement.
+/// The points than which no other that is as accurate, to a thousandth, is cheaper beyond the noise. Never
+/// one of a NaN or of a cost that is not measured. REQUIRES: as many errors as costs, which are of one
+/// measurement.
 [[nodiscard]] std::vector<bool> pareto_front(const std::vector<Cost>& costs,
                                              const std::vector<double>& errors);
 

@@ -12,7 +12,7 @@ namespace hyrax {
 namespace {
 
 // In the order of frame_methods().
-constexpr std::array<Look, 9> kLooks = {
+constexpr std::array<Look, 10> kLooks = {
     {{.tone = Tone::vermilion, .width_px = 4.0},
      {.tone = Tone::vermilion, .width_px = 2.0, .dash = Dash::short_dashes},
      {.tone = Tone::orange},
@@ -20,6 +20,7 @@ constexpr std::array<Look, 9> kLooks = {
      {.tone = Tone::sky_blue},
      {.tone = Tone::blue},
      {.tone = Tone::green, .width_px = 3.0},
+     {.tone = Tone::blue, .width_px = 2.0, .dash = Dash::short_dashes},
      {.tone = Tone::green, .width_px = 2.0, .dash = Dash::short_dashes},
      {.tone = Tone::ink, .width_px = 2.0, .dash = Dash::long_dashes}}};
 constexpr Look kAdaptiveLook{

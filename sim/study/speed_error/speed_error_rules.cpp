@@ -57,7 +57,12 @@ class Rules {
   }
   void paper_does_not_converge() {
     const auto at_60 = std::ranges::find(study_.paper, 60.0, &PaperErrors::rate_hz);
-    if (at_60 != study_.paper.end() && study_.paper.back().rate_hz > 120.0)
+    // With next to no drag the truncation at 60 Hz is still larger than what drag adds at the highest rate.
+    constexpr double kSpeedTaken = 0.1;
+    if (at_60 != study_.paper.end() && study_.laws.drag_rate_per_s *
+                                               (study_.paper.back().rate_hz / 60.0 - 1.0) *
+                                               study_.problems.front().duration_s() >
+                                           kSpeedTaken)
       require("the paper's step leaves the fixed laws as its frames become shorter, px",
               "at the highest rate", study_.paper.back().model_px, at_60->model_px, kInfinity);
   }
@@ -69,17 +74,9 @@ class Rules {
                   name_of(point), point.errors.position_px / paper.model_px, 1.0 - 1e-6, 1.0 + 1e-6);
   }
   void truncation_is_its_closed_form() {
-    std::vector<double> dt_s, errors;
-    for (const PaperErrors& paper : study_.paper) {
-      require("the truncation of velocity is its closed form, as a ratio", name_of(0, 0),
-              paper.truncation_px_per_s / paper.truncation_expected_px_per_s, 1.0 - 1e-6, 1.0 + 1e-6);
-      if (paper.rate_hz < 60.0) continue;  // Below, the next term of the error shows.
-      dt_s.push_back(1.0 / paper.rate_hz);
-      errors.push_back(paper.truncation_px);
-    }
-    if (dt_s.size() >= 2)
-      require("the truncation against the matched ODE is of first order", name_of(0, 0),
-              fitted_power(dt_s, errors).order, 1.0 - kOrderApart, 1.0 + kOrderApart);
+    for (const PaperErrors& paper : study_.paper)
+      require("the truncation is its closed form, as a ratio", name_of(0, 0),
+              paper.truncation_px / paper.truncation_expected_px, 1.0 - 1e-6, 1.0 + 1e-6);
   }
   void rk8pd_keeps_its_tolerance() {
     for (const WorkPoint& point : study_.points) {
@@ -99,7 +96,7 @@ class Rules {
       broken_.push_back(
           fmt::format("{} ({}): must be {:.6g} .. {:.6g} (found {:.6g})", rule, where, low, high, value));
   }
-  // Beyond the first problem few rates of an accurate method may be left.
+  // Of an accurate method, or with little gravity, few rates may be left.
   [[nodiscard]] std::ptrdiff_t rates_beyond_rounding(std::size_t problem, std::size_t method) const {
     return std::count_if(study_.points.begin(), study_.points.end(), [&](const WorkPoint& point) {
       return point.problem == problem && point.method == method &&
@@ -107,7 +104,7 @@ class Rules {
     });
   }
   void order_is(int analytic, std::size_t problem, std::size_t method) {
-    if (problem > 0 && rates_beyond_rounding(problem, method) < 3) return;
+    if (rates_beyond_rounding(problem, method) < 3) return;
     const auto fit = std::find_if(study_.orders.begin(), study_.orders.end(), [&](const OrderFit& each) {
       return each.problem == problem && each.method == method;
     });

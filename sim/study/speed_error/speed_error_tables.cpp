@@ -51,8 +51,11 @@ Table points_table(const SpeedError& study) {
       .add("position_error", "px", "largest distance from the exact fling", error(&MethodErrors::position_px))
       .add("velocity_error", "px/s", "largest difference of velocity",
            error(&MethodErrors::velocity_px_per_s))
-      .add("energy_error", "1", "largest difference of energy / largest kinetic energy of the exact fling",
-           error(&MethodErrors::energy_rel))
+      .add(
+          "energy_error", "1",
+          "largest difference of energy while both have met each wall equally often / largest kinetic energy "
+          "of the exact fling",
+          error(&MethodErrors::energy_rel))
       .add("end_error", "px", "distance of the last positions", error(&MethodErrors::end_px))
       .add("contact_time_error", "s", "largest, of the first three impacts",
            error(&MethodErrors::contact_time_s))
@@ -88,14 +91,23 @@ Table bands_table(const SpeedError& study) {
 Table orders_table(const SpeedError& study) {
   return table_by_problem(study, "orders", "fitted order of convergence", study.orders)
       .add("order", "1", "slope of log error against log dt", &OrderFit::order)
-      .add("standard_error", "1", "of the slope", &OrderFit::standard_error)
-      .add("least", "1", "order between neighbouring rates, smallest", &OrderFit::least)
-      .add("most", "1", "order between neighbouring rates, largest", &OrderFit::most)
+      .add("standard_error", "1", "of the slope, of one fling", &OrderFit::standard_error)
+      .add("least", "1", "order between neighbouring rates, smallest; of many flings their 10 %",
+           &OrderFit::least)
+      .add("most", "1", "order between neighbouring rates, largest; of many flings their 90 %",
+           &OrderFit::most)
+      .add("flings", "1", "of whose orders it is the median", &OrderFit::flings)
       .add("from", "Hz", "lowest rate that it is fitted to", &OrderFit::low_hz)
       .add("to", "Hz", "highest rate that it is fitted to", &OrderFit::high_hz)
       .add("analytic_order", "1", "in free flight; 0 does not converge, -1 exact",
            [&](const OrderFit& fit) { return order_code(study.methods[fit.method].accuracy); })
       .add("points", "1", "rates that it is fitted to", &OrderFit::points);
+}
+
+Table least_table(const SpeedError& study) {
+  return table_by_problem(study, "least", "the least error of all rates, by a scan", study.least)
+      .add("rate", "Hz", "frames per second", &LeastError::rate_hz)
+      .add("position_error", "px", "largest distance from the exact fling", &LeastError::position_px);
 }
 
 Table cheapest_table(const SpeedError& study) {
@@ -122,7 +134,8 @@ Table cheapest_table(const SpeedError& study) {
                names += (names.empty() ? "" : "; ") + point_text(study, point);
              return names;
            })
-      .add("paper_rate", "Hz", "of the paper's step; none: at no rate", rate(&CheapestBelow::paper_point))
+      .add("paper_rate", "Hz", "of the paper's step; none: at no rate that is ranked",
+           rate(&CheapestBelow::paper_point))
       .add("paper_cost", "ns/s", "its median cost", cost(&CheapestBelow::paper_point));
 }
 
@@ -135,10 +148,8 @@ Table paper_table(const SpeedError& study) {
       .add("implementation", "px", "from its own closed form", &PaperErrors::implementation_px)
       .add("truncation", "px", "from the ODE with the drag rate of this frame", &PaperErrors::truncation_px)
       .add("model", "px", "from the ODE with the drag rate of 60 Hz", &PaperErrors::model_px)
-      .add("truncation_speed", "px/s", "velocity, from the ODE of this frame",
-           &PaperErrors::truncation_px_per_s)
-      .add("truncation_speed_expected", "px/s", "the same by its closed form",
-           &PaperErrors::truncation_expected_px_per_s);
+      .add("truncation_expected", "px", "the truncation by its closed form",
+           &PaperErrors::truncation_expected_px);
 }
 
 Table clock_table(const SpeedError& study, const std::string& machine) {
@@ -157,7 +168,7 @@ Table clock_table(const SpeedError& study, const std::string& machine) {
 
 std::vector<Table> speed_error_tables(const SpeedError& study, const std::string& machine) {
   return {points_table(study),         orders_table(study), cheapest_table(study), paper_table(study),
-          clock_table(study, machine), set_up_table(study), bands_table(study)};
+          clock_table(study, machine), set_up_table(study), bands_table(study),    least_table(study)};
 }
 
 std::vector<Table> speed_error_summary(const SpeedError& study, const std::string& machine) {
@@ -165,7 +176,7 @@ std::vector<Table> speed_error_summary(const SpeedError& study, const std::strin
                           {.name = "clock_drift_rel", .values = std::vector{study.probe.drift_rel}},
                           {.name = "clock_steady", .values = std::vector{study.probe.is_steady()}},
                           {.name = "repetitions", .values = std::vector<std::int64_t>{study.repetitions}}},
-              .shape = JsonShape::members};
+              .form = JsonForm::members};
   const auto point = [&](PointIndex CheapestBelow::*index) {
     return [&study, index](const CheapestBelow& answer) {
       std::vector<WorkPoint> points;
@@ -177,7 +188,7 @@ std::vector<Table> speed_error_summary(const SpeedError& study, const std::strin
               .add("rate", "Hz", &WorkPoint::rate_hz)
               .add("position_error", "px", [](P p) { return p.errors.position_px; })
               .add("cost", "ns/s", [](P p) { return p.cost.time_ns.median; });
-      table.shape = JsonShape::one;
+      table.form = JsonForm::one;
       return table;
     };
   };
@@ -187,7 +198,8 @@ std::vector<Table> speed_error_summary(const SpeedError& study, const std::strin
                              .add("paper", "", point(&CheapestBelow::paper_point));
   Table paper = paper_table(study);
   paper.columns.resize(4);  // Without velocities.
-  return {clock, orders_table(study), cheapest, paper, bands_table(study), set_up_table(study)};
+  return {clock, orders_table(study), least_table(study), cheapest,
+          paper, bands_table(study),  set_up_table(study)};
 }
 
 }  // namespace hyrax

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "sim/trace/host/allowed.h"
 #include "sim/trace/host/compiled_core.h"
 #include "sim/trace/host/explorer.h"
 #include "sim/trace/host/limits.h"
@@ -10,9 +11,23 @@
 
 namespace hyrax::trace {
 
+namespace {
+
+std::string text_of(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
 int record_main(const TracedCore& core, int argument_count, char** arguments) {
-  if (argument_count != 3) return 2;
+  if (argument_count != 3 && argument_count != 7) return 2;
   limit_process(arguments[2]);
+  if (argument_count == 7) {
+    const std::string compiled = text_of(arguments[4]), traced = text_of(arguments[5]),
+                      symbols = text_of(arguments[6]);
+    if (const auto why = why_not_allowed({arguments[3], compiled, traced, symbols})) stop(why->c_str());
+  }
   const std::string text = step_text(canonical(trace_core(core)));
   std::ofstream(arguments[1], std::ios::binary) << text;
   return 0;
@@ -22,15 +37,14 @@ int check_main(const CompiledCore& core, const std::optional<Constants>& constan
                char** arguments) {
   if (argument_count != 4) return 2;
   limit_process(arguments[2]);
-  std::ifstream file(arguments[1], std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(file), {});
-  const std::optional<TracedStep> step = read_step(text);
+  const std::optional<TracedStep> step = read_step(text_of(arguments[1]));
   std::optional<std::string> why = "its text cannot be read";
   if (step) why = step_that_differs(core, *step);
   if (why)
     std::ofstream(arguments[2], std::ios::binary)
         << "the traced step does not give the compiled core's bits: " << *why;
-  else if (const auto shape = shape_of(*step).constants; constants && shape && same_bits(*constants, *shape))
+  else if (const auto paper = match_paper(*step).constants;
+           constants && paper && same_bits(*constants, *paper))
     std::ofstream(arguments[3], std::ios::binary) << "the paper's step\n";
   return 0;
 }

@@ -12,6 +12,11 @@
 
 #include "sim/trace/host/recorder.h"
 
+extern "C" {                       // The sanitizers' libraries chose these names.
+[[gnu::weak]] void __asan_init();  // NOLINT(bugprone-reserved-identifier)
+[[gnu::weak]] void __tsan_init();  // NOLINT(bugprone-reserved-identifier)
+}
+
 namespace hyrax::trace {
 namespace {
 
@@ -57,6 +62,8 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t value) {
 
 }  // namespace
 
+bool limits_memory() { return __asan_init == nullptr && __tsan_init == nullptr; }
+
 void limit_process(const std::string& why_file, unsigned cpu_s_max) {
   if (why_file.size() >= why_path.size()) end_because("over its limits: a path of more than 4,095 bytes");
   std::strcpy(why_path.data(), why_file.c_str());
@@ -72,7 +79,7 @@ void limit_process(const std::string& why_file, unsigned cpu_s_max) {
   limit(RLIMIT_CPU, cpu_s_max);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, kBytesMax);
-  if (kLimitsMemory) limit(RLIMIT_AS, kBytesMax);
+  if (limits_memory()) limit(RLIMIT_AS, kBytesMax);
 }
 
 }  // namespace hyrax::trace

@@ -5,14 +5,9 @@
 
 namespace hyrax::trace {
 
-/// Whether limit_process limits memory: sanitizers reserve more addresses than there is.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kLimitsMemory = false;
-#elif defined(__has_feature)
-inline constexpr bool kLimitsMemory = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
-#else
-inline constexpr bool kLimitsMemory = true;
-#endif
+/// Whether limit_process limits memory: sanitizers, with which the header's part of the program may be
+/// compiled, reserve more addresses than there is.
+[[nodiscard]] bool limits_memory();
 
 /// From now on this process has limits of time and memory. If it meets one, throws, crashes or calls stop(),
 /// it writes the reason to `why_file` and ends with exit code 0.

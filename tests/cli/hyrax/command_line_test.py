@@ -1,6 +1,6 @@
 """The command line of hyrax.exe: its output, and the exit codes that a script can rely on."""
 
-from hyrax_program import HYRAX, HyraxTest, read_log
+from hyrax_program import HYRAX, HYRAX_REPLAY, HyraxTest, read_log
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, fling
 
 HASH_OF_FLING = "0" * 32  # Of another run.
@@ -20,6 +20,7 @@ class CommandLine(HyraxTest):
 
     def test_help_and_version(self):
         self.expect_of_hyrax(AGREED, "--help", says="hyrax --record my-fling.json")
+        self.expect_of_hyrax(AGREED, "/?", says="hyrax --record my-fling.json")
         self.expect_of_hyrax(AGREED, "--version", says="hyrax ")
 
     def test_what_cannot_be_used_is_reported(self):
@@ -46,7 +47,7 @@ class CommandLine(HyraxTest):
 
     def test_a_replay_in_the_window_gives_the_same_verdict(self):
         other = self.write("short.json", fling(steps=30, expect={"state_hash": HASH_OF_FLING}))
-        self.expect_of_hyrax(DISAGREED, "--replay", other, says="differs")
+        self.expect_of_hyrax(DISAGREED, other, says="differs")
         self.expect_of_hyrax(DISAGREED, "--replay", other, "--seconds", "0", says="ended at step ")
 
     def test_a_replay_logs_no_frame_twice(self):
@@ -56,6 +57,21 @@ class CommandLine(HyraxTest):
         self.assertEqual(frames[-1], 9)
         self.assertEqual(frames, sorted({*frames}))
 
-    def test_a_file_may_have_any_name(self):
-        self.expect_of_hyrax(AGREED, "--record", "Ein Flug über Ærø.json", "--seconds", "0.5")
-        self.expect(AGREED, "run", "Ein Flug über Ærø.json", "-o", "flight.h5")
+    def test_a_window_larger_than_the_screen_is_scaled_down(self):
+        large = self.write("large.json", fling(window={"width_px": 4096, "height_px": 1080}, steps=120,
+                                               start={"x_px": 3968, "y_px": 500, "vx_px_per_s": 0, "vy_px_per_s": 0}))
+        self.expect_of_hyrax(AGREED, large, "--log", "large.log")
+        for frame in read_log(self.folder / "large.log"):
+            left, top, right, bottom = frame["window_rect_px"]
+            self.assertEqual((left, right - left, bottom - top), (992, 32, 32))
+            self.assertLessEqual(abs(top - frame["y_px"] / 4), 0.5)
+
+    def test_a_file_may_have_any_name_and_a_long_path(self):
+        folder = "/".join(["Ein sehr weiter Flug über Ærø mit vielen Landungen und ohne Eile"] * 5)
+        (self.folder / folder).mkdir(parents=True)
+        for name in ("Ein Flug über Ærø.json", f"{folder}/Flug.json"):
+            self.expect_of_hyrax(AGREED, "--record", name, "--log", f"{name}.log", "--seconds", "0.5")
+            self.expect(AGREED, "run", name, "-o", "flight.h5")
+            done = self.wine.run(HYRAX_REPLAY, name, cwd=self.folder)
+            self.assertEqual((done.exit_code, done.out[32:]), (AGREED, f"  {name}\n"), str(done))
+            self.expect_of_hyrax(AGREED, name, "--exit", says="agrees")

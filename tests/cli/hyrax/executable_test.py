@@ -81,9 +81,11 @@ class Executable(unittest.TestCase):
         found = resources(HYRAX)
         self.assertEqual(len(found[RT_ICON]), 7)
         self.assertEqual(len(found[RT_GROUP_ICON]), 1)
-        manifest, = found[RT_MANIFEST].values()
-        for text in (b"PerMonitorV2", b"asInvoker", b"{8e0f7a12-bfb3-4fe8-b9a5-48fd50a15a9a}"):  # The last: Windows 10.
-            self.assertIn(text, manifest)
+        for program in (HYRAX, HYRAX_REPLAY):
+            manifest, = resources(program)[RT_MANIFEST].values()
+            # The last: Windows 10.
+            for text in (b"PerMonitorV2", b"asInvoker", b">UTF-8<", b"longPathAware", b"{8e0f7a12-bfb3-4fe8-b9a5-48fd50a15a9a}"):
+                self.assertIn(text, manifest)
         version, = found[RT_VERSION].values()
         project = re.search(r"VERSION (\d+\.\d+\.\d+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
         self.assertIn(project.encode("utf-16-le"), version)

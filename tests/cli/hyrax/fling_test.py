@@ -6,6 +6,7 @@ from hyrax_program import HyraxTest
 from program import AGREED
 
 BURNERS = 4
+ESCAPE = 27
 SEEN_S = 0.03
 
 
@@ -37,6 +38,19 @@ class Fling(HyraxTest):
         scenarios.mkdir()
         flight.path.rename(scenarios / "flight.json")
         self.expect(AGREED, "check", "scenarios")
+
+    def test_escape_cancels_a_drag(self):
+        process = self.start()
+        self.wait_for_sleep()
+        self.hand("point", 64, 64, "grab", *"by -6 -10 20 12".split(), "sleep", 100, "key", ESCAPE)
+        self.wait_for_input("release")
+        self.hand("release")
+        self.wait_for_sleep()
+        flight = self.close(process)
+        self.assertEqual(flight.events("release")[0]["release"], {"vx_px_per_s": 0, "vy_px_per_s": 0})
+        first, last = next(frame for frame in flight.frames if frame["held"]), flight.frames[-1]
+        self.assertEqual((first["x_px"], first["y_px"]), (last["x_px"], last["y_px"]))
+        self.assert_is_the_model(flight)
 
     def test_under_load(self):
         burners = [multiprocessing.Process(target=burn, daemon=True) for _ in range(BURNERS)]

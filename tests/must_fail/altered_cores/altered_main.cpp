@@ -61,7 +61,8 @@ CoreRecord altered_record() {
   return {.header = texts.header,
           .step = texts.step,
           .why_incomplete = texts.step.empty() ? "altered for a test" : "",
-          .complete = complete_by_step};
+          .complete = complete_by_step,
+          .path = built_core_record().path};
 }
 
 }  // namespace

@@ -48,10 +48,10 @@ SUBJECTS = (
     Subject(_PLAYER, ("play_to", "apply_events", "play_hitch", "play_uneven_stretch")),
     Subject("sim/scenario/apply.h", units=("sim/core/shipped_core.cpp",)),
     Subject("sim/core/core_of.h", ("make",)),
-    Subject("sim/core/kernel_of.h", ("apply", "state_of")),
-    *map(Subject, ("sim/card", "sim/cause", "sim/compare", "sim/core", "sim/ensemble", "sim/motion", "sim/reference",
+    Subject("sim/core/stepper_of.h", ("apply", "state_of")),
+    *map(Subject, ("sim/cause", "sim/compare", "sim/core", "sim/ensemble", "sim/motion", "sim/reference",
                    "sim/replay", "sim/result", "sim/scenario", "sim/search", "sim/study", "sim/trace", "sim/trajectory",
-                   "tools/app", "tools/files", "tools/hyrax", "tools/hyrax-compare", "tools/hyrax-replay",
+                   "tools/app", "tools/files", "tools/hyrax", "tools/hyrax-replay",
                    "tools/hyrax-sim", "tools/report", "tools/store")),
 )
 

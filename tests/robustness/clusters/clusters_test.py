@@ -15,7 +15,7 @@ DEADLINE_S = 120
 KILLED_ONCE = """#!/bin/sh
 if [ "$SLURM_ARRAY_TASK_ID" = {task} ] && mkdir killed; then
   {program} "$@" &
-  while [ ! -e {part}.partial ]; do sleep 0.001; done
+  while [ ! -e {part} ]; do sleep 0.001; done
   kill -KILL $!
   exit 1
 fi
@@ -60,7 +60,8 @@ class Clusters(ProgramTest):
             skip_for_lack_of("root, which the daemons of Slurm need")
         self.write("sweep.json", sweep(160_000))
         parts = [self.folder / f"sweep.part-{index}-of-{TASKS}.h5" for index in range(TASKS)]
-        self.write("bin/hyrax-sim", KILLED_ONCE.format(program=PROGRAM, part=parts[KILLED], task=KILLED))
+        unfinished = parts[KILLED].with_name(f".{parts[KILLED].name}.part")
+        self.write("bin/hyrax-sim", KILLED_ONCE.format(program=PROGRAM, part=unfinished, task=KILLED))
         (self.folder / "bin/hyrax-sim").chmod(0o755)
         with Cluster() as cluster:
             cluster.environment["PATH"] = f"{self.folder}/bin:{os.environ['PATH']}"
@@ -72,7 +73,7 @@ class Clusters(ProgramTest):
 
             self.wait_until(states, lambda: states().get(KILLED) == "FAILED")
             self.assertFalse(parts[KILLED].exists())
-            self.assertTrue(parts[KILLED].with_suffix(".h5.partial").exists())
+            self.assertTrue(unfinished.exists())
             cluster.command("scontrol", "requeue", f"{job}_{KILLED}")
             self.wait_until(states, lambda: states().get(KILLED) == "PENDING")
             # Slurm would wait until the credential of the run before is no longer valid: two minutes.

@@ -73,6 +73,25 @@ class Limit(Unwritable):
         self.assert_untouched()
 
 
+class SmallStack(ProgramTest):
+    """A stack of 64 KiB, which threads of this size have, too, is enough for every command."""
+
+    def test_every_command(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_STACK, (1 << 16, 1 << 16))  # noqa: E731
+        if self.is_sanitized():
+            self.skipTest("a sanitizer's frames are larger")
+        self.project("fling")
+        self.write("sweep.json", {"format": "hyrax-sweep/1", "base": "scenarios/fling.json", "members": 300, "seed": 1, "vary": {"/start/x_px": {"uniform": [0, 900]}}})
+        self.write("jitter.json", fling(steps=20_000, clock={"rate_hz": 60, "jitter": {"kind": "normal", "sigma_s": 0.001, "seed": 1}}))
+        self.write("wrong.json", fling(expect={"finite": False}))
+        for command in ("validate jitter.json", "run scenarios/fling.json -o run.h5 --figure run.svg --drift --rows", "run jitter.json -o jitter.h5",
+                        "run jitter.json -o jitter.csv", "check --core", "check --json --junit check.xml --summary summary.md",
+                        "diff run.h5 golden/fling.h5 --figure diff.svg", "drift jitter.json --reference gsl --figures figures", "fuzz --runs 300",
+                        "sweep sweep.json -o sweep.h5", "bless scenarios --reason x", "shrink wrong.json -o small.json",
+                        "study needs scenarios/fling.json --quick -o study"):
+            self.expect(AGREED, *command.split(), preexec_fn=limit)
+
+
 class Place(Unwritable):
     """Missing folders, files in place of folders, folders of another user."""
 
@@ -171,8 +190,12 @@ class SeveralWriters(ProgramTest):
     def test_concurrent_blessings_leave_a_complete_one(self):
         self.write("scenarios/same.json", fling(name="same"))
         for _ in range(4):
-            for process in [self.begin("bless", "scenarios", "--reason", "x") for _ in range(3)]:
-                self.assert_done(process)
+            outcomes = [process.wait() for process in [self.begin("bless", "scenarios", "--reason", "x") for _ in range(3)]]
+            self.assertIn(AGREED, [outcome.exit_code for outcome in outcomes])
+            for outcome in outcomes:
+                if outcome.exit_code != AGREED:
+                    self.assertEqual(outcome.exit_code, CANNOT_ACCESS, outcome)
+                    self.assertIn("nothing written: golden/same.h5: was changed by another program", outcome.err)
             self.expect(AGREED, "check")
         self.assertEqual(self.names("golden"), ["core", "same.h5", "same.txt"])
 

@@ -7,7 +7,7 @@
 #include "sim/core/core.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/check/check_report.h"
-#include "tools/app/diff/difference_text.h"
+#include "tools/app/comparison/comparison_text.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/printable.h"
 
@@ -36,7 +36,7 @@ void print_plan(const Blessing& blessing, const Printing& printing) {
   print_text("{}: changes {}\n{}", path,
              printable(blessing.keeps_h5 ? blessing.golden->txt_path : blessing.golden->h5_path),
              printing.is_verbose() || !plays_otherwise(blessing)
-                 ? difference_text(blessing.comparison, printing.is_verbose())
+                 ? comparison_text(blessing.comparison, printing.is_verbose())
                  : "");
 }
 
@@ -75,15 +75,16 @@ void print_done(const Blessing& blessing) {
   const std::string path = printable(blessing.path);
   const auto& [h5_path, txt_path, is_reserved, folder] = *blessing.golden;
   if (blessing.writes_golden_file() && blessing.keeps_h5)
-    print_text("{}: agrees with {} already; its summary, {}, is written again\n", path, printable(h5_path),
-               printable(txt_path));
+    print_text("{}: agrees with {} already; its summary, {}, is written again{}\n", path, printable(h5_path),
+               printable(txt_path),
+               blessing.renewed_summary.empty() ? "" : " with its own reason: it is of an older layout");
   else if (blessing.writes_golden_file())
     print_text("{}: {}, {}\n", path, VerdictWord{"blessed", true}, printable(h5_path));
   if (blessing.scenario_text)
     print_text("{}: {} updated\n", path, blessing.updated.empty() ? "expect.state_hash" : "expect");
 }
 
-Json result_json(const Blessing& blessing) {
+Json blessing_json(const Blessing& blessing) {
   const std::optional<GoldenPlace>& place = blessing.golden;  // None of a scenario that cannot be read.
   Json::Object entry = result_of(blessing, name_of(blessing.status),
                                  !blessing.has_failed() && blessing.status != BlessStatus::fresh);
@@ -138,7 +139,8 @@ void print_plans(const Core& core, const BlessReport& report, const std::vector<
   print_unchanged(report);
   for (const Blessing& blessing : report.blessings) print_plan(blessing, printing);
   if (printing.is_quiet()) return;
-  print_groups(groups, cores.verdicts(), report.blessings.size());
+  for (const Paragraph& paragraph : difference_paragraphs(groups, cores.verdicts(), report.blessings.size()))
+    print(paragraph);
   print_model_hint(core, groups);
   for (const std::string& path : report.pruning.removed) print_text("{}: has no scenario\n", printable(path));
 }
@@ -165,7 +167,7 @@ Json bless_json(const BlessReport& report, const std::vector<DifferenceGroup>& g
                               {"accepted", core.why_not.empty()},
                               {"why_not", core.why_not.empty() ? Json() : Json(core.why_not)}};
                         }));
-  document.emplace_back("results", list_of(report.blessings, result_json));
+  document.emplace_back("results", list_of(report.blessings, blessing_json));
   document.emplace_back("groups", list_of(groups, group_json));
   return document;
 }

@@ -14,6 +14,7 @@
 #include "tools/app/command_line/print.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/golden/golden_pair.h"
+#include "tools/app/library/pruning.h"
 #include "tools/files/json.h"
 
 namespace hyrax {
@@ -23,14 +24,18 @@ struct BlessOptions {
   std::string golden_folder;                             ///< As given with --golden; empty if it was not.
   DifferenceClass accepted = DifferenceClass::rounding;  ///< The widest class that may be blessed.
   bool updates_ranges = false;                           ///< And what else of `expect` is_updatable.
-  bool updates_hash = false;                             ///< Puts the new state hash into the scenario file.
+  bool updates_hash = false;                             ///< Of `expect`, where it is there.
 };
 
 struct Blessing : PairVerdict {
   enum class Status { fresh, changed, unchanged, refused, failed };
   Status status = Status::unchanged;
-  bool keeps_h5 = false;                      ///< Only the summary is written.
-  std::string unreadable;                     ///< Why the golden file cannot be read; else empty.
+  Scenario scenario;            ///< As it is blessed: with the `expect` of scenario_text.
+  std::string scenario_read;    ///< The scenario file's text, and
+  std::string golden_read;      ///< the state of the golden pair's files, when they were read.
+  bool keeps_h5 = false;        ///< Only the summary is written.
+  std::string renewed_summary;  ///< Of a pair that agrees, where it is of an older layout; else empty.
+  std::string unreadable;       ///< Why the golden file cannot be read; else empty.
   std::optional<DifferenceClass> differs_in;  ///< What has to be accepted; nothing: nothing has to be.
   std::optional<std::string> scenario_text;   ///< The scenario file with its new `expect`, where it changes.
   bool has_new_hash = false;                  ///< expect.state_hash changes there,
@@ -53,28 +58,13 @@ struct Blessing : PairVerdict {
 [[nodiscard]] std::vector<Blessing> plan_blessings(const Core& core, const std::vector<std::string>& paths,
                                                    const BlessOptions& options);
 
+/// Throws Failure(cannot_access) where a file of a blessing is not as it was read. REQUIRES: none has failed.
+void require_unchanged(const std::vector<Blessing>& blessings);
+
 /// Writes what was planned: the summary, then the rows, then the scenario file. An error is printed, and the
 /// blessing has failed.
 /// REQUIRES: blessing.writes().
 void write(const Core& core, Blessing& blessing, const BlessOptions& options);
-
-/// What --prune finds of the golden files that `check` reports for the same arguments as unreferenced.
-struct Pruning {
-  std::vector<std::string> removed;  ///< Files that bless wrote, .h5 and .txt each; of a link, the link.
-  std::vector<std::string> left;     ///< Others, which stay.
-};
-
-/// Removes nothing yet.
-/// @param folders named `scenarios`, or below one.
-/// ERRORS: Failure(bad_input) for another argument, for a folder without any scenario, and if the way to its
-/// golden files is a link; Failure(cannot_access) if a folder cannot be changed. Failure of any kind if a
-/// folder, a link or a scenario cannot be read: there may be scenarios that are not seen.
-/// REQUIRES: as read_isolated.
-[[nodiscard]] Pruning find_prunable(const std::vector<std::string>& folders,
-                                    const std::string& golden_folder);
-
-/// ERRORS: Failure(cannot_access) "PATH: cannot be removed: REASON"; those before it are removed.
-void remove_files(const std::vector<std::string>& files);
 
 /// What becomes of the accepted core of one golden folder.
 struct CoreAcceptance {
@@ -83,6 +73,8 @@ struct CoreAcceptance {
   std::string why_not;      ///< As "3 of 99 scenarios do not agree, the first is ..."; empty: it is accepted.
   bool is_refused = false;  ///< Then nothing is written: --accept does not allow another class.
   CoreVerdict differences;  ///< From the one accepted before.
+
+  [[nodiscard]] bool is_accepted() const { return why_not.empty(); }
 };
 
 /// Of libraries_of(arguments). Plays each whole, unless its accepted core is this
@@ -116,6 +108,10 @@ struct BlessReport {
 
 /// Of a report that was written: that some, but not all of it was; else empty.
 [[nodiscard]] std::string unfinished_sentence(const BlessReport& report);
+
+/// Of a report that was written, a sentence for each golden folder of which git ignores a file that was
+/// written.
+[[nodiscard]] std::vector<std::string> git_ignored_sentences(const BlessReport& report);
 
 /// What changes, old against new, by cause, and against the accepted cores. REQUIRES: the groups do not
 /// outlive the report.

@@ -1,18 +1,21 @@
 #include "tools/app/bless/bless_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
 
 #include <unistd.h>
 
+#include "sim/cause/cause.h"
 #include "sim/study/reference_model.h"
-#include "tools/app/core/paper_model.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/files/json_edit.h"
+#include "tools/app/library/expect_update.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
@@ -29,32 +32,17 @@ namespace {
 namespace fs = std::filesystem;
 using BlessStatus = Blessing::Status;
 
-GoldenPlace place_of(const std::string& path, const std::string& golden_folder) {
-  if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
-  const auto place = golden_place(path, golden_folder);
-  if (!place)
-    refuse_input(path +
-                 ": no folder `scenarios` above it; name the folder of its golden file with --golden DIR");
-  return *place;
-}
-
-// As far as possible without writing.
-void require_writable(const std::string& path) {
-  fs::path folder = fs::absolute(path).parent_path();
-  while (!is_there(folder.string()) && folder.has_relative_path()) folder = folder.parent_path();
-  if (!is_folder(folder.string())) fail_to_write(path, ENOTDIR);
-  if (access(folder.c_str(), W_OK | X_OK) != 0) fail_to_write(path, errno);
-}
-
-void require_usable(const GoldenPlace& place, const OutputGuard& guard) {
-  for (const std::string& path : {place.h5_path, place.txt_path}) {
-    if (is_folder(path)) fail_to_write(path, EISDIR);
-    guard.admit_golden("hyrax-sim bless: --golden", path);
-  }
+// The checksums of the golden pair's files.
+std::string state_of_files(const GoldenPlace& place) {
+  std::string state;
+  for (const std::string& path : {place.h5_path, place.txt_path})
+    state += is_there(path) ? file_checksum(path) : "none";
+  return state;
 }
 
 void require_expected(const Core& core, const Scenario& scenario, const Blessing& blessing) {
   std::string why = non_finite_text(scenario, blessing.summary.final);
+  if (why.empty() && play(core, scenario).state_hash != blessing.summary.state_hash) why = kNotRepeated;
   if (why.empty())
     for (const Expectation& broken :
          broken_expectations(core, scenario, blessing.summary, reference_model(core)))
@@ -76,10 +64,20 @@ void replace_unreadable(const Core& core, const Scenario& scenario, const std::s
     blessing.differs_in = DifferenceClass::shape;
 }
 
+// A summary of an older layout says something else of the same run.
+void renew_older_layout(const Core& core, const Scenario& scenario, Blessing& blessing) {
+  std::string renewed = renewed_summary(core, scenario, *blessing.golden);
+  if (renewed == read_text_file(blessing.golden->txt_path)) return;
+  blessing.status = BlessStatus::changed;
+  blessing.keeps_h5 = true;
+  blessing.renewed_summary = std::move(renewed);
+}
+
 // Plays the scenario, and sets what has to be blessed.
 void compare(const Core& core, const Scenario& scenario, Blessing& blessing) {
   const auto& [h5_path, txt_path, is_reserved, folder] = *blessing.golden;
   const bool has_both = has_golden_file(*blessing.golden);
+  blessing.golden_read = state_of_files(*blessing.golden);
   if (!is_there(h5_path) && !is_there(txt_path)) {
     blessing.status = BlessStatus::fresh;
     blessing.summary = play(core, scenario);
@@ -89,8 +87,10 @@ void compare(const Core& core, const Scenario& scenario, Blessing& blessing) {
   if (!has_both) blessing.unreadable = txt_path + " is missing";
   try {
     PairComparison pair = *compare_with_pair(core, scenario, *blessing.golden, true, core);
-    blessing.status = pair.is_proved ? BlessStatus::unchanged : BlessStatus::changed;
-    blessing.keeps_h5 = has_both && !pair.is_proved && is_h5_current(core, scenario, *blessing.golden);
+    blessing.status = pair.is_proved || pair.is_kept ? BlessStatus::unchanged : BlessStatus::changed;
+    blessing.keeps_h5 = has_both && blessing.status == BlessStatus::changed &&
+                        is_h5_current(core, scenario, *blessing.golden);
+    if (pair.is_proved) renew_older_layout(core, scenario, blessing);
     static_cast<PairComparison&>(blessing) = std::move(pair);
     const bool is_of_scenario =
         blessing.runs && plays_the_same(blessing.runs->golden.scenario, blessing.runs->fresh.scenario);
@@ -101,55 +101,35 @@ void compare(const Core& core, const Scenario& scenario, Blessing& blessing) {
   }
 }
 
-std::vector<std::string> ends_around(double middle, const Interval& interval, bool is_whole) {
-  const double width = interval.high - interval.low;
-  if (!is_whole) return {to_text(middle - width / 2.0), to_text(middle + width / 2.0)};
-  const double low = std::max(0.0, middle - std::floor(width / 2.0));
-  return {to_text(Json(static_cast<std::int64_t>(low))),
-          to_text(Json(static_cast<std::int64_t>(low + width)))};
-}
-
-// The scenario's text with new values for ranges that do not hold: they keep their width, with the new value
-// in the middle; counts become the new ones.
-std::string with_updated_ranges(std::string text, const std::vector<Expectation>& ranges) {
-  constexpr std::string_view kContacts = "contacts/";
-  for (const Expectation& expectation : ranges) {
-    const std::string_view rule = expectation.rule;
-    const bool is_count = rule.starts_with(kContacts);
-    std::vector<std::string_view> keys = {"expect"};
-    if (is_count) keys.push_back(kContacts.substr(0, kContacts.size() - 1));
-    keys.push_back(is_count ? rule.substr(kContacts.size()) : rule);
-    text = with_elements(text, keys,
-                         ends_around(std::get<double>(expectation.measured), *expectation.range, is_count));
-  }
-  return text;
-}
-
-void update_expect(const Core& core, bool updates_ranges, Scenario& scenario, Blessing& blessing) {
-  const std::string hash = hex(blessing.summary.state_hash);
-  const std::string text = read_scenario_text(blessing.path);
-  std::string updated = with_value(text, {"expect", "state_hash"}, '"' + hash + '"');
-  blessing.has_new_hash = updated != text;
+// The hash is updated where there is one.
+void update_expect(const Core& core, bool updates_ranges, Blessing& blessing) {
+  const std::optional<Expect>& expect = blessing.scenario.expect;
+  if (!expect) return;
+  std::string updated = blessing.scenario_read;
+  if (expect->state_hash) updated = with_updated_hash(updated, hex(blessing.summary.state_hash));
+  blessing.has_new_hash = updated != blessing.scenario_read;
   if (updates_ranges) {
-    blessing.updated = broken_expectations(core, scenario, blessing.summary, reference_model(core));
+    blessing.updated = broken_expectations(core, blessing.scenario, blessing.summary, reference_model(core));
     std::erase_if(blessing.updated, std::not_fn(is_updatable_range));
     updated = with_updated_ranges(std::move(updated), blessing.updated);
   }
-  scenario = parse_scenario_file(updated, blessing.path);
-  if (updated != text) blessing.scenario_text = std::move(updated);
+  blessing.scenario = parse_scenario_file(updated, blessing.path);
+  if (updated != blessing.scenario_read) blessing.scenario_text = std::move(updated);
 }
 
 void plan(const Core& core, Blessing& blessing, const BlessOptions& options, const OutputGuard& guard) {
-  Scenario scenario = load_scenario(blessing.path);
-  require_measurable(core, blessing.path, scenario);
-  blessing.golden = place_of(blessing.path, options.golden_folder);
+  const std::string text = read_scenario_text(blessing.path);
+  blessing.scenario = parse_scenario_file(text, blessing.path);
+  require_measurable(core, blessing.path, blessing.scenario);
+  blessing.golden = required_golden_place(blessing.path, options.golden_folder);
   blessing.golden_folder = golden_folder_of(blessing.path, options.golden_folder);
-  require_usable(*blessing.golden, guard);
-  compare(core, scenario, blessing);
-  if (options.updates_hash || options.updates_ranges)
-    update_expect(core, options.updates_ranges, scenario, blessing);
+  for (const std::string& path : {blessing.golden->h5_path, blessing.golden->txt_path})
+    guard.admit_golden("hyrax-sim bless: --golden", path);
+  blessing.scenario_read = text;
+  compare(core, blessing.scenario, blessing);
+  if (options.updates_hash || options.updates_ranges) update_expect(core, options.updates_ranges, blessing);
   if (blessing.scenario_text) require_writable(blessing.path);
-  require_expected(core, scenario, blessing);
+  require_expected(core, blessing.scenario, blessing);
   if (blessing.writes_golden_file())
     for (const std::string& path : {blessing.golden->h5_path, blessing.golden->txt_path})
       require_writable(path);
@@ -160,17 +140,17 @@ void plan(const Core& core, Blessing& blessing, const BlessOptions& options, con
 
 void write_golden_file(const Core& core, const Blessing& blessing, const std::string& reason) {
   const auto& [h5_path, txt_path, is_reserved, folder] = *blessing.golden;
-  Scenario scenario = load_scenario(blessing.path);
-  if (blessing.scenario_text) scenario = parse_scenario_file(*blessing.scenario_text, blessing.path);
-  const FreshRun fresh = play_for_golden(core, scenario, core);
+  if (!blessing.renewed_summary.empty()) return write_text_file(txt_path, blessing.renewed_summary);
+  const FreshRun fresh = play_for_golden(core, blessing.scenario, core);
+  const std::string core_name = core.record.checksum();
   if (blessing.keeps_h5)
-    return write_text_file(txt_path, summary_of(core, fresh, reason, file_checksum(h5_path)));
+    return write_text_file(txt_path, summary_of(core, fresh, reason, file_checksum(h5_path), core_name));
   std::error_code error;
   fs::create_directories(fs::path(h5_path).parent_path(), error);
   AtomicFile rows(h5_path);
   AtomicFile summary(txt_path);
   write_golden(rows, h5_path, fresh.run);
-  summary.write(summary_of(core, fresh, reason, file_checksum(rows.part_path())));
+  summary.write(summary_of(core, fresh, reason, file_checksum(rows.part_path()), core_name));
   // The rows come last: until they are there, `check` compares with the old ones and reports it.
   summary.commit();
   rows.commit();
@@ -230,6 +210,17 @@ std::vector<Blessing> plan_blessings(const Core& core, const std::vector<std::st
     attempt(blessing, [&] { plan(core, blessing, options, guard); });
   }
   return without_shared_places(std::move(blessings));
+}
+
+void require_unchanged(const std::vector<Blessing>& blessings) {
+  for (const Blessing& blessing : blessings)
+    for (const auto& [is_changed, path] :
+         {std::pair(read_scenario_text(blessing.path) != blessing.scenario_read, blessing.path),
+          {state_of_files(*blessing.golden) != blessing.golden_read, blessing.golden->h5_path}})
+      if (is_changed)
+        throw Failure(ExitCode::cannot_access,
+                      "hyrax-sim bless: nothing written: " + path +
+                          ": was changed by another program while it was played; bless again");
 }
 
 void write(const Core& core, Blessing& blessing, const BlessOptions& options) {

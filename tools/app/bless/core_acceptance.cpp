@@ -7,9 +7,12 @@
 #include <map>
 #include <set>
 
+#include "sim/cause/cause.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/check/check_verdict.h"
+#include "tools/app/expect/judged_run.h"
 #include "tools/files/scenario_list.h"
+#include "tools/files/scenario_reader.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
 
@@ -36,6 +39,7 @@ using BlessingsByPath = std::map<std::string, const Blessing*>;
 // What became of the scenarios that are not blessed now.
 struct LibraryCheck {
   std::vector<std::string> disagreeing;
+  std::string not_repeated;     // One that agrees, but gives other bits when it is played again.
   std::set<std::string> cores;  // That golden files name which stay as they are.
   std::size_t checked = 0;
 };
@@ -54,6 +58,8 @@ LibraryCheck check_library(const Core& core, const Library& library, const std::
     const CheckVerdict verdict = check_scenario(core, path, {.golden_folder = golden_option});
     if (verdict.status != CheckStatus::agreed)
       result.disagreeing.push_back(path);
+    else if (play(core, load_scenario(path)).state_hash != verdict.summary.state_hash)
+      result.not_repeated = path;
     else if (verdict.has_golden)
       result.cores.insert(summary_core(read_text_file(verdict.golden->txt_path)));
   }
@@ -64,8 +70,8 @@ std::optional<CoreAcceptance> plan(const Core& core, const Library& library, con
                                    const BlessOptions& options) {
   AcceptedCore accepted = program_core(core);
   const std::optional<AcceptedCore> before = accepted_before(library.golden_folder);
-  if (before && before->header == accepted.header && before->step == accepted.step &&
-      before->model == accepted.model)
+  if (before && before->header == accepted.header && before->files == accepted.files &&
+      before->step == accepted.step && before->model == accepted.model)
     return std::nullopt;
   LibraryCheck check = check_library(core, library, options.golden_folder, blessed);
   accepted.reason = options.reason;
@@ -78,14 +84,20 @@ std::optional<CoreAcceptance> plan(const Core& core, const Library& library, con
                                      check.disagreeing.size(), check.checked, check.disagreeing.front());
     return acceptance;
   }
+  if (!check.not_repeated.empty()) {
+    acceptance.why_not = fmt::format("{}: {}", check.not_repeated, kNotRepeated);
+    return acceptance;
+  }
   if (before && !is_same_model(before->model, core.name) && options.accepted < DifferenceClass::shape) {
     acceptance.is_refused = true;
     acceptance.why_not = fmt::format(
         "the accepted core is of another class (found {}); --accept shape replaces it", before->model);
     return acceptance;
   }
+  for (const char* const name : {"/physics.h", "/step.txt", "/accepted.txt", "/files/of_project"})
+    require_writable(accepted_core_folder(library.golden_folder) + name);
   CoreCheck differences(core, library.golden_folder, {});
-  differences.judge_differences({library.scenarios_folder});
+  differences.judge_differences({library.scenarios_folder}, 0);
   acceptance.differences = differences.verdict();
   return acceptance;
 }

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "sim/cause/run_match.h"
-#include "sim/core/contact_kernel.h"
+#include "sim/core/contact_stepper.h"
 #include "sim/core/traced_core.h"
 #include "sim/result/figure.h"
+#include "sim/study/reference_model.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
+#include "tools/app/causes/beyond_report.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
@@ -52,6 +54,7 @@ NumberNames shared_names(std::string_view accepted, std::string_view program) {
 CoreCheck::CoreCheck(const Core& core, const std::string& golden_folder, CoreCommands commands)
     : core_(core) {
   verdict_.golden_folder = golden_folder;
+  verdict_.header_path = core.record.path;
   verdict_.commands = std::move(commands);
   program_step_ = read_step(core.record.step);
   if (program_step_)
@@ -85,9 +88,9 @@ void CoreCheck::compare() {
   }
   accepted_step_ = read_step(accepted_->step);
   if (accepted_step_) accepted_core_ = traced_core(*accepted_step_);
-  for (HeaderChange& change : header_changes(accepted_->header, program.header))
+  for (HeaderChange& change : core_changes(*accepted_, program, std::string(core_.record.path)))
     verdict_.changes.push_back({std::move(change), std::nullopt});
-  if (accepted_->header == program.header && accepted_->step == program.step) {
+  if (accepted_->has_same_files(program) && accepted_->step == program.step) {
     verdict_.status = CoreStatus::accepted;
     return;
   }
@@ -104,7 +107,8 @@ CauseBase CoreCheck::base() const {
       .has_further_members = accepted_step_ && accepted_step_->members.size() > kMembersOfRows,
       .why_not_played = why_not_played(),
       .is_same_core = verdict_.status == CoreStatus::accepted || verdict_.status == CoreStatus::proved_equal,
-      .core_change = changes.empty() ? std::string(kHeaderIsSame) : changes_sentence(changes),
+      .core_change =
+          changes.empty() ? std::string(kHeaderIsSame) : changes_sentence(changes, core_.record.path),
       .calls_libm = accepted_step_ && std::ranges::any_of(accepted_step_->expressions, depends_on_library)};
 }
 
@@ -138,37 +142,66 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   }
 }
 
-void CoreCheck::judge_differences(const std::vector<std::string>& scenarios_folders) {
+void CoreCheck::measure_beyond_library(std::int64_t flings) {
+  if (flings == 0) {
+    verdict_.why_not_beyond = "--flings 0";
+    return;
+  }
+  Core accepted = *accepted_core_;
+  accepted.constants = match_paper(*accepted_step_).constants;
+  const bool has_constant_changed = std::ranges::any_of(
+      verdict_.changes, [](const CoreChange& change) { return change.kind == HeaderChangeKind::constant; });
+  verdict_.beyond = measure_beyond(accepted, core_, flings,
+                                   exact_end(has_constant_changed ? std::nullopt : accepted.constants));
+}
+
+std::string CoreCheck::unrecorded_sentence() {
+  const std::vector<std::string> names = header_members(core_.record.header);
+  MemberBits said = 0;
+  std::string sentence;
+  for (UnnoticedDifference& difference : verdict_.unnoticed)
+    for (std::size_t member = 0; member < kStepMembersMax; ++member) {
+      const MemberBits bit = MemberBits{1} << member;
+      if ((difference.unrecorded & bit) == 0) continue;
+      const std::string name = member < names.size() ? names[member] : member_name(member);
+      difference.consequence += (difference.consequence.empty() ? "" : ", ") + name;
+      if ((said & bit) == 0)
+        sentence += fmt::format("{}{} is not recorded: describe it", sentence.empty() ? "" : "; ", name);
+      said |= bit;
+    }
+  return sentence;
+}
+
+void CoreCheck::judge_differences(const std::vector<std::string>& scenarios_folders, std::int64_t flings) {
   const bool is_judged = verdict_.status == CoreStatus::changed || verdict_.status == CoreStatus::not_proved;
-  if (!is_judged || !accepted_core_ || !program_step_) return;
-  const StepPair pair(*accepted_step_, *program_step_, shared_names(accepted_->header, core_.record.header));
+  if (!is_judged) return;
+  if (!accepted_core_ || !program_step_) {
+    verdict_.why_not_beyond =
+        program_step_ ? why_not_played()
+                      : fmt::format("this program's step is not complete: {}", core_.record.why_incomplete);
+    return;
+  }
+  const StepPair pair(*accepted_step_, *program_step_,
+                      shared_names(accepted_->text(), program_core(core_).text()));
   static_cast<LibraryNotice&>(verdict_) = notice(pair, *accepted_core_, core_, scenarios_folders);
-  const bool is_shown = std::ranges::any_of(
-      verdict_.unnoticed, [](const UnnoticedDifference& one) { return one.scenario.has_value(); });
-  if (is_shown) verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);
+  measure_beyond_library(flings);
+  const bool is_found_beyond = verdict_.beyond && verdict_.beyond->other_bits.count > 0;
+  const bool is_shown = (is_found_beyond && !verdict_.is_noticed) ||
+                        std::ranges::any_of(verdict_.unnoticed, [](const UnnoticedDifference& one) {
+                          return one.scenario.has_value();
+                        });
+  const std::string unrecorded = unrecorded_sentence();
+  if (is_shown || !unrecorded.empty())
+    verdict_.exit_code = more_serious(verdict_.exit_code, ExitCode::disagreed);
   if (is_shown || verdict_.is_noticed) verdict_.status = CoreStatus::changed;
   if (verdict_.status == CoreStatus::changed)
     verdict_.why.clear();
+  else if (!unrecorded.empty())
+    verdict_.why = unrecorded;
   else if (!verdict_.unnoticed.empty())
     verdict_.why = fmt::format("{} steps tried, none of other bits", verdict_.unnoticed.front().steps_tried);
   else if (!pair.are_setters_equal())
     verdict_.why = "the constructor or a setter is another one, and no scenario shows it";
-}
-
-std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
-                                  const std::string& golden_option) {
-  std::vector<Library> libraries;
-  for (const std::string& argument : arguments) {
-    const bool is_library = is_folder(argument) && !golden_option.empty();
-    const std::string path = is_folder(argument) ? argument + "/x.json" : argument;
-    std::string scenarios = scenarios_folder_of(path);
-    if (scenarios.empty() && is_library) scenarios = argument;
-    if (scenarios.empty()) continue;
-    const auto is_known = [&](const Library& library) { return library.scenarios_folder == scenarios; };
-    if (std::ranges::any_of(libraries, is_known)) continue;
-    libraries.push_back({scenarios, golden_folder_of(path, golden_option)});
-  }
-  return libraries;
 }
 
 CoreChecks::CoreChecks(const Core& core, const std::vector<std::string>& scenarios,
@@ -179,11 +212,12 @@ CoreChecks::CoreChecks(const Core& core, const std::vector<std::string>& scenari
     commands_ = core_commands(scenarios, golden_option);
 }
 
-void CoreChecks::judge_differences(const std::vector<Library>& libraries) {
+void CoreChecks::judge_differences(const std::vector<Library>& libraries, std::int64_t flings) {
   std::map<std::string, std::vector<std::string>> scenarios_folders;  // By golden folder.
   for (const Library& library : libraries)
     scenarios_folders[library.golden_folder].push_back(library.scenarios_folder);
-  for (const auto& [golden_folder, folders] : scenarios_folders) of(golden_folder).judge_differences(folders);
+  for (const auto& [golden_folder, folders] : scenarios_folders)
+    of(golden_folder).judge_differences(folders, flings);
 }
 
 std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_agree) {
@@ -199,25 +233,31 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
   if (verdict.changes.empty() && verdict.status == CoreStatus::changed)
     text += fmt::format("  {}\n", kHeaderIsSame);
   for (const CoreChange& change : verdict.changes)
-    text += fmt::format("  {}{}\n", change_text(change),
+    text += fmt::format("  {}{}\n", change_text(change, verdict.header_path),
                         change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
   std::set<std::string> printed;  // Scenarios, by their names.
   for (const UnnoticedDifference& unnoticed : verdict.unnoticed) {
-    if (!unnoticed.scenario)
+    if (unnoticed.unrecorded != 0)
+      text += fmt::format("  no scenario can notice `{}`: it changes {} alone, which no file holds\n",
+                          unnoticed.text, unnoticed.consequence);
+    else if (!unnoticed.scenario)
       text += fmt::format("  no scenario notices `{}`; {} steps tried, none of other bits\n", unnoticed.text,
                           unnoticed.steps_tried);
     else if (printed.insert(unnoticed.scenario->name).second)
-      text += fmt::format("  no scenario notices `{}`, which changes results: {} in this one\n    {}\n",
+      text += fmt::format("  no scenario notices `{}`, which changes results: this one, {}\n    {}\n",
                           unnoticed.text, unnoticed.consequence, to_text(to_json(*unnoticed.scenario), {}));
     else
       text += fmt::format("  no scenario notices `{}` either; {} shows it\n", unnoticed.text,
                           unnoticed.scenario->name);
   }
+  if (verdict.beyond) text += beyond_text(*verdict.beyond);
   const auto& [accept, write_unnoticed] = verdict.commands;
   if (!printed.empty() && !write_unnoticed.empty())
     text += fmt::format("  to write {}   {}\n", printed.size() == 1 ? "it  " : "them", write_unnoticed);
-  const bool is_acceptable =
-      scenarios_agree ? verdict.status == CoreStatus::changed : !printed.empty() && !verdict.is_noticed;
+  const bool has_unrecorded = std::ranges::any_of(
+      verdict.unnoticed, [](const UnnoticedDifference& one) { return one.unrecorded != 0; });
+  const bool is_acceptable = scenarios_agree ? verdict.status == CoreStatus::changed || has_unrecorded
+                                             : (!printed.empty() || has_unrecorded) && !verdict.is_noticed;
   if (is_acceptable && !accept.empty()) text += fmt::format("  to accept it    {}\n", accept);
   return text;
 }
@@ -233,13 +273,17 @@ Json core_json(const CoreVerdict& verdict) {
     unnoticed.push_back(Json::Object{{"difference", one.text},
                                      {"scenario", one.scenario ? to_json(*one.scenario) : Json()},
                                      {"steps_tried", one.steps_tried}});
-  return Json::Object{{"golden", verdict.golden_folder},
-                      {"status", kCoreStatusNames[static_cast<std::size_t>(verdict.status)]},
-                      {"why", verdict.why.empty() ? Json() : Json(verdict.why)},
-                      {"paths", or_null(verdict.paths)},
-                      {"paths_taken", std::ssize(verdict.paths_taken)},
-                      {"changes", json_of(changes)},
-                      {"unnoticed", std::move(unnoticed)}};
+  Json::Object document{{"golden", verdict.golden_folder},
+                        {"status", kCoreStatusNames[static_cast<std::size_t>(verdict.status)]},
+                        {"why", verdict.why.empty() ? Json() : Json(verdict.why)},
+                        {"paths", or_null(verdict.paths)},
+                        {"paths_taken", std::ssize(verdict.paths_taken)},
+                        {"changes", json_of(changes)},
+                        {"unnoticed", std::move(unnoticed)}};
+  if (verdict.status == CoreStatus::changed || verdict.status == CoreStatus::not_proved)
+    document.emplace_back("beyond", verdict.beyond ? beyond_json(*verdict.beyond)
+                                                   : Json::Object{{"why", verdict.why_not_beyond}});
+  return document;
 }
 
 }  // namespace hyrax

@@ -14,6 +14,7 @@
 #include "sim/cause/header_change.h"
 #include "sim/core/core.h"
 #include "sim/scenario/scenario.h"
+#include "sim/search/beyond_library.h"
 #include "sim/trace/step_difference.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/files/failure.h"
@@ -25,8 +26,10 @@ namespace hyrax {
 struct UnnoticedDifference {
   std::string text;
   std::optional<Scenario> scenario;  ///< Shows it, where the search found a step.
-  std::string consequence;           ///< As "after 5 s 12.3 px apart".
+  std::string
+      consequence;  ///< As "played for 5 s, ends 12.3 px apart"; without one, the names of `unrecorded`.
   std::int64_t steps_tried = 0;
+  MemberBits unrecorded = 0;  ///< Further members that it decides, if no row depends on these.
 };
 
 /// What the scenarios of libraries with one golden folder show of the differences of two cores.
@@ -58,24 +61,16 @@ struct CoreChange : HeaderChange {
 struct CoreVerdict : LibraryNotice {
   std::string golden_folder;
   CoreStatus status = CoreStatus::none;
-  std::string why;  ///< Of none and not_proved.
+  std::string why;          ///< Of none and not_proved.
+  std::string header_path;  ///< CoreRecord::path.
   std::vector<CoreChange> changes;
   std::optional<std::int64_t> paths;    ///< Of update; nothing where the program's step is not complete.
   std::set<std::uint32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
+  std::optional<BeyondLibrary> beyond;  ///< Of changed and not_proved.
+  std::string why_not_beyond = "the library was not played whole";  ///< Else.
   CoreCommands commands;
   ExitCode exit_code = ExitCode::agreed;
 };
-
-/// A library: a folder of scenarios, and its golden folder.
-struct Library {
-  std::string scenarios_folder;
-  std::string golden_folder;
-};
-
-/// The libraries that scenarios or folders of them belong to, each once: the nearest folder named
-/// `scenarios`; with --golden also a folder that is in none. Scenarios outside of any have no accepted core.
-[[nodiscard]] std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
-                                                const std::string& golden_option);
 
 class CoreCheck {
  public:
@@ -93,8 +88,8 @@ class CoreCheck {
   /// Scenarios differ, these runs because of the core: counts which each changed constant reproduces alone.
   void take_core_runs(const std::vector<const StoredRun*>& fresh);
   /// Plays all libraries of the golden folder by the accepted step, and looks for steps that show what it
-  /// does not notice.
-  void judge_differences(const std::vector<std::string>& scenarios_folders);
+  /// does not notice; and plays so many random flings by both steps.
+  void judge_differences(const std::vector<std::string>& scenarios_folders, std::int64_t flings);
   /// A scenario took these paths of the program's step.
   void take_paths(const std::set<std::uint32_t>& paths) {
     verdict_.paths_taken.insert(paths.begin(), paths.end());
@@ -102,6 +97,8 @@ class CoreCheck {
 
  private:
   void compare();
+  void measure_beyond_library(std::int64_t flings);
+  [[nodiscard]] std::string unrecorded_sentence();
   [[nodiscard]] std::string why_not_played() const;
 
   const Core& core_;
@@ -122,7 +119,7 @@ class CoreChecks {
     return checks_.try_emplace(golden_folder, core_, golden_folder, commands_).first->second;
   }
   /// Of each golden folder, by all of these libraries that have it: what one shows another need not.
-  void judge_differences(const std::vector<Library>& libraries);
+  void judge_differences(const std::vector<Library>& libraries, std::int64_t flings);
   /// In order of the folders' names.
   [[nodiscard]] std::vector<const CoreVerdict*> verdicts() const {
     std::vector<const CoreVerdict*> verdicts;
@@ -141,7 +138,8 @@ class CoreChecks {
 /// @param scenarios_agree all that were checked: then the core can be accepted as it is.
 [[nodiscard]] std::string core_text(const CoreVerdict& verdict, bool is_alone = true,
                                     bool scenarios_agree = false);
-/// {"golden", "status", "why", "paths", "paths_taken", "changes", "unnoticed"}, an entry of "cores".
+/// {"golden", "status", "why", "paths", "paths_taken", "changes", "unnoticed", "beyond"}, an entry of
+/// "cores".
 [[nodiscard]] Json core_json(const CoreVerdict& verdict);
 
 }  // namespace hyrax

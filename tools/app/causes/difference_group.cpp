@@ -13,24 +13,23 @@
 namespace hyrax {
 namespace {
 
-double largest_px(const Comparison& comparison) { return comparison.largest ? comparison.largest->px : 0.0; }
-
-// Of the row at which the runs are farthest apart; nothing where no row is kept.
 std::tuple<double, std::int64_t> badness(const PairVerdict* scenario) {
-  return {largest_px(scenario->comparison), scenario->comparison.contacts.total()};
+  return {scenario->comparison.distance.px(), scenario->comparison.contacts.total()};
 }
 
 DifferenceGroup make_group(Cause cause, std::vector<const PairVerdict*> scenarios) {
-  DifferenceGroup group{.cause = std::move(cause), .scenarios = std::move(scenarios), .rest_shift_px = {}};
+  DifferenceGroup group{
+      .cause = std::move(cause), .scenarios = std::move(scenarios), .contacts = {}, .rest_shift_px = {}};
   std::ranges::stable_sort(group.scenarios, std::ranges::greater(), badness);
   for (const PairVerdict* const scenario : group.scenarios) {
     const Comparison& comparison = scenario->comparison;
     if (comparison.difference) group.difference = std::max(group.difference, *comparison.difference);
-    group.max_px = std::max(group.max_px, largest_px(comparison));
-    group.contacts_moved += comparison.contacts.total();
-    group.are_contacts_cut |= comparison.contacts.is_cut;
-    if (comparison.rest_shift_px)
-      group.rest_shift_px = std::max(group.rest_shift_px.value_or(0.0), *comparison.rest_shift_px);
+    group.max_px = std::max(group.max_px, comparison.distance.px());
+    group.contacts += comparison.contacts.counts();
+    if (const std::optional<double> shift_px = comparison.rest_shift_px()) {
+      ++group.settled;
+      group.rest_shift_px = std::max(group.rest_shift_px.value_or(0.0), *shift_px);
+    }
   }
   return group;
 }
@@ -102,7 +101,7 @@ Json group_json(const DifferenceGroup& group) {
                       {"scenarios", Json::Array(paths.begin(), paths.end())},
                       {"class", name_of(group.difference)},
                       {"max_px", group.max_px},
-                      {"contacts_moved", group.contacts_moved},
+                      {"contacts_moved", group.contacts.total()},
                       {"rest_shift_px", or_null(group.rest_shift_px)}};
 }
 

@@ -18,10 +18,10 @@ struct DifferenceGroup {
   Cause cause;
   std::vector<const PairVerdict*> scenarios;  ///< The worst first: by the largest distance, then by contacts.
   DifferenceClass difference = DifferenceClass::rounding;  ///< The widest.
-  double max_px = 0.0;                                     ///< Largest distance of two rows of the same step.
-  std::int64_t contacts_moved = 0;                         ///< Moved, only old and only new, summed.
-  bool are_contacts_cut = false;                           ///< At least so many: ContactChanges::is_cut.
-  std::optional<double> rest_shift_px;  ///< Largest distance of the final rows where both runs have settled.
+  double max_px = 0.0;                                     ///< Of the worst.
+  ContactCounts contacts;                                  ///< Summed.
+  std::size_t settled = 0;                                 ///< Scenarios of which both runs have settled,
+  std::optional<double> rest_shift_px;                     ///< and the largest distance of their final rows.
 };
 
 /// The non_finite_text of a run that differs; empty where it stays finite.
@@ -36,26 +36,29 @@ struct DifferenceGroup {
 /// {"operation", "detail", ...}, an entry of "groups"; scenarios in order of their paths.
 [[nodiscard]] Json group_json(const DifferenceGroup& group);
 
-/// "93 of 99 scenarios differ: GRAVITY 1200 -> 1250; the accepted core gives all 93 golden files.", in one
-/// line.
-struct CauseSentence {
-  std::string subject;    ///< "93 of 99 scenarios".
-  std::string verb;       ///< "differ".
-  std::string predicate;  ///< ": GRAVITY ...".
-  [[nodiscard]] std::string text() const { return subject + " " + verb + predicate; }
-};
-[[nodiscard]] CauseSentence cause_sentence(const DifferenceGroup& group, std::size_t checked);
-
-/// "Contacts moved: at most 812.3 px apart; 57 contacts moved; comes to rest up to 31 px away." One line.
+/// "Contacts differ (class contacts): at most 812 px apart, 57 contacts moved, comes to rest up to 31 px
+/// away." One line.
 [[nodiscard]] std::string consequence_sentence(const DifferenceGroup& group);
 
-/// Of one scenario of the group: "93.2 px at step 410 (6.833 s), 3 contacts moved, comes to rest at x 1237.8
-/// -> 1240.1, y 952 -> 952".
+/// Of one scenario of the group: its comparison_sentence, or where it becomes non-finite.
 [[nodiscard]] std::string scenario_consequence(const PairVerdict& scenario);
 
-/// Runs that become non-finite, what changed in the cores, the other groups: of each both sentences and the
-/// three worst scenarios.
-void print_groups(const std::vector<DifferenceGroup>& groups, const std::vector<const CoreVerdict*>& cores,
-                  std::size_t checked);
+/// What a report says of one thing, in whichever form it is made: a sentence, and lines below it.
+struct Paragraph {
+  std::string subject = {};    ///< "93 of 99 scenarios "; empty: there are only lines.
+  std::string verdict = {};    ///< "differ": red on a terminal.
+  std::string predicate = {};  ///< ": GRAVITY 1200 -> 1250; the accepted core gives all 93 golden files."
+  std::string lines = {};      ///< Complete, indented by two.
+  std::vector<const PairVerdict*> scenarios = {};  ///< That it is about, if any differ; the worst first.
+  [[nodiscard]] std::string sentence() const { return subject + verdict + predicate; }
+};
+
+/// Runs that become non-finite, what changed in the cores, the other groups: of each cause and consequence,
+/// and the three worst scenarios. @param checked scenarios.
+[[nodiscard]] std::vector<Paragraph> difference_paragraphs(const std::vector<DifferenceGroup>& groups,
+                                                           const std::vector<const CoreVerdict*>& cores,
+                                                           std::size_t checked);
+
+void print(const Paragraph& paragraph);
 
 }  // namespace hyrax

@@ -6,6 +6,7 @@
 
 #include "sim/result/number_text.h"
 #include "tools/app/command_line/print.h"
+#include "tools/app/comparison/comparison_text.h"
 #include "tools/files/printable.h"
 
 namespace hyrax {
@@ -17,11 +18,6 @@ bool is_non_finite(const DifferenceGroup& group) { return group.cause.kind == Ca
 
 // Three digits say how far; more are in the JSON document.
 std::string px_text(double px) { return rounded(px, 3) + " px"; }
-
-std::string contacts_text(std::int64_t contacts, bool is_cut) {
-  if (contacts == 0) return is_cut ? "no recorded contact moved" : "no contact moved";
-  return fmt::format("{}{} moved", is_cut ? "at least " : "", plain_counted(contacts, "contact"));
-}
 
 std::string_view class_text(DifferenceClass difference) {
   switch (difference) {
@@ -37,27 +33,15 @@ std::string_view class_text(DifferenceClass difference) {
   return "";
 }
 
-// "6.833 s", of the golden run as in the picture; a run of blocks keeps no times.
-std::string time_text(const PairVerdict& scenario) {
-  if (!scenario.runs) return "";
-  const auto step = static_cast<std::size_t>(scenario.comparison.largest->step);
-  const auto& t_s = scenario.runs->golden.rows.t_s;
-  return step < t_s.size() ? fmt::format(", {:.4g} s", t_s[step]) : "";
-}
-
-std::string distance_text(const PairVerdict& scenario) {
-  const auto& largest = scenario.comparison.largest;
-  if (!largest) return "no position differs";
-  return fmt::format("{} at step {}{}", px_text(largest->px), largest->step, time_text(scenario));
-}
-
-std::string rest_text(const PairVerdict& scenario) {
-  const auto& shift_px = scenario.comparison.rest_shift_px;
-  if (!shift_px || *shift_px == 0.0 || !scenario.runs) return "";
-  const Row& before = scenario.runs->golden.final;
-  const Row& after = scenario.runs->fresh.final;
-  return fmt::format(", comes to rest at x {:.6g} -> {:.6g}, y {:.6g} -> {:.6g} px", before.x_px, after.x_px,
-                     before.y_px, after.y_px);
+// Said of runs that settle only.
+std::string rest_text(const DifferenceGroup& group) {
+  if (!group.rest_shift_px) return "";
+  const bool do_all_settle = group.settled == group.scenarios.size();
+  if (*group.rest_shift_px == 0.0) return do_all_settle ? ", comes to rest at the same place" : "";
+  const std::string subject =
+      do_all_settle ? "comes to rest"
+                    : fmt::format("{} of {} come to rest,", group.settled, group.scenarios.size());
+  return fmt::format(", {} up to {} away", subject, px_text(*group.rest_shift_px));
 }
 
 // Where nothing explains a difference, where it begins.
@@ -68,7 +52,7 @@ std::string first_text(const DifferenceGroup& group) {
                      printable(group.scenarios.front()->path));
 }
 
-std::string_view lead_of(CauseKind kind) {
+std::string lead_of(CauseKind kind) {
   if (kind == CauseKind::unknown) return "; cause unknown: ";
   return kind == CauseKind::scenario ? ": the scenario changed since it was blessed: " : ": ";
 }
@@ -84,59 +68,64 @@ std::string worst_text(const DifferenceGroup& group) {
   return text;
 }
 
-void print_group(const DifferenceGroup& group, std::size_t checked) {
-  const auto [subject, verb, predicate] = cause_sentence(group, checked);
-  print_text("{} {}{}\n  {}\n{}", subject, VerdictWord{verb, false}, predicate, consequence_sentence(group),
-             worst_text(group));
+Paragraph paragraph_of(const DifferenceGroup& group, std::size_t checked) {
+  const std::size_t scenarios = group.scenarios.size();
+  Paragraph paragraph{.subject = fmt::format("{} of {} ", scenarios, plain_counted(checked, "scenario")),
+                      .verdict = scenarios == 1 ? "differs" : "differ",
+                      .lines = fmt::format("  {}\n{}", consequence_sentence(group), worst_text(group)),
+                      .scenarios = group.scenarios};
+  std::string& predicate = paragraph.predicate;
+  predicate = lead_of(group.cause.kind) + group.cause.detail;
+  if (is_non_finite(group)) {
+    paragraph.verdict = scenarios == 1 ? "becomes non-finite" : "become non-finite";
+    predicate = fmt::format(": {}{}", scenarios == 1 ? "" : "in the worst, ", group.cause.detail);
+  } else if (group.cause.kind == CauseKind::core) {
+    predicate += scenarios == 1 ? "; the accepted core gives its golden file"
+                                : fmt::format("; the accepted core gives all {} golden files", scenarios);
+  }
+  predicate += ".";
+  return paragraph;
+}
+
+Paragraph paragraph_of(const CoreVerdict& core, bool is_alone, bool scenarios_agree) {
+  const std::string text = core_text(core, is_alone, scenarios_agree);
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  return {.subject = text.substr(0, end), .lines = text.substr(std::min(end + 1, text.size()))};
 }
 
 }  // namespace
 
-CauseSentence cause_sentence(const DifferenceGroup& group, std::size_t checked) {
-  const std::size_t scenarios = group.scenarios.size();
-  CauseSentence sentence{.subject = fmt::format("{} of {}", scenarios, plain_counted(checked, "scenario")),
-                         .verb = scenarios == 1 ? "differs" : "differ",
-                         .predicate = {}};
-  if (is_non_finite(group)) {
-    sentence.verb = scenarios == 1 ? "becomes non-finite" : "become non-finite";
-    sentence.predicate = fmt::format(": {}{}.", scenarios == 1 ? "" : "in the worst, ", group.cause.detail);
-    return sentence;
-  }
-  sentence.predicate = fmt::format("{}{}.", lead_of(group.cause.kind), group.cause.detail);
-  if (group.cause.kind == CauseKind::core)
-    sentence.predicate.insert(sentence.predicate.size() - 1,
-                              scenarios == 1
-                                  ? "; the accepted core gives its golden file"
-                                  : fmt::format("; the accepted core gives all {} golden files", scenarios));
-  return sentence;
-}
-
 std::string consequence_sentence(const DifferenceGroup& group) {
   if (is_non_finite(group)) return "A run ends with its first row that is not finite, and is not blessed.";
   std::string text = fmt::format("{} (class {}): ", class_text(group.difference), name_of(group.difference));
-  text += group.max_px > 0.0 ? fmt::format("at most {}", px_text(group.max_px)) : "no position differs";
-  text += ", " + contacts_text(group.contacts_moved, group.are_contacts_cut);
-  if (group.rest_shift_px)
-    text += *group.rest_shift_px == 0.0
-                ? ", comes to rest at the same place"
-                : fmt::format(", comes to rest up to {} away", px_text(*group.rest_shift_px));
-  return text + ".";
+  text += group.max_px > 0.0 ? fmt::format("at most {} apart", px_text(group.max_px)) : "no position differs";
+  return text + ", " + contacts_text(group.contacts) + rest_text(group) + ".";
 }
 
 std::string scenario_consequence(const PairVerdict& scenario) {
-  if (const std::string non_finite = non_finite_text(scenario); !non_finite.empty()) return non_finite;
-  const ContactChanges& contacts = scenario.comparison.contacts;
-  return fmt::format("{}, {}{}", distance_text(scenario), contacts_text(contacts.total(), contacts.is_cut),
-                     rest_text(scenario));
+  const std::string non_finite = non_finite_text(scenario);
+  return non_finite.empty() ? comparison_sentence(scenario.comparison) : non_finite;
 }
 
-void print_groups(const std::vector<DifferenceGroup>& groups, const std::vector<const CoreVerdict*>& cores,
-                  std::size_t checked) {
+std::vector<Paragraph> difference_paragraphs(const std::vector<DifferenceGroup>& groups,
+                                             const std::vector<const CoreVerdict*>& cores,
+                                             std::size_t checked) {
+  std::vector<Paragraph> paragraphs;
   const auto first_finite = std::ranges::find_if_not(groups, is_non_finite);
-  for (auto group = groups.begin(); group != first_finite; ++group) print_group(*group, checked);
+  for (auto group = groups.begin(); group != first_finite; ++group)
+    paragraphs.push_back(paragraph_of(*group, checked));
   for (const CoreVerdict* const core : cores)
-    print_text("{}", core_text(*core, cores.size() == 1, groups.empty()));
-  for (auto group = first_finite; group != groups.end(); ++group) print_group(*group, checked);
+    if (core->status != CoreStatus::accepted)
+      paragraphs.push_back(paragraph_of(*core, cores.size() == 1, groups.empty()));
+  for (auto group = first_finite; group != groups.end(); ++group)
+    paragraphs.push_back(paragraph_of(*group, checked));
+  return paragraphs;
+}
+
+void print(const Paragraph& paragraph) {
+  if (!paragraph.subject.empty())
+    print_text("{}{}{}\n", paragraph.subject, VerdictWord{paragraph.verdict, false}, paragraph.predicate);
+  print_text("{}", paragraph.lines);
 }
 
 }  // namespace hyrax

@@ -12,25 +12,6 @@
 namespace hyrax {
 namespace {
 
-// The names of the physics models, where they differ: each sentence once.
-std::string physics_text(const CheckReport& report) {
-  std::set<std::string> sentences;
-  for (const CheckVerdict& verdict : report.verdicts)
-    if (!verdict.comparison.agrees && !verdict.comparison.physics.empty())
-      sentences.insert(verdict.comparison.physics);
-  std::string text;
-  for (const std::string& sentence : sentences) text += sentence + "\n";
-  return text;
-}
-
-// How many of those that differ break their expectations as well.
-std::string broken_text(const CheckReport& report) {
-  const auto broken = std::ranges::count_if(report.verdicts, [&](const CheckVerdict& verdict) {
-    return verdict.group != nullptr && !verdict.broken.empty();
-  });
-  return broken == 0 ? "" : fmt::format("  expect  does not hold in {} of them\n", broken);
-}
-
 // "a, b, c and 37 more".
 std::string names_text(const std::vector<const CheckVerdict*>& verdicts) {
   constexpr std::size_t kNamed = 3;
@@ -40,30 +21,41 @@ std::string names_text(const std::vector<const CheckVerdict*>& verdicts) {
   return verdicts.size() <= kNamed ? text : text + fmt::format(" and {} more", verdicts.size() - kNamed);
 }
 
-void print_line(const CheckVerdict& verdict) {
-  print_text("{}: {}: {}\n", printable(verdict.path), VerdictWord{name_of(verdict.status), false},
-             verdict_sentence(verdict));
+std::vector<std::string> arguments_of(const CheckReport& report) {
+  return report.arguments.empty() ? std::vector<std::string>{"scenarios"} : report.arguments;
 }
 
-// With how to accept them all, unless others keep bless from it.
-void print_missing(const CheckReport& report, const std::vector<const CheckVerdict*>& missing) {
-  if (missing.size() == 1) return print_line(*missing.front());
+Paragraph line_of(const CheckVerdict& verdict) {
+  return {.subject = printable(verdict.path) + ": ",
+          .verdict = std::string(name_of(verdict.status)),
+          .predicate = ": " + verdict_sentence(verdict)};
+}
+
+// Of several one sentence, and of missing ones how to accept them all, unless others keep bless from it.
+Paragraph paragraph_of(const CheckReport& report, const std::vector<const CheckVerdict*>& verdicts) {
+  if (verdicts.size() == 1) return line_of(*verdicts.front());
+  const CheckStatus status = verdicts.front()->status;
+  const bool is_missing = status == CheckStatus::missing;
   const std::string& folder = report.golden_folder;
-  print_text("{} scenarios: {}: {}: {}\n", missing.size(), VerdictWord{name_of(CheckStatus::missing), false},
-             folder.empty() || is_folder(folder) ? "no golden file" : "no folder " + printable(folder),
-             names_text(missing));
-  std::vector<std::string> paths = report.arguments;
-  if (std::ssize(missing) + report.count(CheckStatus::agreed) != report.scenario_count()) {
+  const std::string why = !is_missing                           ? "no scenario"
+                          : folder.empty() || is_folder(folder) ? "no golden file"
+                                                                : "no folder " + printable(folder);
+  Paragraph paragraph{
+      .subject = fmt::format("{} {}: ", verdicts.size(), is_missing ? "scenarios" : "golden files"),
+      .verdict = std::string(name_of(status)),
+      .predicate = fmt::format(": {}: {}", why, names_text(verdicts))};
+  if (!is_missing) return paragraph;
+  std::vector<std::string> paths = arguments_of(report);
+  if (std::ssize(verdicts) + report.count(CheckStatus::agreed) != report.scenario_count()) {
     paths.clear();
-    for (const CheckVerdict* const verdict : missing) paths.push_back(verdict->path);
-  } else if (paths.empty()) {
-    paths = {"scenarios"};
+    for (const CheckVerdict* const verdict : verdicts) paths.push_back(verdict->path);
   }
-  print_text("  to create them  {}\n", bless_command_for(paths, report.golden_folder));
+  paragraph.lines = fmt::format("  to create them  {}\n", bless_command_for(paths, folder));
+  return paragraph;
 }
 
-// A line for each kind: what is missing, failed or unreferenced, and expectations that do not hold.
-void print_lines(const CheckReport& report) {
+// One for each kind: what is missing, failed or unreferenced, and expectations that do not hold.
+void add_others(CheckReport& report) {
   std::vector<const CheckVerdict*> missing;
   std::vector<const CheckVerdict*> unreferenced;
   for (const CheckVerdict& verdict : report.verdicts) {
@@ -75,34 +67,31 @@ void print_lines(const CheckReport& report) {
              verdict.non_finite.empty())
       missing.push_back(&verdict);
     else if (verdict.status != CheckStatus::unreferenced)
-      print_line(verdict);
+      report.paragraphs.push_back(line_of(verdict));
   }
-  if (!missing.empty()) print_missing(report, missing);
-  if (unreferenced.size() == 1) print_line(*unreferenced.front());
-  if (unreferenced.size() > 1)
-    print_text("{} golden files: {}: no scenario: {}\n", unreferenced.size(),
-               VerdictWord{name_of(CheckStatus::unreferenced), false}, names_text(unreferenced));
+  for (const auto& verdicts : {missing, unreferenced})
+    if (!verdicts.empty()) report.paragraphs.push_back(paragraph_of(report, verdicts));
 }
 
-// A line for each status but `agreed`; why one failed is on standard error.
-void print_names(const CheckReport& report) {
-  for (const CheckStatus status : {CheckStatus::disagreed, CheckStatus::missing, CheckStatus::unreferenced}) {
-    std::vector<const CheckVerdict*> verdicts;
-    for (const CheckVerdict& verdict : report.verdicts)
-      if (verdict.status == status) verdicts.push_back(&verdict);
-    if (!verdicts.empty()) print_text("{}: {}\n", VerdictWord{name_of(status), false}, names_text(verdicts));
-  }
+// How many of those that differ break their expectations as well, and the names of the physics models, where
+// they differ: each sentence once.
+void add_remarks(CheckReport& report) {
+  const auto broken = std::ranges::count_if(report.verdicts, [&](const CheckVerdict& verdict) {
+    return verdict.group != nullptr && !verdict.broken.empty();
+  });
+  if (broken > 0)
+    report.paragraphs.push_back({.lines = fmt::format("  expect  does not hold in {} of them\n", broken)});
+  std::set<std::string> sentences;
+  for (const CheckVerdict& verdict : report.verdicts)
+    if (!verdict.comparison.agrees && !verdict.comparison.physics.empty())
+      sentences.insert(verdict.comparison.physics);
+  for (const std::string& sentence : sentences) report.paragraphs.push_back({.subject = sentence});
 }
 
-// The commands that show more of the worst scenario, and that accept all.
+// The commands that show more of the worst scenario, and the one that accepts all.
 std::string commands_text(const CheckReport& report) {
   const PairVerdict& worst = *report.groups.front().scenarios.front();
   const bool is_alone = report.groups.size() == 1 && report.groups.front().scenarios.size() == 1;
-  std::vector<std::string> paths = report.arguments;
-  if (is_alone)
-    paths = {worst.path};
-  else if (paths.empty())
-    paths = {"scenarios"};
   std::vector<std::string> verbose = {"check", "--verbose"};
   for (const std::string& argument : report.arguments) verbose.push_back(as_argument(argument));
   if (!report.golden_folder.empty())
@@ -116,7 +105,38 @@ std::string commands_text(const CheckReport& report) {
   // Its results are others the next time.
   if (std::ranges::any_of(report.groups, [](const auto& each) { return each.cause.detail == kNotRepeated; }))
     return text;
-  return text + acceptance_text(paths, blessed);
+  return text + acceptance_text(is_alone ? std::vector{worst.path} : arguments_of(report), blessed);
+}
+
+std::string counts_of(const CheckReport& report) {
+  std::vector<CheckStatus> statuses;
+  std::int64_t folders_failed = 0;
+  for (const CheckVerdict& verdict : report.verdicts)
+    if (!verdict.is_scenario && verdict.status == CheckStatus::failed)
+      ++folders_failed;
+    else
+      statuses.push_back(verdict.status);
+  return counts_sentence(statuses, folders_failed);
+}
+
+ReportEntry entry_of(const CheckVerdict& verdict) {
+  return {verdict.path,
+          name_of(verdict.status),
+          verdict.exit_code,
+          verdict_sentence(verdict),
+          verdict_details(verdict),
+          verdict.path,
+          verdict.seconds};
+}
+
+// What the core is the cause of is marked where its header changed first.
+void mark_change(const CoreVerdict& core, ReportEntry& entry) {
+  const auto change = std::ranges::find_if(core.changes, [](const CoreChange& each) {
+    return each.kind != HeaderChangeKind::removed && !each.file.empty();
+  });
+  if (change == core.changes.end()) return;
+  entry.file = change->file;
+  entry.line = change->line;
 }
 
 }  // namespace
@@ -151,51 +171,44 @@ std::int64_t CheckReport::scenario_count() const {
   return std::ranges::count_if(verdicts, &CheckVerdict::is_scenario);
 }
 
-std::string counts_sentence(const CheckReport& report) {
-  std::vector<CheckStatus> statuses;
-  std::int64_t folders_failed = 0;
+void put_into_words(CheckReport& report) {
+  for (const DifferenceGroup& group : report.groups)
+    for (const PairVerdict* const scenario : group.scenarios) {
+      ReportEntry& entry = report.entries.emplace_back(entry_of(verdict_on(*scenario)));
+      if (group.cause.kind == CauseKind::core)
+        mark_change(report.cores.of(verdict_on(*scenario).golden_folder).verdict(), entry);
+    }
   for (const CheckVerdict& verdict : report.verdicts)
-    if (!verdict.is_scenario && verdict.status == CheckStatus::failed)
-      ++folders_failed;
-    else
-      statuses.push_back(verdict.status);
-  return counts_sentence(statuses, folders_failed);
-}
-
-std::vector<OtherFailure> other_failures(const CheckReport& report) {
-  std::vector<OtherFailure> failed;
+    if (verdict.group == nullptr) report.entries.push_back(entry_of(verdict));
   for (const Failure& failure : report.unlisted)
-    failed.push_back({"folder", "", failure.what(), failure.exit_code()});
-  for (const CoreVerdict* const core : report.cores.verdicts()) {
+    report.entries.push_back({failure.what(), "folder", failure.exit_code(), failure.what()});
+  const std::vector<const CoreVerdict*> cores = report.cores.verdicts();
+  for (const CoreVerdict* const core : cores) {
     if (core->exit_code == ExitCode::agreed) continue;
-    std::string text = core_text(*core, report.cores.verdicts().size() == 1, report.groups.empty());
-    text.pop_back();
-    failed.push_back({"core", accepted_core_folder(core->golden_folder) + "/accepted.txt", std::move(text),
-                      core->exit_code});
+    const std::string path = accepted_core_folder(core->golden_folder) + "/accepted.txt";
+    const std::string text = core_text(*core, cores.size() == 1, report.groups.empty());
+    report.entries.push_back({path, "core", core->exit_code, text.substr(0, text.find('\n')), text, path});
+    mark_change(*core, report.entries.back());
   }
-  return failed;
+  report.paragraphs =
+      difference_paragraphs(report.groups, cores, static_cast<std::size_t>(report.scenario_count()));
+  add_remarks(report);
+  add_others(report);
+  if (!report.groups.empty()) report.paragraphs.push_back({.lines = commands_text(report)});
+  report.counts = counts_of(report);
 }
 
 void print_check(const CheckReport& report, const Printing& printing) {
-  if (printing.is_quiet()) {
-    for (const OtherFailure& other : other_failures(report))  // Those of folders are on standard error.
-      if (!other.file.empty()) print_text("{}\n", other.text.substr(0, other.text.find('\n')));
-    for (const CheckVerdict& verdict : report.verdicts)
-      if (verdict.status == CheckStatus::failed) print_error(verdict.error);
-    print_names(report);
-    return print_text("{}\n", counts_sentence(report));
-  }
   if (printing.is_verbose())
     for (const CheckVerdict& verdict : report.verdicts)
       print_text("{}: {}\n{}", printable(verdict.path),
                  VerdictWord{name_of(verdict.status), verdict.status == CheckStatus::agreed},
                  verdict_details(verdict, true));
-  const auto checked = static_cast<std::size_t>(report.scenario_count());
-  print_groups(report.groups, report.cores.verdicts(), checked);
-  print_text("{}{}", broken_text(report), physics_text(report));
-  print_lines(report);
-  if (!report.groups.empty()) print_text("{}", commands_text(report));
-  print_text("{}\n", counts_sentence(report));
+  for (Paragraph paragraph : report.paragraphs) {
+    if (printing.is_quiet()) paragraph.lines.clear();
+    print(paragraph);
+  }
+  print_text("{}\n", report.counts);
 }
 
 }  // namespace hyrax

@@ -6,7 +6,7 @@
 #include "sim/cause/watched_core.h"
 #include "sim/study/reference_model.h"
 #include "sim/trace/step_program.h"
-#include "tools/app/core/paper_model.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
@@ -31,7 +31,7 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
   const Core& playing = options.watched_step ? watched_core : core;
   auto pair = has_golden ? compare_with_pair(core, scenario, *verdict.golden, options.reads_golden, playing)
                          : PairComparison{{.summary = play(playing, scenario)}};
-  verdict.is_open = !pair;
+  verdict.is_undecided = !pair;
   if (!pair) return;
   static_cast<PairComparison&>(verdict) = *std::move(pair);
   verdict.broken = broken_expectations(core, scenario, verdict.summary, reference_model(core));
@@ -73,7 +73,7 @@ CheckVerdict check_scenario(const Core& core, const std::string& path, const Che
       verdict.exit_code = exit_code_of(verdict.status);
     } catch (const std::bad_alloc&) {
       if (options.reads_golden) throw;
-      verdict.is_open = true;  // Alone it has more memory.
+      verdict.is_undecided = true;  // Alone it has more memory.
     }
   });
   if (failure) fail(verdict, *failure);

@@ -29,7 +29,7 @@ struct CheckVerdict : PairVerdict {
   /// Of the run of one without golden file; of an unreferenced golden file, as its summary states it.
   std::string state_hash;
   std::set<std::uint32_t> paths_taken;  ///< Of CheckOptions::watched_step.
-  bool is_open = false;                 ///< Undecided: the golden file must be read.
+  bool is_undecided = false;            ///< The golden file must be read.
   double seconds = 0.0;
   const DifferenceGroup* group = nullptr;  ///< In which its run differs, if it does; set by `explain`.
   /// The other half of a renamed scenario: of one whose golden file is missing the unreferenced golden file

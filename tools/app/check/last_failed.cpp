@@ -5,7 +5,6 @@
 #include <span>
 
 #include "sim/trajectory/state_hash.h"
-#include "tools/files/json.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -33,15 +32,13 @@ LastFailed::LastFailed() {
   const std::string folder = fs::current_path(error).string();
   const fs::path cache = cache_folder();
   if (error || cache.empty()) return;
-  file_ = (cache / "hyrax-sim" / (hex(digest(std::as_bytes(std::span(folder)))) + ".json")).string();
+  file_ = (cache / "hyrax-sim" / hex(digest(std::as_bytes(std::span(folder))))).string();
   try {
-    const Json document = parse_json(read_text_file(file_), file_);
-    const auto* const paths = document.get<Json::Array>("not_agreed");
-    if (paths == nullptr) return;
-    for (const Json& path : *paths)
-      if (const auto* const text = path.get<std::string>()) paths_.insert(*text);
+    const std::string text = read_text_file(file_);
+    for (std::size_t at = 0, end = 0; (end = text.find('\0', at)) != std::string::npos; at = end + 1)
+      paths_.insert(text.substr(at, end - at));
   } catch (const Failure&) {
-    // Nothing was recorded, or it is damaged: all are checked.
+    // Nothing was recorded, or it cannot be read: all are checked.
   }
 }
 
@@ -59,8 +56,9 @@ void LastFailed::update(const std::vector<CheckVerdict>& verdicts, OutputGuard& 
     guard.admit("hyrax-sim check: cache", file_);
     std::error_code error;
     fs::create_directories(fs::path(file_).parent_path(), error);
-    const Json document = Json::Object{{"not_agreed", Json::Array(paths_.begin(), paths_.end())}};
-    write_text_file(file_, to_text(document, 2) + "\n");
+    std::string text;  // The one byte that no path has ends each.
+    for (const std::string& path : paths_) text.append(path).push_back('\0');
+    write_text_file(file_, text);
   } catch (const Failure&) {
     // The verdicts do not depend on it.
   }

@@ -6,7 +6,7 @@
 
 #include "tools/app/check/check_report.h"
 #include "tools/app/command_line/shell_command.h"
-#include "tools/app/diff/difference_text.h"
+#include "tools/app/comparison/comparison_text.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
@@ -72,34 +72,30 @@ std::string verdict_details(const CheckVerdict& verdict, bool lists_all) {
                                        bless_command_for({verdict.path}, verdict.golden_option))
                          : "");
   if (verdict.comparison.agrees) return text;
-  return text + difference_text(verdict.comparison, lists_all) +
+  return text + comparison_text(verdict.comparison, lists_all) +
          fmt::format("  to see more     {}\n", diff_commands(verdict.path, verdict.golden->h5_path)) +
          acceptance_text({verdict.path}, {&verdict});
 }
 
 std::string acceptance_text(const std::vector<std::string>& paths,
                             const std::vector<const CheckVerdict*>& verdicts) {
-  const std::string& golden_folder = verdicts.front()->golden_option;
-  std::vector<std::string> to_update;
   std::vector<std::string> to_edit;
   std::vector<std::string> damaged;
-  std::vector<std::string> others;
-  bool updates_ranges = false;
+  std::vector<std::string> differing;
+  bool updates = false;
   DifferenceClass widest = DifferenceClass::rounding;  // Edits of the scenarios themselves are accepted.
   bool blesses_all = true;                             // Nothing among `paths` would make bless refuse.
   // A run that is not finite, or gives other bits when it is repeated, is no result to bless.
   bool is_acceptable = true;
   for (const CheckVerdict* const verdict : verdicts) {
-    updates_ranges |= std::ranges::any_of(verdict->broken, is_updatable_range);
     const bool differs = verdict->status == CheckStatus::disagreed && !verdict->comparison.agrees;
     const bool is_to_edit = !std::ranges::all_of(verdict->broken, is_updatable);
     blesses_all &= !is_to_edit && verdict->status != CheckStatus::failed;
     if (is_to_edit)
       to_edit.push_back(verdict->path);
-    else if (!verdict->broken.empty())
-      to_update.push_back(verdict->path);
-    else if (differs)
-      others.push_back(verdict->path);
+    else if (differs || !verdict->broken.empty())
+      differing.push_back(verdict->path);
+    updates |= !is_to_edit && !verdict->broken.empty();
     if (differs && verdict->group != nullptr && verdict->group->cause.kind != CauseKind::scenario)
       widest = std::max(widest, *verdict->comparison.difference);
     if (differs && (!verdict->runs || !verdict->runs->is_golden_as_blessed))
@@ -116,17 +112,11 @@ std::string acceptance_text(const std::vector<std::string>& paths,
     text += fmt::format(
         "  to edit         expect of {}: bless changes no boolean, error bound or one-sided limit\n",
         fmt::join(to_edit, ", "));
-  const std::string options =
-      widest == DifferenceClass::rounding ? "" : fmt::format(" --accept {}", name_of(widest));
-  // Of others than these, a hash would be written where there is none.
-  const std::string first = to_update.empty() ? ""
-                                              : bless_command_for(to_update, golden_folder) + options +
-                                                    (updates_ranges ? " --update-expect" : " --update-hash");
-  const std::string second =
-      others.empty() ? "" : bless_command_for(blesses_all ? paths : others, golden_folder) + options;
-  if (first.empty() && second.empty()) return text;
-  return text + fmt::format("  to accept it    {}{}{}\n", first, first.empty() || second.empty() ? "" : "; ",
-                            second);
+  if (differing.empty()) return text;
+  std::string command = bless_command_for(blesses_all ? paths : differing, verdicts.front()->golden_option);
+  if (widest > DifferenceClass::rounding) command += fmt::format(" --accept {}", name_of(widest));
+  if (updates) command += " --update-expect";
+  return text + fmt::format("  to accept it    {}\n", command);
 }
 
 }  // namespace hyrax

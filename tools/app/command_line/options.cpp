@@ -109,15 +109,43 @@ void Options::seed(std::optional<std::uint64_t>& into, const OptionText& text) {
       reader(into, text.names, std::uint64_t{0}, kHigh, fmt::format("whole number 0 .. {}", kHigh)));
 }
 
-void Options::choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed) {
-  OptionText shown = text;
-  if (allowed.size() > 1 && text.value.find('|') == std::string::npos)
-    shown.help += fmt::format(":\n{}", fmt::join(allowed, ", "));
-  add(shown, Kind::once, [&into, names = text.names, allowed](const std::string& value) {
-    if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
-      refuse_input(names + ": " + unknown_word("value", value, {allowed.begin(), allowed.end()}));
-    into = value;
+void Options::time(std::optional<double>& into_s, const OptionText& text) {
+  add(text, Kind::once, [&into_s, names = text.names](const std::string& value) {
+    constexpr std::string_view kUnits = "smh";
+    const std::size_t unit = kUnits.find(value.back());
+    const auto number =
+        parse_number<double>(unit == std::string::npos ? value : value.substr(0, value.size() - 1));
+    const double time_s = number.value_or(0.0) * (unit == 1 ? 60.0 : unit == 2 ? 3600.0 : 1.0);
+    if (!(time_s > 0.0) || !std::isfinite(time_s))
+      refuse_input(names + ": must be a time above 0, as 60s, 5m or 2h (found " + value + ")");
+    into_s = time_s;
   });
+}
+
+void Options::add_choice(OptionText text, Kind option_kind, const std::vector<std::string>& allowed,
+                         const std::string& kind, std::function<void(const std::string& value)> set) {
+  const std::string names = text.names;
+  if (allowed.size() > 1 && text.value.find('|') == std::string::npos)
+    text.help += fmt::format(":\n{}", fmt::join(allowed, ", "));
+  add(text, option_kind, [=](const std::string& value) {
+    if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
+      refuse_input(names + ": " + unknown_word(kind, value, {allowed.begin(), allowed.end()}));
+    set(value);
+  });
+}
+
+void Options::choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed) {
+  add_choice(text, Kind::once, allowed, "value", [&into](const std::string& value) { into = value; });
+}
+
+void Options::choices(std::vector<std::string>& into, const OptionText& text,
+                      const std::vector<std::string>& allowed, const std::string& kind) {
+  add_choice(text, Kind::repeated, allowed, kind,
+             [&into](const std::string& value) { into.push_back(value); });
+}
+
+void Options::removed(const std::string& names, const std::string& instead) {
+  add({names, "", instead}, Kind::removed, {});
 }
 
 void Options::printing(Printing& into, const std::string& verbose_help) {
@@ -132,6 +160,7 @@ void Options::printing(Printing& into, const std::string& verbose_help) {
 std::vector<std::string_view> Options::names() const {
   std::vector<std::string_view> names;
   for (const Option& option : options_) {
+    if (option.kind == Kind::removed) continue;
     const std::string_view all = option.text.names;
     names.push_back(all.substr(all.rfind(',') + 1));
   }
@@ -176,6 +205,7 @@ Options::Argument Options::read_option(Argument argument, Argument last) {
   const std::size_t name_end = is_long ? std::min(argument->find('='), argument->size()) : 2;
   const std::string name = argument->substr(0, name_end);
   Option& option = find(name);
+  if (option.kind == Kind::removed) refuse_input(name + ": was removed; " + option.text.help);
   const bool has_value = name_end < argument->size();
   if (option.kind == Kind::flag) {
     if (has_value) refuse_input(name + ": takes no value (found " + *argument + ")");
@@ -213,7 +243,8 @@ std::string Options::help(const std::string& command) const {
     text = "\nArguments:\n" + help_line(files_text_.names, files_text_.help);
   }
   text += "\nOptions:\n";
-  for (const Option& option : options_) text += help_line(with_argument(option.text), option.text.help);
+  for (const Option& option : options_)
+    if (option.kind != Kind::removed) text += help_line(with_argument(option.text), option.text.help);
   return usage + "\n" + text + help_line("-h,--help", "print this help");
 }
 

@@ -50,8 +50,17 @@ class Options {
                std::int64_t high = std::numeric_limits<std::int64_t>::max());
   /// A whole number, 0 .. 2^64 - 1.
   void seed(std::optional<std::uint64_t>& into, const OptionText& text);
+  /// A time above 0 in s: "90", "90s", "5m", "2h".
+  void time(std::optional<double>& into_s, const OptionText& text);
+  /// May be given several times, each a value of `allowed`, which are called by `kind`, as "rule".
+  void choices(std::vector<std::string>& into, const OptionText& text,
+               const std::vector<std::string>& allowed, const std::string& kind);
   /// One of `allowed`.
   void choice(std::string& into, const OptionText& text, const std::vector<std::string>& allowed);
+  /// An option that earlier versions had: refused, whatever its value, with `instead`, what to use now, as
+  /// "use
+  /// --part and --merge". Not in the help.
+  void removed(const std::string& names, const std::string& instead);
   /// What every command has: --json, --quiet and --verbose, the last with its own help.
   void printing(Printing& into, const std::string& verbose_help = "no effect");
 
@@ -64,7 +73,7 @@ class Options {
   [[nodiscard]] std::string help(const std::string& command) const;
 
  private:
-  enum class Kind { flag, once, repeated };
+  enum class Kind { flag, once, repeated, removed };
   struct Option {
     OptionText text;
     Kind kind = Kind::flag;
@@ -76,6 +85,8 @@ class Options {
 
   [[nodiscard]] bool read(const std::vector<std::string>& arguments);
   void add(const OptionText& text, Kind kind, std::function<void(const std::string& value)> set);
+  void add_choice(OptionText text, Kind option_kind, const std::vector<std::string>& allowed,
+                  const std::string& kind, std::function<void(const std::string& value)> set);
   using Argument = std::vector<std::string>::const_iterator;
   /// Reads the option at `argument`; returns the last argument that it used.
   [[nodiscard]] Argument read_option(Argument argument, Argument last);
@@ -100,7 +111,7 @@ struct Command {
   std::string example;
   bool is_common = false;         ///< Is on the first help screen; else under "more".
   bool needs_strict_ieee = true;  ///< Runs only on a machine that passes the self-test.
-  bool needs_paper_step = false;  ///< Does not apply to a core of another shape.
+  bool needs_paper_step = false;  ///< Does not apply to a core with another step.
   std::function<std::function<ExitCode(const Core& core)>(Options&)> declare;
 };
 

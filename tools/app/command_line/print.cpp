@@ -1,7 +1,9 @@
 #include "tools/app/command_line/print.h"
 
 #include <cstdlib>
+#include <limits>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "tools/files/table_text.h"
@@ -16,6 +18,14 @@ bool has_colour() {
          (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
+// The width of standard output, where that is a terminal that knows it.
+std::size_t columns_shown(const Printing& printing) {
+  winsize size{};
+  const bool is_known =
+      !printing.is_verbose() && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : std::numeric_limits<std::size_t>::max();
+}
+
 }  // namespace
 
 std::string printed(const VerdictWord& verdict) {
@@ -25,10 +35,11 @@ std::string printed(const VerdictWord& verdict) {
 }
 
 void print_verdict(const std::string& name, const Verdict& verdict, const Printing& printing) {
+  if (!printing.is_quiet() && !verdict.answer.empty()) print_text("{}\n", verdict.answer);
   if (!printing.is_quiet())
     for (const auto& part : verdict.text) {
       if (const auto* const table = std::get_if<Table>(&part))
-        print_text("{}", aligned_text(*table));
+        print_text("{}", aligned_text(*table, columns_shown(printing)));
       else
         print_text("{}\n", std::get<std::string>(part));
     }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
@@ -10,8 +12,6 @@ namespace hyrax {
 namespace {
 
 std::string program_called = "hyrax-sim";
-
-bool is_control(std::int32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
 bool is_plain(char c) {
   constexpr std::string_view kPlain = "@%+=:,./_-";
@@ -31,7 +31,7 @@ std::string shell_word(std::string_view argument) {
     const std::string_view text = argument.substr(at, bytes);
     is_all_plain = is_all_plain && bytes == 1 && is_plain(text[0]);
     in_quotes += text == "'" ? "'\\''" : text;
-    if (is_control(character.code)) {
+    if (character.code < 0 || is_control(character.code)) {
       needs_escapes = true;
       for (const char byte : text) escaped += fmt::format("\\{:03o}", static_cast<unsigned char>(byte));
     } else {
@@ -51,7 +51,10 @@ std::string shell_command(const std::vector<std::string>& arguments) {
   return line;
 }
 
-void set_program(const std::string& as_called) { program_called = as_called; }
+void set_program(const std::string& as_called) {
+  program_called = as_called;
+  name_program("hyrax-sim", std::filesystem::path(as_called).filename().string());
+}
 
 std::string program_command(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), program_called);
@@ -74,7 +77,7 @@ std::string bless_command_for(const std::vector<std::string>& paths, const std::
   std::string command = program_command(arguments);
   if (!by_path || !place || by_path->h5_path != place->h5_path)
     command += " --golden " + shell_word(golden_folder.empty() ? "golden" : as_argument(golden_folder));
-  return command + " --reason TEXT";
+  return command + " --reason \"...\"";
 }
 
 }  // namespace hyrax

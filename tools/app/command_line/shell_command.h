@@ -11,8 +11,8 @@ namespace hyrax {
 /// control character of it is printed as such.
 [[nodiscard]] std::string shell_command(const std::vector<std::string>& arguments);
 
-/// Names this program in suggested commands as it was called, which matters where it is not `hyrax-sim`: a
-/// program with a core of one's own. At start, before any other function here.
+/// Names this program in suggested commands and messages as it was called, which matters where it is not
+/// `hyrax-sim`: a program with a core of one's own. At start, before any other function here.
 void set_program(const std::string& as_called);
 
 /// shell_command of this program with these arguments.

@@ -1,42 +1,81 @@
 // The accepted core: golden/core/, the core with which a library was last accepted.
 //
-// Three files: the header, byte for byte; step.txt, its step in canonical text, if that is complete; and
-// accepted.txt, written last, with the checksums of both. Nothing of it is compiled.
+// The header, byte for byte, as physics.h, or by its own name that of a core which describes itself, with its
+// description; files/, the project's files that it includes; step.txt, its step in canonical
+// text, if that is complete; and accepted.txt, written last, with the checksums of all. Nothing of it is
+// compiled.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "sim/cause/header_change.h"
 #include "sim/core/core.h"
 #include "sim/core/core_record.h"
 #include "sim/trace/step_player.h"
 
 namespace hyrax {
 
+struct AcceptedFile {
+  std::string path;
+  std::string text;  ///< Empty of one that is not of the project.
+  std::string checksum;
+  bool is_of_project = false;
+  bool operator==(const AcceptedFile&) const = default;
+};
+
 struct AcceptedCore {
-  std::string model;           ///< The class: the name of its physics model.
+  std::string model;  ///< The class: the name of its physics model.
+  /// Of a core that describes itself: the file's own name, and the text of description.json; else empty.
+  std::string header_name = {};
+  std::string description = {};
   std::string header;          ///< Its bytes.
   std::string step;            ///< Canonical text (sim/trace/step_text.h); empty: not complete.
   std::string why_incomplete;  ///< As "more than 4,096 paths".
   /// Other cores that golden files name which agreed when this one was accepted.
   std::vector<std::string> agreeing_cores;
   std::string reason;  ///< One line.
+  /// That the header includes (CoreRecord::files). None: accepted by a version that did not look at them.
+  std::vector<AcceptedFile> files = {};
 
   /// Refers to this.
   [[nodiscard]] CoreRecord record() const { return {header, step, why_incomplete}; }
-  /// What golden files call it: the checksum of its step, else of its header.
-  [[nodiscard]] std::string name() const;
+  /// The header and the project's files that it includes.
+  [[nodiscard]] std::string text() const;
+  /// Whether all bytes are those of another one, as far as both list files.
+  [[nodiscard]] bool has_same_files(const AcceptedCore& other) const;
+  /// What files call it.
+  [[nodiscard]] std::string name() const { return record().checksum(); }
   /// Whether a golden file of that core agreed with this one.
   [[nodiscard]] bool covers(const std::string& core_name) const;
 };
 
 /// This program's core, without a reason.
 [[nodiscard]] AcceptedCore program_core(const Core& core);
+[[nodiscard]] AcceptedCore core_of(std::string_view model, const CoreRecord& record);
+
+/// What the program's core changes of the accepted one, in the words of its header and of the project's files
+/// that it includes. @param header_path names the header.
+[[nodiscard]] std::vector<HeaderChange> core_changes(const AcceptedCore& accepted,
+                                                     const AcceptedCore& program,
+                                                     const std::string& header_path);
 
 /// This program's step, ready to be played; null if it is not complete.
 [[nodiscard]] std::shared_ptr<const StepProgram> program_step(const Core& core);
+
+/// A library: a folder of scenarios, and its golden folder.
+struct Library {
+  std::string scenarios_folder;
+  std::string golden_folder;
+};
+
+/// The libraries that scenarios or folders of them belong to, each once: the nearest folder named
+/// `scenarios`; with --golden also a folder that is in none. Scenarios outside of any have no accepted core.
+[[nodiscard]] std::vector<Library> libraries_of(const std::vector<std::string>& arguments,
+                                                const std::string& golden_option);
 
 /// FOLDER/core.
 [[nodiscard]] std::string accepted_core_folder(const std::string& golden_folder);

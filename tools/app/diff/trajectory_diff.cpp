@@ -3,96 +3,55 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "sim/replay/replay.h"
 #include "sim/trajectory/run_summary.h"
+#include "tools/app/play/played_rows.h"
 #include "tools/files/scenario_changes.h"
 
 namespace hyrax {
 namespace {
 
-// The rows of a file, one after another, in batches.
-class RowCursor {
- public:
-  explicit RowCursor(const TrajectoryFile& file) : file_(file) { load(0); }
-  [[nodiscard]] bool is_done() const { return at_ >= batch_.size(); }
-  [[nodiscard]] Row row() const { return batch_.row(at_); }
-  void next() {
-    if (++at_ == batch_.size()) load(first_ + static_cast<std::int64_t>(batch_.size()));
-  }
-
- private:
-  static constexpr std::int64_t kBatch = 65536;
-  void load(std::int64_t first) {
-    first_ = first;
-    at_ = 0;
-    batch_ = file_.rows(first, std::min(kBatch, file_.row_count() - first));
-  }
-
-  const TrajectoryFile& file_;
-  Columns batch_;
-  std::int64_t first_ = 0;
-  std::size_t at_ = 0;
-};
-
-// Rows of the same step; a step that one file does not record is skipped. Returns the first of these.
-template <class Visit>
-std::optional<std::int64_t> walk_by_step(const TrajectoryFile& a, const TrajectoryFile& b,
-                                         const Visit& visit) {
-  std::optional<std::int64_t> lone_step;
-  RowCursor left(a);
-  RowCursor right(b);
-  while (!left.is_done() && !right.is_done()) {
-    const Row row_a = left.row();
-    const Row row_b = right.row();
-    if (row_a.step == row_b.step) visit(row_a, row_b);
-    if (row_a.step != row_b.step && !lone_step) lone_step = std::min(row_a.step, row_b.step);
-    if (row_a.step <= row_b.step) left.next();
-    if (row_b.step <= row_a.step) right.next();
-  }
-  if (!lone_step && !left.is_done()) lone_step = left.row().step;
-  if (!lone_step && !right.is_done()) lone_step = right.row().step;
-  return lone_step;
+// Those that the file holds.
+RowBatches batches_of(const TrajectoryFile& file) {
+  constexpr std::int64_t kBatch = 65536;
+  return [&file, first = std::int64_t{0}](Columns& batch) mutable {
+    const std::int64_t from = std::exchange(first, std::min(first + kBatch, file.row_count()));
+    file.read_rows(from, first - from, batch);
+  };
 }
 
-// What both runs show at every time at which one of them changes, to the end of the shorter one. Rows less
-// than half the shorter of their frames apart are of the same time: sums of other frames round, and clocks
-// are slightly off.
-template <class Visit>
-void walk_by_time(const TrajectoryFile& a, const TrajectoryFile& b, const Visit& visit) {
-  RowCursor left(a);
-  RowCursor right(b);
-  Row row_a = left.row();
-  Row row_b = right.row();
-  while (!left.is_done() && !right.is_done()) {
-    const Row next_a = left.row();
-    const Row next_b = right.row();
-    const double same_s = std::max(0.0, 0.5 * std::min(next_a.dt_s, next_b.dt_s));
-    // A time that is not a number is not later than any.
-    if (!(next_a.t_s > next_b.t_s + same_s)) {
-      row_a = next_a;
-      left.next();
-    }
-    if (!(next_b.t_s > next_a.t_s + same_s)) {
-      row_b = next_b;
-      right.next();
-    }
-    visit(row_a, row_b);
-  }
+bool holds_every_row(const TrajectoryFile& file) { return file.row_count() == file.head().steps + 1; }
+
+// A file's rows for a distance: all of them, or where neither it holds them nor the core gives them, those
+// that it holds.
+struct FileRows {
+  TimedRun run;
+  bool are_played = false;
+  bool are_all = true;
+};
+FileRows rows_of(const Core& core, const TrajectoryFile& file) {
+  FileRows rows{{batches_of(file), file.inputs()}};
+  if (holds_every_row(file)) return rows;
+  const Scenario& scenario = file.head().scenario;
+  rows.are_all = rows.are_played = step_count(scenario) <= kRowsPlayedMax &&
+                                   hex(replay(core, scenario).state_hash) == file.head().state_hash;
+  if (rows.are_played) rows.run.rows = played_rows(core, scenario);
+  return rows;
 }
 
 RunEnd end_of(const TrajectoryFile& file) {
-  RunEnd end;
-  end.has_every_row = file.row_count() == file.head().steps + 1;
+  RunEnd end{.is_rest_known = holds_every_row(file)};
   std::optional<RestAnchor> anchor;
-  for (RowCursor cursor(file); !cursor.is_done(); cursor.next()) {
+  for (RowCursor cursor(batches_of(file)); !cursor.is_done(); cursor.next()) {
     end.row = cursor.row();
     if (!anchor)
       anchor = {end.row.x_px, end.row.y_px, end.row.t_s};
     else if (anchor->moves_to(end.row.x_px, end.row.y_px))
       anchor->t_s = end.row.t_s;
   }
-  end.contacts_total = file.contacts_total();
-  if (end.has_every_row) end.settled_since_s = anchor->at_rest_since_s(end.row.t_s);
+  if (end.is_rest_known) end.settled_since_s = anchor->at_rest_since_s(end.row.t_s);
   return end;
 }
 
@@ -107,7 +66,7 @@ std::string contradiction(const TrajectoryFile& a, const TrajectoryFile& b, cons
                           const TrajectoryDiff& diff) {
   const Comparison& comparison = diff.comparison;
   if (comparison.first || !comparison.contacts.is_none()) return "";
-  if (diff.end_a.contacts_total != diff.end_b.contacts_total && !comparison.contacts.is_cut)
+  if (diff.contacts_total_a != diff.contacts_total_b && !comparison.contacts.is_cut)
     return "a file contradicts itself: the contacts agree, their numbers do not";
   if (tolerance.is_exact() && a.head().state_hash != b.head().state_hash &&
       diff.rows_compared == a.head().steps + 1)
@@ -115,8 +74,8 @@ std::string contradiction(const TrajectoryFile& a, const TrajectoryFile& b, cons
   return "";
 }
 
-std::string shape_of(const TrajectoryFile& a, const TrajectoryFile& b, const Tolerance& tolerance,
-                     const TrajectoryDiff& diff, const std::optional<std::int64_t>& lone_step) {
+std::string difference_in_shape(const TrajectoryFile& a, const TrajectoryFile& b, const Tolerance& tolerance,
+                                const TrajectoryDiff& diff, const std::optional<std::int64_t>& lone_step) {
   const std::string changes = scenario_changes(a.head().scenario, b.head().scenario);
   if (!changes.empty()) return "the scenarios differ: " + changes;
   if (a.head().steps != b.head().steps)
@@ -131,7 +90,7 @@ std::optional<DifferenceClass> class_of_files(const TrajectoryFile& a, const Tra
                                               const Tolerance& tolerance, const TrajectoryDiff& diff) {
   const Comparison& comparison = diff.comparison;
   if (!comparison.shape.empty()) return DifferenceClass::shape;
-  if (diff.end_a.contacts_total != diff.end_b.contacts_total) return DifferenceClass::contacts;
+  if (diff.contacts_total_a != diff.contacts_total_b) return DifferenceClass::contacts;
   if (comparison.first || !comparison.contacts.is_none() ||
       (tolerance.is_exact() && a.head().state_hash != b.head().state_hash))
     return class_of(comparison.contacts, diff.values.distance());
@@ -145,41 +104,48 @@ bool TrajectoryDiff::has_differences() const {
          std::ranges::any_of(values.worst(), [](const auto& worst) { return worst.has_value(); });
 }
 
-TrajectoryDiff diff_trajectories(const TrajectoryFile& a, const TrajectoryFile& b, const Tolerance& tolerance,
-                                 Overlay* overlay) {
+TrajectoryDiff diff_trajectories(const Core& core, const TrajectoryFile& a, const TrajectoryFile& b,
+                                 const Tolerance& tolerance, Overlay* overlay) {
   TrajectoryDiff diff(tolerance);
   if (a.head().constants && b.head().constants) diff.energy.emplace(a.head().constants->gravity_px_per_s2);
-  diff.is_by_time = !(a.head().scenario.clock == b.head().scenario.clock);
   Comparison& comparison = diff.comparison;
-  RunDistance distance;
-  const auto measure = [&](const Row& row_a, const Row& row_b) {
-    Row of_same_step = row_b;
-    of_same_step.step = row_a.step;
-    const std::optional<WorstDistance> before = distance.largest();
-    distance.add(row_a, of_same_step);
-    if (distance.largest() && (!before || distance.largest()->px > before->px)) diff.largest_at_s = row_a.t_s;
-    if (diff.energy) diff.energy->add(row_a, row_b);
+  const auto draw = [overlay](const Row& row_a, const Row& row_b) {
     if (overlay != nullptr) overlay->add(row_a, row_b);
   };
-  const auto lone_step = walk_by_step(a, b, [&](const Row& row_a, const Row& row_b) {
-    diff.values.compare(row_a, row_b);
-    ++diff.rows_compared;
-    if (!diff.is_by_time) measure(row_a, row_b);
-  });
-  if (diff.is_by_time) walk_by_time(a, b, measure);
+  RunDistance by_step;
+  const auto measure = [&](const Row& row_a, const Row& row_b) {
+    by_step.add(row_a, row_b);
+    if (diff.energy) diff.energy->add(row_a, row_b);
+    draw(row_a, row_b);
+  };
+  const FileRows rows_a = rows_of(core, a), rows_b = rows_of(core, b);
+  const bool are_played = rows_a.are_played || rows_b.are_played;
+  const auto lone_step = walk_by_step(RowCursor(batches_of(a)), RowCursor(batches_of(b)),
+                                      [&](const Row& row_a, const Row& row_b) {
+                                        diff.values.compare(row_a, row_b);
+                                        ++diff.rows_compared;
+                                        if (!are_played) measure(row_a, row_b);
+                                      });
+  if (are_played) walk_by_step(RowCursor(rows_a.run.rows), RowCursor(rows_b.run.rows), measure);
+  comparison.distance.largest = by_step.largest();
+  if (by_step.has_other_dt()) {
+    diff.energy.reset();
+    if (overlay != nullptr) *overlay = Overlay();
+    comparison.distance = walk_equal_times(rows_of(core, a).run, rows_of(core, b).run, draw);
+  }
+  comparison.distance.has_unknown_rows = !rows_a.are_all || !rows_b.are_all;
   diff.values.compare(a.contacts(), b.contacts());
   comparison.first = diff.values.first();
   comparison.contacts = diff.values.contacts();
-  comparison.largest = distance.largest();
-  diff.end_a = end_of(a);
-  diff.end_b = end_of(b);
-  comparison.shape = shape_of(a, b, tolerance, diff, lone_step);
+  comparison.expected_end = end_of(a);
+  comparison.actual_end = end_of(b);
+  diff.contacts_total_a = a.contacts_total();
+  diff.contacts_total_b = b.contacts_total();
+  comparison.shape = difference_in_shape(a, b, tolerance, diff, lone_step);
   if (a.head().physics != b.head().physics)
     comparison.physics = "the physics models differ: " + a.head().physics + " and " + b.head().physics;
   comparison.difference = class_of_files(a, b, tolerance, diff);
   comparison.agrees = !comparison.difference;
-  if (diff.end_a.settled_since_s && diff.end_b.settled_since_s)
-    comparison.rest_shift_px = distance_px(state_of(diff.end_a.row), state_of(diff.end_b.row));
   return diff;
 }
 

@@ -44,6 +44,7 @@ inline constexpr std::size_t kRowsDrawnMax = 4'000;
 struct DriftOptions {
   std::optional<GslOptions> gsl;  ///< A second solution of every arc; none: the closed form alone.
   bool keeps_rows = false;        ///< For a figure.
+  bool encloses = false;          ///< Whether distances from the exact fling get bounds.
   bool stores_rows = false;       ///< In a trajectory file: the errors of every recorded row as well.
 };
 
@@ -114,31 +115,26 @@ class DriftRecorder final : private DriftSink {
 
 /// How a measurement ends: a fault of the reference is an internal error; a run that is not finite, or not
 /// the listing's, disagrees.
-[[nodiscard]] ExitCode drift_exit_code(const DriftSummary& summary);
-
-/// Time of one physics::update on this machine in ns, over the scenario's first frames without its events:
-/// the least of several rounds, a few ms in all. Nothing without frames.
-[[nodiscard]] std::optional<double> step_ns(const Core& core, const Scenario& scenario);
+[[nodiscard]] ExitCode drift_exit_code(const DriftRun& run);
+/// ERRORS: Failure(bad_input) where GSL, asked for with other settings than its own, differs from the closed
+/// form by more than drift.h allows.
+void require_reached(const DriftRun& run);
 
 /// The same scenario at half the dt: twice the frames, its events at the same times.
 struct HalfDt {
   std::optional<DriftRun> run = {};
-  double step_ns = 0.0;
   std::string why_not = {};  ///< If it was not measured.
 };
 [[nodiscard]] HalfDt measure_half_dt(const Core& core, const Scenario& scenario);
 
 struct DriftReport {
   DriftRun run;
-  bool has_rows_stored = false;  ///< The errors of every row are in a file.
-  std::optional<double> step_ns = {};
-  HalfDt half_dt = {};
-  std::optional<ContactChance> contact_chance = {};
+  bool has_rows_stored = false;        ///< The errors of every row are in a file.
+  std::optional<HalfDt> half_dt = {};  ///< If it was asked for.
 };
 
 /// The run as a result: a text of at most 100 columns (the whole run, arcs, contacts, margin, what was not
-/// computed, speed against error if a step was timed), and the members of an entry of "runs", all except
-/// "scenario".
+/// computed, what half the error costs), and the members of an entry of "runs", all except "scenario".
 /// @param lists_all all arcs and contacts, and how the end moves with the start, instead of the first 20.
 [[nodiscard]] Result drift_result(const DriftReport& report, bool lists_all);
 

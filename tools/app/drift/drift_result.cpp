@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/reference/drift_columns.h"
 #include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/drift/drift.h"
+#include "tools/files/failure.h"
 
 namespace hyrax {
 namespace {
@@ -38,7 +40,7 @@ void each_worst(const auto& take) {
 
 // The value of each largest error, or its step: an arc's first_step, a contact's step.
 Table worst_table(const char* name, const DriftSummary& summary, auto Worst::*member) {
-  Table table{.name = name, .columns = {}, .shape = JsonShape::one};
+  Table table{.name = name, .columns = {}, .form = JsonForm::one};
   each_worst([&](Column column, const DriftShown& shown) {
     std::optional<std::decay_t<decltype(Worst{}.*member)>> value;
     if (const std::optional<Worst>& worst = summary.*shown.worst) value = (*worst).*member;
@@ -86,20 +88,21 @@ std::string wrapped(const std::string& label, const std::vector<std::string>& it
   return text + line;
 }
 
-// How wrong the run is, and what a step of it costs: the first lines.
-std::string whole_text(const DriftReport& report) {
-  const DriftRun& run = report.run;
+// How wrong the run is: the first lines.
+std::string whole_text(const DriftRun& run) {
   if (!run.whole.run) return fmt::format("  whole run    no exact fling: {}", run.whole.why_not);
   const WholeRun& whole = *run.whole.run;
   std::string text = fmt::format(
       "  whole run    ends {} px from the exact fling, {} px at most, in row {}\n"
-      "               energy {} px of height off at the end, {} px at most",
+      "               energy {} px of height off at the end, {} px at most{}",
       number(whole.end_px), number(whole.max_px), whole.max_px_step, number(whole.energy_end_px),
-      number(whole.energy_max_px));
+      number(whole.energy_max_px),
+      whole.energy_phase_px > whole.energy_max_px
+          ? fmt::format(";\n               {} px where only one has bounced", number(whole.energy_phase_px))
+          : "");
   if (whole.secular_px_per_s)
     text +=
-        fmt::format("\n               in flight {} px of height a second{}", number(*whole.secular_px_per_s),
-                    report.step_ns ? fmt::format(", at {} ns a step", number(*report.step_ns)) : "");
+        fmt::format("\n               in flight {} px of height a second", number(*whole.secular_px_per_s));
   if (whole.contacts_differ_from)
     text += fmt::format("\n               other contacts than the exact fling's from row {}",
                         *whole.contacts_differ_from);
@@ -118,21 +121,19 @@ std::string worst_text(const DriftSummary& summary) {
   return wrapped("worst", items);
 }
 
-// What the discretisation itself adds and takes, by cause, as the height that it lifts the sprite by; what
-// the model takes at a contact is no error.
-std::string causes_text(const DriftSummary& summary, const Model& model) {
-  const auto height = [&](double energy_px2_per_s2) { return energy_px2_per_s2 / model.gravity_px_per_s2; };
+// What the discretisation itself adds and takes, by cause; what the model takes at a contact is no error.
+std::string causes_text(const EnergyCauses& causes) {
   return fmt::format(
       "  by cause     as height: gravity once a step {:+.3g} px, drag on that path {:+.3g} px,\n"
-      "               lift out of walls {:+.3g} px, restitution after the wall {:+.3g} px",
-      height(summary.arc_energy.gravity), height(summary.arc_energy.drag),
-      height(summary.contact_energy.lift), height(summary.late_bounces_px2_per_s2));
+      "               lift out of walls {:+.3g} px, restitution after the wall {:+.3g} px;\n"
+      "               {:+.3g} px in all, and {:+.3g} px that these do not explain",
+      causes.gravity, causes.drag, causes.lift, causes.bounce, causes.sum(), causes.flight);
 }
 
 std::string restitution_text(const Spread& restitution, const Model& model) {
-  return fmt::format("  restitution  median {:.4f}, from {:.4g} to {:.4g}, {} contacts; the model's is {:g}",
-                     restitution.median(), restitution.smallest(), restitution.largest(), restitution.count(),
-                     model.restitution);
+  return fmt::format("  restitution  median {:.4f}, from {:.4g} to {:.4g}, of {}; the model's is {:g}",
+                     restitution.median(), restitution.smallest(), restitution.largest(),
+                     plain_counted(restitution.count(), "bounce"), model.restitution);
 }
 
 std::string reference_text(const DriftRun& run) {
@@ -153,55 +154,59 @@ std::vector<std::string> not_computed(const DriftReport& report) {
   return items;
 }
 
-// What a step costs on this machine and its errors, with this dt and with half of it.
-Table speed_table(const DriftReport& report) {
-  struct Line {
-    std::string dt;
-    double step_ns;
-    const DriftRun& run;
-  };
-  std::vector<Line> lines = {{"this", *report.step_ns, report.run}};
-  if (report.half_dt.run) lines.push_back({"half", report.half_dt.step_ns, *report.half_dt.run});
-  const auto value = [](const std::optional<Worst>& worst) { return worst ? worst->value : kNotGiven; };
-  return {.columns = {column_of("dt", "", "", lines, &Line::dt),
-                      column_of("a step here", "ns", "", lines, &Line::step_ns, 2),
-                      column_of(
-                          "trunc.", "px", "", lines,
-                          [&](const Line& line) { return value(line.run.summary.truncation_px); }, 3),
-                      column_of(
-                          "model", "px", "", lines,
-                          [&](const Line& line) { return value(line.run.summary.model_px); }, 3),
-                      column_of(
-                          "slope", "px/s", "", lines,
-                          [](const Line& line) {
-                            return line.run.longest_arc
-                                       ? line.run.longest_arc->energy_drift_slope_px_per_s.value_or(kNotGiven)
-                                       : kNotGiven;
-                          },
-                          3)}};
+std::string clock_text(const Clock& clock) {
+  if (const auto* const fixed = std::get_if<FixedRate>(&clock.base))
+    return rounded(fixed->rate_hz, 6) + " Hz";
+  return fmt::format("dt {} s", rounded(base_dt_s(clock), 3));
 }
 
-// The error against the fixed model does not vanish with the frame if half the dt keeps most of it.
-bool converges(const DriftReport& report) {
-  if (!report.half_dt.run) return true;
-  const std::optional<Worst>& now = report.run.summary.model_px;
-  const std::optional<Worst>& half = report.half_dt.run->summary.model_px;
-  constexpr double kHalvedAtLeast = 0.6;  // 0.5 for a method of first order.
-  return !now || !half || half->value <= kHalvedAtLeast * now->value;
+// Truncation error grows with the time of flight; so the arcs of both runs need not end at the same walls.
+double truncation_px_per_s(const DriftRun& run) {
+  double error_px = 0.0, time_s = 0.0;
+  for (const ArcErrors& arc : run.arcs) {
+    error_px += arc.truncation_px;
+    time_s += arc.duration_s;
+  }
+  return time_s > 0.0 ? error_px / time_s : 0.0;
 }
 
-std::vector<std::string> faults_of(const DriftSummary& summary) {
+// By the order that the truncation error has between this dt and half of it. Drag once a frame is the reason
+// why the model error stays if that is all that the two errors differ in.
+std::string half_error_text(const HalfDt& half, const DriftRun& run) {
+  if (!half.run) return "  half the error: its cost is not measured: " + half.why_not;
+  const DriftSummary &now = run.summary, &then = half.run->summary;
+  if (!now.truncation_px || !then.truncation_px) return "  half the error: there is none";
+  constexpr double kSmaller = 1.1;
+  const std::string clock = clock_text(half.run->scenario.clock);
+  const double ratio = truncation_px_per_s(run) / truncation_px_per_s(*half.run);
+  if (!(ratio > kSmaller))
+    return fmt::format("  half the error: not by shorter frames; truncation {} px, {} px at {}",
+                       number(now.truncation_px), number(then.truncation_px), clock);
+  std::string text = fmt::format("  half the error costs {:.1f} times the steps ({})",
+                                 std::exp2(1.0 / std::log2(ratio)), clock);
+  if (now.model_px && then.model_px && !(now.model_px->value > kSmaller * then.model_px->value))
+    text +=
+        fmt::format("\n               the model error then is {} px: drag acts once a frame, however short",
+                    number(then.model_px));
+  return text;
+}
+
+std::string reference_faults_text(const DriftSummary& summary) {
+  return fmt::format("{}, the first from row {}: {}", plain_counted(summary.reference_faults, "arc"),
+                     summary.first_reference_fault_step.value_or(0), summary.first_reference_fault);
+}
+
+std::vector<std::string> faults_of(const DriftRun& run) {
+  const DriftSummary& summary = run.summary;
   std::vector<std::string> faults;
   if (summary.non_finite_step)
     faults.push_back(
         fmt::format("NOT FINITE from row {}; not measured from there on", *summary.non_finite_step));
   if (summary.differing_steps > 0)
     faults.push_back(fmt::format("{} flight steps differ from the listing", summary.differing_steps));
-  if (summary.reference_faults > 0)
-    faults.push_back(fmt::format("INTERNAL ERROR of the reference in {}, the first from row {}: {}",
-                                 plain_counted(summary.reference_faults, "arc"),
-                                 summary.first_reference_fault_step.value_or(0),
-                                 summary.first_reference_fault));
+  if (summary.reference_faults > 0 && run.is_checked_by_default)
+    faults.push_back("INTERNAL ERROR of the reference in " + reference_faults_text(summary));
+  if (run.whole.is_fault) faults.push_back("INTERNAL ERROR of the reference: " + run.whole.why_not);
   return faults;
 }
 
@@ -210,7 +215,7 @@ Verdict verdict_of(const DriftReport& report, bool lists_all) {
   const DriftSummary& summary = run.summary;
   const std::ptrdiff_t lines_max = lists_all ? kArcsListedMax : 20;
   Verdict verdict{.text = {title_of(run.scenario, run.steps, run.simulated_s)},
-                  .broken = faults_of(summary),
+                  .broken = faults_of(run),
                   .brief = fmt::format("largest errors: implementation {} px, truncation {} px, model {} px",
                                        number(summary.implementation_px), number(summary.truncation_px),
                                        number(summary.model_px))};
@@ -220,7 +225,7 @@ Verdict verdict_of(const DriftReport& report, bool lists_all) {
       verdict.text.emplace_back(fmt::format("  ... {} more; --verbose lists them", more));
   };
   if (!run.note.empty()) verdict.text.emplace_back("  " + run.note);
-  verdict.text.emplace_back(whole_text(report));
+  verdict.text.emplace_back(whole_text(run));
   if (summary.arcs > 0)
     add_list(with(shown_columns(kArcColumns, run.arcs, lines_max),
                   shown_columns(kReferenceArcColumns, run.arcs, lines_max)),
@@ -231,29 +236,23 @@ Verdict verdict_of(const DriftReport& report, bool lists_all) {
     add_list(shown_columns(kImpactColumns, run.contacts, lines_max), summary.contacts);
   if (summary.arcs + summary.contacts > 0) verdict.text.emplace_back(worst_text(summary));
   if (summary.arcs > 0 && run.model.gravity_px_per_s2 > 0.0)
-    verdict.text.emplace_back(causes_text(summary, run.model));
+    verdict.text.emplace_back(causes_text(summary.causes));
   if (summary.effective_restitution.count() > 0)
     verdict.text.emplace_back(restitution_text(summary.effective_restitution, run.model));
-  verdict.text.emplace_back(start_text({run.margin, report.contact_chance}, lists_all));
+  verdict.text.emplace_back(start_text(run.margin, lists_all));
   if (is_knife_edge(run.margin))
     verdict.text.emplace_back("  KNIFE EDGE   rounding alone can change a contact");
   verdict.text.emplace_back(reference_text(run));
   if (const std::vector<std::string> items = not_computed(report); !items.empty())
     verdict.text.emplace_back(wrapped("not computed", items));
-  if (!report.step_ns) return verdict;
-  verdict.text.emplace_back(speed_table(report));
-  if (!report.half_dt.run)
-    verdict.text.emplace_back("  half dt      not measured: " + report.half_dt.why_not);
-  if (!converges(report))
-    verdict.text.emplace_back(
-        "  model error  does not converge: the paper's step applies drag once a frame, however short");
+  if (report.half_dt) verdict.text.emplace_back(half_error_text(*report.half_dt, run));
   return verdict;
 }
 
 // A text that is missing is null.
 Column text_or_null(const std::string& name, std::string_view text) {
   if (!text.empty()) return column_of_one(name, "", text);
-  return column_of_one(name, "", Table{.columns = {}, .shape = JsonShape::one});
+  return column_of_one(name, "", Table{.columns = {}, .form = JsonForm::one});
 }
 
 Column energy_member(const std::string& name, double energy_px2_per_s2) {
@@ -263,17 +262,21 @@ Column energy_member(const std::string& name, double energy_px2_per_s2) {
 }
 
 Table members(std::vector<Column> columns) {
-  return {.columns = std::move(columns), .shape = JsonShape::members};
+  return {.columns = std::move(columns), .form = JsonForm::members};
 }
 
 Table whole_member(const WholeOutcome& whole) {
   Table table = whole_table(whole);
-  if (whole.run) table.columns.push_back(column_of_one("reference", "", "exact fling"));
+  if (!whole.run) return table;
+  table.long_name = "the whole run against the exact fling, with bounds that hold for certain";
+  table.columns = with(std::move(table.columns), columns_of(kEnclosureColumns, std::vector{*whole.run}));
+  table.columns.push_back(text_or_null("enclosure_why", whole.enclosure_why));
+  table.columns.push_back(column_of_one("reference", "", "exact fling"));
   return table;
 }
 
 Table restitution_member(const Spread& spread) {
-  Table table{.name = "effective_restitution", .columns = {}, .shape = JsonShape::one};
+  Table table{.name = "effective_restitution", .columns = {}, .form = JsonForm::one};
   if (spread.count() > 0)
     table.columns = {
         column_of_one("median", "1", spread.median()), column_of_one("smallest", "1", spread.smallest()),
@@ -281,16 +284,34 @@ Table restitution_member(const Spread& spread) {
   return table;
 }
 
-Table half_dt_member(const HalfDt& half) {
-  Table table{.name = "half_dt", .columns = {}, .shape = JsonShape::one};
-  if (half.run)
-    table.columns = {column_of_one("steps", "1", step_count(half.run->scenario)),
-                     column_of_one("step", "ns", half.step_ns),
-                     column_of_one("worst", "", worst_table("worst", half.run->summary, &Worst::value))};
+Table causes_member(const DriftRun& run) {
+  Table table{.name = "by_cause", .columns = {}, .form = JsonForm::one};
+  const EnergyCauses& causes = run.summary.causes;
+  if (run.model.gravity_px_per_s2 > 0.0)
+    table.columns = {
+        column_of_one("gravity", "px", causes.gravity), column_of_one("drag", "px", causes.drag),
+        column_of_one("lift", "px", causes.lift),       column_of_one("restitution", "px", causes.bounce),
+        column_of_one("sum", "px", causes.sum()),       column_of_one("not_explained", "px", causes.flight)};
+  return table;
+}
+
+Table half_dt_member(const std::optional<HalfDt>& half) {
+  Table table{.name = "half_dt", .columns = {}, .form = JsonForm::one};
+  if (half && half->run)
+    table.columns = {column_of_one("steps", "1", step_count(half->run->scenario)),
+                     column_of_one("worst", "", worst_table("worst", half->run->summary, &Worst::value))};
   return table;
 }
 
 }  // namespace
+
+void require_reached(const DriftRun& run) {
+  if (run.summary.reference_faults == 0 || run.is_checked_by_default) return;
+  refuse_input(
+      fmt::format("{}: {}: this stepper does not reach the closed form, in {}; to check it, leave out "
+                  "--stepper and --tolerance",
+                  run.scenario.name, run.checked_by, reference_faults_text(run.summary)));
+}
 
 Result drift_result(const DriftReport& report, bool lists_all) {
   const DriftRun& run = report.run;
@@ -301,8 +322,10 @@ Result drift_result(const DriftReport& report, bool lists_all) {
           whole_member(run.whole),
           members({text_or_null("whole_why", run.whole.why_not),
                    column_of_one("skipped_arcs", "1", summary.skipped_arcs)}),
-          {.name = "arcs", .columns = arc_columns(run)},
-          {.name = "contacts", .columns = columns_of(kImpactColumns, run.contacts)},
+          {.name = "arcs", .long_name = "flights without contact or input", .columns = arc_columns(run)},
+          {.name = "contacts",
+           .long_name = "contacts of the run",
+           .columns = columns_of(kImpactColumns, run.contacts)},
           sensitivity_table(run.margin.sensitivity),
           worst_table("worst", summary, &Worst::value),
           worst_table("worst_step", summary, &Worst::step),
@@ -310,14 +333,14 @@ Result drift_result(const DriftReport& report, bool lists_all) {
                    column_of_one("contacts_measured", "1", summary.contacts),
                    energy_member("reference_energy", summary.reference_energy_px2_per_s2),
                    energy_member("unlisted_energy", summary.unlisted_energy_px2_per_s2)}),
+          causes_member(run),
           restitution_member(summary.effective_restitution),
-          margin_table({run.margin, report.contact_chance}),
+          margin_table(run.margin),
           members({column_of_one("differing_steps", "1", summary.differing_steps),
                    column_of_one("reference_faults", "1", summary.reference_faults),
                    text_or_null("first_reference_fault", summary.first_reference_fault),
                    column_of_one("non_finite_step", "", summary.non_finite_step)}),
-          {.name = "not_computed", .columns = {{.values = not_computed(report)}}, .shape = JsonShape::values},
-          members({column_of_one("step", "ns", report.step_ns)}),
+          {.name = "not_computed", .columns = {{.values = not_computed(report)}}, .form = JsonForm::values},
           half_dt_member(report.half_dt)}};
 }
 

@@ -1,4 +1,4 @@
-#include "tools/app/core/paper_model.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/drift/drift.h"
 
 #include <fmt/format.h>
@@ -36,11 +36,13 @@ DriftRecorder::DriftRecorder(const Scenario& scenario, const Model& model, const
       solver_(options.gsl ? gsl_flight(*options.gsl, model) : nullptr),
       meter_(scenario, inputs_of(scenario, step_count(scenario)), *this, solver_.get(), model),
       margin_(scenario, inputs_of(scenario, step_count(scenario)), model),
-      whole_(scenario, inputs_of(scenario, step_count(scenario)), model,
-             options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows_.add(row); })
-                                : nullptr) {
+      whole_(
+          scenario, inputs_of(scenario, step_count(scenario)), model,
+          options.keeps_rows ? std::function([this](const WholeRow& row) { whole_rows_.add(row); }) : nullptr,
+          options.encloses) {
   run_.scenario = scenario;
   run_.model = model;
+  run_.is_checked_by_default = !options.gsl || *options.gsl == GslOptions{};
   if (options.gsl)
     run_.checked_by =
         fmt::format("GSL {}, tolerance {:g}",
@@ -67,7 +69,7 @@ DriftRun DriftRecorder::finish(std::int64_t steps, double simulated_s) {
   run_.simulated_s = simulated_s;
   run_.summary = meter_.finish();
   run_.margin = margin_.margin();
-  run_.whole = whole_.outcome();
+  run_.whole = whole_.finish();
   if (run_.whole.run) run_.whole.run->secular_px_per_s = run_.summary.secular_px_per_s;
   return std::move(run_);
 }
@@ -137,8 +139,10 @@ std::optional<GslOptions> gsl_options(const ReferenceRequest& request, const std
   return options;
 }
 
-ExitCode drift_exit_code(const DriftSummary& summary) {
-  if (summary.reference_faults > 0) return ExitCode::program_fault;
+ExitCode drift_exit_code(const DriftRun& run) {
+  const DriftSummary& summary = run.summary;
+  if (run.whole.is_fault || (summary.reference_faults > 0 && run.is_checked_by_default))
+    return ExitCode::program_fault;
   const bool holds = !summary.non_finite_step && summary.differing_steps == 0;
   return holds ? ExitCode::agreed : ExitCode::disagreed;
 }

@@ -18,15 +18,6 @@ std::string rounded_down(double value) {
   return fmt::format("{:g}", rounded);
 }
 
-std::string chance_text(const ContactChance& chance) {
-  const std::string within = fmt::format("within ±{:g} px of the start, ", chance.within_px);
-  if (chance.changed.of == 0) return within + "no contact changes";
-  return within +
-         fmt::format("contacts change for {:.2g} % of starts ({:.2g} .. {:.2g} %; {} starts, seed {})",
-                     100.0 * chance.chance(), 100.0 * chance.low(), 100.0 * chance.high(), chance.changed.of,
-                     chance.seed);
-}
-
 // Of the end to the start, as long as no contact changes.
 std::string sensitivity_text(const Sensitivity& sensitivity) {
   const std::vector<std::string> names = {"x", "y", "vx", "vy"};
@@ -40,23 +31,12 @@ std::string sensitivity_text(const Sensitivity& sensitivity) {
 }
 
 Table decision_table(const std::optional<NearestDecision>& nearest) {
-  Table table{.columns = {}, .shape = JsonShape::one};
+  Table table{.columns = {}, .form = JsonForm::one};
   if (nearest)
     table.columns = {
         column_of_one("decision", "", kDecisionNames[static_cast<std::size_t>(nearest->decision)]),
         column_of_one("step", "", nearest->step), column_of_one("taken", "", nearest->is_taken)};
   return table;
-}
-
-Table chance_table(const ContactChance& chance) {
-  return {.columns = {column_of_one("within", "px", chance.within_px),
-                      column_of_one("chance", "1", chance.chance()), column_of_one("low", "1", chance.low()),
-                      column_of_one("high", "1", chance.high()),
-                      column_of_one("drawn_part", "1", chance.drawn_part),
-                      column_of_one("starts", "1", chance.changed.of),
-                      column_of_one("changed", "1", chance.changed.count),
-                      column_of_one("steps", "1", chance.steps), column_of_one("seed", "", chance.seed)},
-          .shape = JsonShape::one};
 }
 
 }  // namespace
@@ -74,32 +54,24 @@ std::string margin_text(const Margin& margin) {
                      margin.nearest->step);
 }
 
-std::string start_text(const StartDependence& start, bool all) {
-  std::string text = "  " + margin_text(start.margin);
-  if (start.contact_chance) text += "\n  " + chance_text(*start.contact_chance);
-  if (all) text += "\n" + sensitivity_text(start.margin.sensitivity);
-  return text;
+std::string start_text(const Margin& margin, bool all) {
+  return "  " + margin_text(margin) + (all ? "\n" + sensitivity_text(margin.sensitivity) : "");
 }
 
 Table sensitivity_table(const Sensitivity& sensitivity) {
   std::vector<Table> rows;
   for (const auto& row : sensitivity)
-    rows.push_back(
-        {.columns = {{.values = std::vector(row.begin(), row.end())}}, .shape = JsonShape::values});
-  return {.name = "sensitivity", .columns = {{.values = rows}}, .shape = JsonShape::values};
+    rows.push_back({.columns = {{.values = std::vector(row.begin(), row.end())}}, .form = JsonForm::values});
+  return {.name = "sensitivity", .columns = {{.values = rows}}, .form = JsonForm::values};
 }
 
-Table margin_table(const StartDependence& start) {
-  const Margin& margin = start.margin;
-  Table table{.name = "margin",
-              .columns = {column_of_one("half_width", "", margin.half_width),
-                          column_of_one("nearest_decision", "", decision_table(margin.nearest)),
-                          column_of_one("sensitivity", "", sensitivity_table(margin.sensitivity)),
-                          column_of_one("sensitivity_norm", "", margin.sensitivity_norm)},
-              .shape = JsonShape::one};
-  if (start.contact_chance)
-    table.columns.push_back(column_of_one("contact_change", "", chance_table(*start.contact_chance)));
-  return table;
+Table margin_table(const Margin& margin) {
+  return {.name = "margin",
+          .columns = {column_of_one("half_width", "", margin.half_width),
+                      column_of_one("nearest_decision", "", decision_table(margin.nearest)),
+                      column_of_one("sensitivity", "", sensitivity_table(margin.sensitivity)),
+                      column_of_one("sensitivity_norm", "", margin.sensitivity_norm)},
+          .form = JsonForm::one};
 }
 
 }  // namespace hyrax

@@ -8,7 +8,7 @@
 #include "sim/study/reference_model.h"
 #include "sim/trajectory/waypoints.h"
 #include "tools/app/core/accepted_core.h"
-#include "tools/app/core/paper_model.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/drift/start_dependence.h"
 #include "tools/files/path.h"
 #include "tools/files/summary_text.h"
@@ -47,7 +47,7 @@ void send_decisive_rows(const Core& core, const StoredRun& run, RowSink& sink) {
   static_cast<void>(replay->finish());
 }
 
-// Empty for a core of another shape: the margin is measured by the paper's laws.
+// Empty for a core with another step: the margin is measured by the paper's laws.
 std::string margin_in_summary(const Core& core, const FreshRun& fresh) {
   const StoredRun& run = fresh.run;
   if (!run.constants) return "";
@@ -91,6 +91,7 @@ std::vector<Core> cores_of(const StoredRun& kept, const GoldenPlace& place) {
   return cores;
 }
 
+// Judges a pair that the summary's hash does not decide, by all that the .h5 file has.
 PairComparison read_and_compare(const Core& core, const Scenario& scenario, const GoldenPlace& place,
                                 const std::string& text, FreshRun fresh, const std::string& h5_checksum) {
   StoredRun kept = read_golden(place.h5_path);
@@ -99,31 +100,36 @@ PairComparison read_and_compare(const Core& core, const Scenario& scenario, cons
   pair.is_proved = false;
   const std::optional<std::string> blessed_checksum = summary_file_checksum(text);
   const bool is_blessed_file = !blessed_checksum || *blessed_checksum == h5_checksum;
+  // The run was played twice: for `fresh`, and against the kept rows.
   const bool is_repeated = fresh.run.state_hash == hex(pair.summary.state_hash);
   const bool is_same_scenario = plays_the_same(kept.scenario, scenario);
+  // Another scenario is a difference of its own, unless the file was edited: then it contradicts itself.
   if (is_repeated && !is_blessed_file && !is_same_scenario && !gives_its_rows(core, kept)) {
     pair.gives_its_rows = false;
     refuse_pair(pair.comparison, changed_text(place.h5_path + ": its scenario does not give its rows"));
     return pair;
   }
   const bool is_same_run = is_same_scenario && !pair.comparison.first && pair.comparison.contacts.is_none();
-  // A file that is as it was blessed does not contradict itself.
+  // Only of a file as it was blessed is the hash that of its rows.
   const bool has_other_hash = blessed_checksum == h5_checksum && kept.state_hash != fresh.run.state_hash;
   if (!is_repeated)
     refuse_pair(pair.comparison, std::string(kNotRepeated));
   else if (has_other_hash && is_same_run && kept.steps == fresh.run.steps)
     refuse_pair(pair.comparison, "the state hash differs, but no row that was compared");
-  // Of the same rows, as they were blessed, another core tells contacts its own way: they are no difference.
+  // The file is as it was blessed, by another core whose run had the same hash: where only the contacts
+  // differ, the two cores find them in the same rows by other means, which is no difference.
   const std::optional<Divergence>& first = pair.comparison.first;
   const bool is_told_otherwise = is_repeated && is_same_scenario && blessed_checksum == h5_checksum &&
                                  kept.state_hash == fresh.run.state_hash &&
                                  (!first || first->field.starts_with("contacts/")) &&
-                                 summary_core(text) != program_core(core).name();
+                                 summary_core(text) != core.record.checksum();
   if (is_told_otherwise) pair.comparison = {};
+  // What remains different gets a cause, for which both runs are needed.
   if (!is_repeated || has_other_hash || !(is_same_run || is_told_otherwise))
     pair.runs = std::make_shared<const PairRuns>(
         PairRuns{std::move(kept), std::move(fresh.run), is_blessed_file, summary_core(text), is_repeated});
   if (!pair.comparison.agrees) return pair;
+  // The runs agree; so must the text and the attributes beside them.
   if (const auto fault = fault_in(text, kept, blessed_checksum.value_or(h5_checksum), is_blessed_file, place))
     refuse_pair(pair.comparison, changed_text(*fault));
   else if (!is_blessed_file)
@@ -131,6 +137,7 @@ PairComparison read_and_compare(const Core& core, const Scenario& scenario, cons
                 ": its provenance or its layout differs";
   else
     pair.note = pair.comparison.physics;
+  pair.is_kept = pair.comparison.agrees && pair.note.empty() && kept.scenario.name == scenario.name;
   return pair;
 }
 
@@ -143,12 +150,18 @@ bool has_core_constants(const Core& core, const StoredRun& kept) {
 }  // namespace
 
 std::string summary_of(const Core& core, const FreshRun& fresh, const std::string& reason,
-                       const std::string& h5_checksum) {
+                       const std::string& h5_checksum, const std::string& core_name) {
   WaypointMeter waypoints(step_count(fresh.run.scenario));
   static_cast<void>(replay(core, fresh.run.scenario, waypoints));
   return golden_summary_text(fresh.run, fresh.summary, waypoints.take(), reason,
                              margin_in_summary(core, fresh),
-                             {contents_checksum(fresh.run), h5_checksum, program_core(core).name()});
+                             {contents_checksum(fresh.run), h5_checksum, core_name});
+}
+
+std::string renewed_summary(const Core& core, const Scenario& scenario, const GoldenPlace& place) {
+  const std::string text = read_text_file(place.txt_path);
+  return summary_of(core, play_for_golden(core, scenario, core), summary_reason(text),
+                    file_checksum(place.h5_path), summary_core(text));
 }
 
 std::optional<PairComparison> compare_with_pair(const Core& core, const Scenario& scenario,

@@ -24,6 +24,8 @@ struct PairRuns {
 
 struct PairComparison : ComparedRun {
   bool is_proved = true;  ///< By the checksums of the summary, which say that nothing else differs.
+  /// A pair that agrees, as it was blessed, under the same name: nothing of it is to be written.
+  bool is_kept = false;
   /// For a pair that agrees: a note if the bytes of its .h5 file do not have the checksum in the summary.
   std::string note{};
   bool gives_its_rows = true;  ///< False: the scenario in the .h5 file was changed since it was blessed.
@@ -57,8 +59,12 @@ struct PairVerdict : PairComparison {
 [[nodiscard]] bool is_h5_current(const Core& core, const Scenario& scenario, const GoldenPlace& place);
 
 /// The summary that is blessed with a run of this program's core.
-/// @param h5_checksum file_checksum of the .h5 file.
+/// @param h5_checksum file_checksum of the .h5 file. @param core_name that the summary names.
 [[nodiscard]] std::string summary_of(const Core& core, const FreshRun& fresh, const std::string& reason,
-                                     const std::string& h5_checksum);
+                                     const std::string& h5_checksum, const std::string& core_name);
+
+/// The summary of a pair that agrees as it is written now, with its own reason and core.
+[[nodiscard]] std::string renewed_summary(const Core& core, const Scenario& scenario,
+                                          const GoldenPlace& place);
 
 }  // namespace hyrax

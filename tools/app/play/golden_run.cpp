@@ -9,6 +9,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/app/expect/judged_run.h"
+#include "tools/app/play/played_rows.h"
 #include "tools/files/scenario_changes.h"
 
 namespace hyrax {
@@ -28,8 +29,6 @@ class BlockSink : public RowSink {
 };
 
 constexpr std::size_t kContactsHeldMax = 1 << 16;
-// A golden file of any origin may say that it is of a run far longer than the scenario's.
-constexpr std::int64_t kStepsRestoredMax = 20'000'000;
 
 // Keeps all contacts up to a limit; beyond it, only the last step of each.
 class FreshRecorder final : public RunRecorder {
@@ -83,15 +82,39 @@ RowBlock expand(const std::vector<Core>& cores, const Scenario& scenario, const 
   return rows;
 }
 
-// Since when a stored run has settled; nothing if it has not, or if its rows are neither stored nor restored.
-std::optional<double> settled_since_s(const std::vector<Core>& cores, const StoredRun& kept,
-                                      std::int64_t steps_played) {
-  if (kept.blocks.empty()) return at_rest_since_s(kept.rows);
-  if (step_count(kept.scenario) > std::max(steps_played, kStepsRestoredMax)) return std::nullopt;
-  for (const Core& core : cores)
-    if (const RunSummary summary = replay(core, kept.scenario); hex(summary.state_hash) == kept.state_hash)
-      return summary.at_rest_since_s;
-  return std::nullopt;
+// A core that gives the stored run again, and what it comes to; nothing where none does.
+struct RestoredRun {
+  const Core* core = nullptr;
+  RunSummary summary = {};
+};
+RestoredRun restored(const std::vector<Core>& cores, const StoredRun& kept, std::int64_t steps_played) {
+  if (step_count(kept.scenario) <= std::max(steps_played, kRowsPlayedMax))
+    for (const Core& core : cores)
+      if (const RunSummary summary = replay(core, kept.scenario); hex(summary.state_hash) == kept.state_hash)
+        return {&core, summary};
+  return {};
+}
+
+// What a comparison by rows and blocks does not say.
+void measure_whole(const Core& core, const StoredRun& kept, const Scenario& scenario,
+                   const std::vector<Core>& restoring, Comparison& comparison) {
+  RestoredRun whole;
+  if (!kept.blocks.empty()) whole = restored(restoring, kept, step_count(scenario));
+  RunEnd& end = comparison.expected_end;
+  end.is_rest_known = kept.blocks.empty() || whole.core != nullptr;
+  end.settled_since_s = kept.blocks.empty() ? at_rest_since_s(kept.rows) : whole.summary.at_rest_since_s;
+  Distance& distance = comparison.distance;
+  if (!distance.is_at_equal_times) return;
+  if (!end.is_rest_known) {
+    distance.largest.reset();
+    distance.has_unknown_rows = true;
+    return;
+  }
+  const RowBatches rows =
+      whole.core != nullptr ? played_rows(*whole.core, kept.scenario) : batches_of(kept.rows);
+  distance = walk_equal_times({rows, kept.inputs},
+                              {played_rows(core, scenario), inputs_of(scenario, step_count(scenario))});
+  if (std::min(kept.steps, step_count(scenario)) > kRowsPlayedMax) distance.rows_max = kRowsPlayedMax;
 }
 
 }  // namespace
@@ -99,20 +122,22 @@ std::optional<double> settled_since_s(const std::vector<Core>& cores, const Stor
 ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario& scenario,
                          std::vector<Core> restoring) {
   restoring.push_back(core);
-  RunComparer comparer(kept,
-                       [&](const StoredBlock& block) { return expand(restoring, kept.scenario, block); });
+  RunComparer comparer(
+      kept, [&](const StoredBlock& block) { return expand(restoring, kept.scenario, block); },
+      kept.walls_of_rows ^ core.walls_of_rows);
   const RunSummary summary = replay(core, scenario, comparer, judged_options(scenario));
   ComparedRun compared{comparer.finish(scenario, core.name, summary), summary};
   if (const std::string changes = scenario_changes(kept.scenario, scenario); !changes.empty())
     compared.comparison.shape += ": " + changes;
-  if (!compared.comparison.agrees && summary.at_rest_since_s &&
-      settled_since_s(restoring, kept, summary.steps))
-    compared.comparison.rest_shift_px = distance_px(state_of(kept.final), state_of(summary.final));
+  if (compared.comparison.agrees)
+    compared.comparison.expected_end = compared.comparison.actual_end;
+  else
+    measure_whole(core, kept, scenario, restoring, compared.comparison);
   return compared;
 }
 
 bool gives_its_rows(const Core& core, const StoredRun& kept) {
-  return kept.steps <= kStepsRestoredMax && step_count(kept.scenario) == kept.steps &&
+  return kept.steps <= kRowsPlayedMax && step_count(kept.scenario) == kept.steps &&
          compare_with(core, kept, kept.scenario).comparison.agrees;
 }
 
@@ -130,6 +155,8 @@ FreshRun play_for_golden(const Core& core, const Scenario& scenario, const Core&
   run.scenario = scenario;
   run.physics = core.name;
   run.constants = core.constants;
+  run.core = core.record.checksum();
+  run.walls_of_rows = core.walls_of_rows;
   run.steps = summary.steps;
   run.state_hash = hex(summary.state_hash);
   run.final = summary.final;

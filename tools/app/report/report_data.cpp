@@ -5,8 +5,8 @@
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/physics_model.h"
 #include "sim/trajectory/state_hash.h"
-#include "tools/app/core/paper_model.h"
-#include "tools/app/diff/difference_text.h"
+#include "tools/app/comparison/comparison_text.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/diff/trajectory_diff.h"
 #include "tools/app/drift/drift.h"
 #include "tools/app/expect/judged_run.h"
@@ -23,6 +23,7 @@ namespace hyrax {
 namespace {
 
 constexpr std::size_t kInputsShownMax = 5'000;
+constexpr std::size_t kContactsShownMax = 500;  // As many as the page draws.
 constexpr std::size_t kScenarioTextMax = 200'000;
 
 std::string base64(std::string_view bytes) {
@@ -128,17 +129,28 @@ Json errors_json(const DriftSummary& summary) {
                       {"energy_drift_rel", value(summary.energy_drift_rel_max)}};
 }
 
-Json comparison_json(const TrajectoryDiff& difference, const std::string& against) {
+// Of a core that the page does not replay. NaN: not known.
+Json contacts_json(const std::vector<Contact>& contacts) {
+  const std::span<const Contact> shown(contacts.data(), std::min(contacts.size(), kContactsShownMax));
+  Json::Object object;
+  for (const ColumnOf<Contact>& column : kContactColumns) {
+    std::vector<double> values;
+    for (const Contact& contact : shown)
+      values.push_back(column.number(contact).value_or(std::numeric_limits<double>::quiet_NaN()));
+    object.emplace_back(column.name, doubles_json(values));
+  }
+  return object;
+}
+
+Json golden_json(const TrajectoryDiff& difference, const std::string& against) {
   const Comparison& comparison = difference.comparison;
-  return Json::Object{{"file", against},
-                      {"agrees", comparison.agrees},
-                      {"class", comparison.difference ? Json(name_of(*comparison.difference)) : Json()},
-                      {"shape", comparison.shape},
-                      {"first_divergence", divergence_json(comparison.first)},
-                      {"max_px", max_px_json(comparison)},
-                      {"is_by_time", difference.is_by_time},
-                      {"contacts_moved", comparison.contacts.total()},
-                      {"rows_compared", difference.rows_compared}};
+  Json::Object object = comparison_json(comparison);
+  object.insert(object.end(), {{"file", against},
+                               {"agrees", comparison.agrees},
+                               {"shape", comparison.shape},
+                               {"is_by_time", comparison.distance.is_at_equal_times},
+                               {"rows_compared", difference.rows_compared}});
+  return object;
 }
 
 Json expectation_line(const Expectation& expectation) {
@@ -163,12 +175,17 @@ ScenarioRun played(const Core& core, const TrajectoryFile& file) {
   return run;
 }
 
+Json provenance_json(const Provenance& provenance) {
+  Json::Object object;
+  for (std::size_t index = 0; index < provenance.size(); ++index)
+    if (provenance[index]) object.emplace_back(kProvenanceNames[index], *provenance[index]);
+  return object;
+}
+
 Json run_data(const Core& core, const TrajectoryFile& file) {
   const FileHead& head = file.head();
   const ScenarioRun run = played(core, file);
   const Evidence evidence = evidence_of(core, file);
-  Json::Object provenance;
-  add_provenance(provenance, file.provenance());
   Json::Object data{{"file", file.path()},
                     {"name", head.scenario.name},
                     {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
@@ -181,13 +198,14 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
                     {"record", doubles_json(record_of(head.scenario))},
                     {"rows", rows_json(evidence.rows)},
                     {"blocks", blocks_json(evidence.blocks)},
+                    {"contacts", is_paper_model(core.name) ? Json() : contacts_json(file.contacts())},
                     {"inputs", inputs_json(file.inputs())},
                     {"result", run_json(core, run)},
                     {"expect", list_of(run.expectations, expectation_line)},
                     {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
                     {"non_finite", non_finite_text(head.scenario, run.summary.final)},
                     {"margin", run.drift ? margin_text(run.drift->margin) : ""},
-                    {"provenance", std::move(provenance)}};
+                    {"provenance", provenance_json(file.provenance())}};
   const std::string text = scenario_file_text(head.scenario);
   if (text.size() <= kScenarioTextMax) data.emplace_back("scenario_text", text);
   return data;
@@ -210,11 +228,6 @@ Json inputs_json(const std::vector<Input>& inputs) {
   return list;
 }
 
-void add_provenance(Json::Object& object, const Provenance& provenance) {
-  for (std::size_t index = 0; index < provenance.size(); ++index)
-    if (provenance[index]) object.emplace_back(kProvenanceNames[index], *provenance[index]);
-}
-
 Json report_data(const Core& core, const ReportRequest& request) {
   Json::Array runs;
   std::optional<TrajectoryFile> against;
@@ -225,10 +238,9 @@ Json report_data(const Core& core, const ReportRequest& request) {
     const TrajectoryFile file = TrajectoryFile::open(path);
     require_own_core(core, path, file.head().physics);
     Json run = run_data(core, file);
-    run.get<Json::Object>()->emplace_back("cause", request.cause);
     if (against)
       run.get<Json::Object>()->emplace_back(
-          "golden", comparison_json(diff_trajectories(*against, file, {}, nullptr), request.against));
+          "golden", golden_json(diff_trajectories(core, *against, file, {}, nullptr), request.against));
     runs.push_back(std::move(run));
   }
   Json::Object data{

@@ -7,25 +7,27 @@
 
 #include "sim/replay/fingerprint.h"
 #include "sim/trajectory/physics_model.h"
+#include "tools/app/command_line/shell_command.h"
 #include "tools/files/failure.h"
 #include "tools/report/page_file.h"
-#include "tools/report/svg.h"
+#include "tools/store/ensemble_file.h"
+#include "tools/store/table_file.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
 namespace {
 
 // Whether the page replays what it shows.
-bool write_results(const Core& core, const ReportRequest& request) {
+bool write_sweeps(const Core& core, const ReportRequest& request) {
   if (!request.against.empty())
     refuse_input("hyrax-sim report: --against: allowed for trajectories only (found " +
                  request.files.front() + ")");
   std::vector<ShownResult> results;
   for (const std::string& path : request.files) {
-    if (!holds_results(path))
-      refuse_input(path + ": is not a file of a study or a sweep, as " + request.files.front() +
-                   " is; a page shows either trajectories or these");
-    results.push_back(result_of_file(core, path));
+    if (format_of_file(path) != kEnsembleFormat)
+      refuse_input(path + ": is not a sweep's file, as " + request.files.front() +
+                   " is; a page shows either trajectories or sweeps");
+    results.push_back(sweep_result(core, path));
   }
   write_result_page(request.output, request.command, results);
   return !std::ranges::all_of(results, &Json::is_null, &ShownResult::members);
@@ -63,24 +65,20 @@ std::string picture(const TrajectoryFile& file) {
       std::max(scenario.window.width_px, 1), std::max(scenario.window.height_px, 1), points);
 }
 
-std::string line(std::string_view tag, std::string_view text) {
-  return text.empty() ? "" : fmt::format("<{0}>{1}</{0}>\n", tag, escaped(text));
-}
-
 // Of the data that this program made.
 const std::string& text_at(const Json& object, std::string_view key) { return *object.get<std::string>(key); }
 bool is_true(const Json& object, std::string_view key) { return *object.get<bool>(key); }
 
 std::string verdict(const Json& run) {
-  std::string html = line("p", text_at(run, "cause"));
+  std::string html;
   if (const std::string where = text_at(run, "non_finite"); !where.empty())
-    html += line("p", where + "; the run ended there");
+    html += html_line("p", where + "; the run ended there");
   if (const Json* const golden = run.find("golden"))
-    html +=
-        line("p", is_true(*golden, "agrees") ? "Agrees with the golden file, bit for bit."
-                                             : "Differs from the golden file: " + text_at(*golden, "class"));
+    html += html_line("p", is_true(*golden, "agrees")
+                               ? "Agrees with the golden file, bit for bit."
+                               : "Differs from the golden file: " + text_at(*golden, "class"));
   for (const Json& each : *run.get<Json::Array>("expect"))
-    html += line("p", (is_true(each, "holds") ? "holds: " : "does not hold: ") + text_at(each, "text"));
+    html += html_line("p", (is_true(each, "holds") ? "holds: " : "does not hold: ") + text_at(each, "text"));
   return html;
 }
 
@@ -91,15 +89,20 @@ std::string still_html(const ReportRequest& request, const Json& data) {
   const auto& runs = *data.get<Json::Array>("runs");
   for (std::size_t index = 0; index < runs.size(); ++index) {
     const Json& run = runs[index];
-    html += line("h1", text_at(run, "name")) + line("p", text_at(run, "title")) + verdict(run) +
+    html += html_line("h1", text_at(run, "name")) + html_line("p", text_at(run, "title")) + verdict(run) +
             picture(TrajectoryFile::open(request.files[index]));
   }
   return html;
 }
 
 void write_report(const Core& core, const ReportRequest& request) {
-  if (holds_results(request.files.front())) {
-    if (write_results(core, request)) require_core_of_page(core, request.output);
+  const std::string& first = request.files.front();
+  const std::string format = format_of_file(first);
+  if (format == kStudyFormat)
+    refuse_input(first + ": is a file of a study; its page: " +
+                 program_command({"study", "NAME", "--report", "FILE.html"}));
+  if (format == kEnsembleFormat) {
+    if (write_sweeps(core, request)) require_core_of_page(core, request.output);
     return;
   }
   const Json data = report_data(core, request);  // First: a bad input is reported by any build.

@@ -8,7 +8,6 @@
 #include "sim/scenario/schedule.h"
 #include "tools/files/json.h"
 #include "tools/report/result_page.h"
-#include "tools/store/provenance.h"
 
 namespace hyrax {
 
@@ -20,19 +19,14 @@ struct ReportRequest {
   std::string against;             ///< The trajectory that they are compared with; empty: none.
   std::string output;              ///< FILE.html.
   std::string command;             ///< What made it, for the page.
-  std::string cause = {};          ///< Why it differs, a sentence; empty: unknown.
 };
 
 /// The data of the page: the runs, their verdicts, and the rows that it must replay bit for bit.
 /// ERRORS: as TrajectoryFile::open's.
 [[nodiscard]] Json report_data(const Core& core, const ReportRequest& request);
 
-/// Whether the file is a study's or a sweep's. ERRORS: Failure(cannot_access) if it cannot be read.
-[[nodiscard]] bool holds_results(const std::string& path);
-
-/// A study's or a sweep's file as the page of results shows it.
-/// ERRORS: as read_study_file's and EnsembleReader's.
-[[nodiscard]] ShownResult result_of_file(const Core& core, const std::string& path);
+/// A sweep's file as its page shows it. ERRORS: as EnsembleReader's.
+[[nodiscard]] ShownResult sweep_result(const Core& core, const std::string& path);
 
 /// What the page of trajectories shows without JavaScript: of each run its name, verdict and path.
 [[nodiscard]] std::string still_html(const ReportRequest& request, const Json& data);
@@ -43,12 +37,9 @@ struct ReportRequest {
 /// The inputs of a run: all resizes, which the drawing needs, and the first of the others.
 [[nodiscard]] Json inputs_json(const std::vector<Input>& inputs);
 
-/// What made a file, as members by name.
-void add_provenance(Json::Object& object, const Provenance& provenance);
-
-/// Writes the page of trajectories, or of studies and sweeps if the first file is one.
-/// ERRORS: as report_data's, result_of_file's and write_page_file's; Failure(bad_input) if files of both
-/// kinds are given, or studies are to be compared.
+/// Writes the page of trajectories, or of sweeps if the first file is one.
+/// ERRORS: as report_data's, sweep_result's and write_page_file's; Failure(bad_input) if files of both kinds
+/// are given, sweeps are to be compared, or the first file is a study's.
 void write_report(const Core& core, const ReportRequest& request);
 
 }  // namespace hyrax

@@ -7,12 +7,13 @@
 #include "sim/result/number_text.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/shell_command.h"
-#include "tools/app/diff/difference_text.h"
+#include "tools/app/comparison/comparison_text.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/play/play_with_progress.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
+#include "tools/files/summary_text.h"
 #include "tools/files/table_text.h"
 
 namespace hyrax {
@@ -31,7 +32,7 @@ Coverage coverage_of(const Core& core, const ScenarioRun& run) {
   const auto add = [&](bool is_exercised, const char* name) {
     (is_exercised ? coverage.exercised : coverage.never_touched).emplace_back(name);
   };
-  const bool is_paper = core.constants.has_value();  // Of another shape only the walls are known.
+  const bool is_paper = core.constants.has_value();  // Of another step only the walls are known.
   if (is_paper) {
     add(summary.had_gravity, "gravity");
     add(summary.had_drag, "drag");
@@ -84,11 +85,18 @@ Json golden_json(const ScenarioRun& run) {
   if (run.golden_path.empty()) return nullptr;
   const char* const status = !run.comparison ? "missing" : run.comparison->agrees ? "agreed" : "disagreed";
   Json::Object object{{"file", run.golden_path}, {"status", status}};
-  if (run.comparison && run.comparison->difference) {
-    object.emplace_back("class", name_of(*run.comparison->difference));
-    object.emplace_back("first_divergence", divergence_json(run.comparison->first));
-  }
+  if (run.comparison && !run.comparison->agrees)
+    std::ranges::move(comparison_json(*run.comparison), std::back_inserter(object));
   return object;
+}
+
+// "step" or "rows"; of walls with different sources {"left": ...}.
+Json sources_json(const Core& core) {
+  const auto source = [&](Wall wall) { return touches(core.walls_of_rows, wall) ? "rows" : "step"; };
+  if (core.walls_of_rows == 0 || core.walls_of_rows == kAllWalls) return source(Wall::left);
+  Json::Object sources;
+  for (const Wall wall : kWalls) sources.emplace_back(name_of(wall), source(wall));
+  return sources;
 }
 
 Json list_json(const std::vector<std::string>& names) { return Json::Array(names.begin(), names.end()); }
@@ -101,8 +109,9 @@ std::string diff_command_for(const ScenarioRun& run) {
 
 void print_motion(const Core& core, const RunSummary& summary) {
   const std::string_view why = core.record.why_incomplete;
-  print_text("  contacts       {}{}\n", counts_text(summary.contacts),
-             why.empty() ? "" : fmt::format("; from the rows: the core's step is not complete: {}", why));
+  const std::string walls = core.sources();
+  print_text("  contacts       {}{}{}\n", contacts_text(summary), walls.empty() ? "" : "; " + walls,
+             why.empty() ? "" : fmt::format(": the core's step is not complete: {}", why));
   print_text("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
              summary.final.x_px, summary.final.y_px, summary.final.vx_px_per_s, summary.final.vy_px_per_s);
   if (summary.at_rest_since_s)
@@ -140,7 +149,7 @@ void print_golden(const ScenarioRun& run) {
     print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.golden_path);
   else
     print_text("  golden         {} from {}\n{}  more           {}\n", VerdictWord{"DIFFERS", false},
-               run.golden_path, difference_text(*run.comparison), diff_command_for(run));
+               run.golden_path, comparison_text(*run.comparison), diff_command_for(run));
 }
 
 }  // namespace
@@ -150,7 +159,9 @@ void print_run(const Core& core, const ScenarioRun& run, const Printing& printin
   if (printing.is_quiet()) {
     const std::string_view status = run.status();
     if (status == "played")
-      print_text("{}: played; no golden file and no expect; written: {}\n", run.scenario.name, run.output);
+      print_text("{}: played{}; written: {}\n", run.scenario.name,
+                 run.golden_path.empty() ? "; no golden file and no expect" : ": golden file missing",
+                 run.output);
     else
       print_text("{}: {}; written: {}\n", run.scenario.name, VerdictWord{status, run.is_as_expected()},
                  run.output);
@@ -182,7 +193,9 @@ Json run_json(const Core& core, const ScenarioRun& run) {
                       {"steps", summary.steps},
                       {"simulated_s", summary.simulated_s},
                       {"contacts", counts_json(summary.contacts)},
-                      {"contacts_from", core.record.why_incomplete.empty() ? "step" : "rows"},
+                      {"bounces", counts_json(summary.bounces)},
+                      {"resting_contact_from_step", or_null(summary.resting_contact_from_step)},
+                      {"contacts_from", sources_json(core)},
                       {"clamped_steps", clamped},
                       {"final", Json::Object{{"x_px", summary.final.x_px},
                                              {"y_px", summary.final.y_px},

@@ -54,7 +54,8 @@ WrittenRun write_trajectory(const Core& core, const std::string& output, const S
     drift = {};
     return has_rows && has_arcs;
   };
-  writer.finish({scenario, steps, std::string(core.name), hex(run.summary.state_hash), core.constants},
+  writer.finish({scenario, steps, std::string(core.name), hex(run.summary.state_hash), core.constants,
+                 core.record.checksum(), core.walls_of_rows},
                 inputs_of(scenario, steps), run.summary.contacts.total(), write_errors);
   return run;
 }
@@ -94,7 +95,8 @@ bool ScenarioRun::is_as_expected() const {
 
 const char* ScenarioRun::status() const {
   if (!is_as_expected()) return "disagreed";
-  return comparison || !expectations.empty() ? "agreed" : "played";
+  const bool is_golden_missing = !golden_path.empty() && !comparison;
+  return comparison || (!expectations.empty() && !is_golden_missing) ? "agreed" : "played";
 }
 
 ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenario& scenario,
@@ -132,7 +134,7 @@ ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenar
   }
   static_cast<WrittenRun&>(run) =
       write_run(core, output, scenario, {.replay = replay, .drift = options.drift, .also = also});
-  if (margin) run.start = {margin->margin(), contact_chance(core, scenario, margin->margin().half_width)};
+  if (margin) run.start = margin->margin();
   run.expectations = judge_run(core, scenario, run.summary,
                                run.drift  ? std::optional(run.drift->summary)
                                : measures ? std::optional(meter.finish())
@@ -147,11 +149,11 @@ RowSink::Wants RunPicture::wants() const {
 }
 
 void RunPicture::contact_began(const Contact& contact) {
-  if (contacts_.size() < kBouncesShownMax) contacts_.push_back(contact);
+  if (contacts_.size() < kTouchesShownMax) contacts_.push_back(contact);
 }
 
 void RunPicture::draw(const std::string& path, const ScenarioRun& run) const {
-  write_text_file(path, run_svg(run.scenario, rows_, contacts_, run.summary.contacts));
+  write_text_file(path, run_svg(run.scenario, rows_, contacts_, run.summary.bounces));
 }
 
 }  // namespace hyrax

@@ -51,14 +51,14 @@ struct ScenarioRun : WrittenRun {
   Scenario scenario;
   std::string output;
   std::vector<Expectation> expectations;
-  std::optional<StartDependence> start;  ///< If it was measured.
+  std::optional<Margin> start;           ///< If it was measured.
   std::string golden_path;               ///< Empty if no golden file was looked for.
   std::string golden_folder;             ///< As given; empty if it was not.
   std::string not_compared;              ///< Why no golden file was looked for; else empty.
   std::optional<Comparison> comparison;  ///< With the golden file; nothing if it is missing.
 
   [[nodiscard]] bool is_as_expected() const;
-  /// "agreed", "disagreed", or "played" if there was nothing to compare with.
+  /// "agreed", "disagreed", or "played" if there was nothing to compare with, or its golden file is missing.
   [[nodiscard]] const char* status() const;
 };
 

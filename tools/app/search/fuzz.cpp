@@ -1,4 +1,4 @@
-#include "tools/app/search/broken_rule.h"
+#include "tools/app/search/fuzz.h"
 
 #include <fmt/format.h>
 
@@ -20,14 +20,12 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
+constexpr std::int64_t kBatch = 64;
+
 // Runs in batches, which workers take in turn: what they share.
 class Fuzzer {
  public:
-  Fuzzer(const Core& core, const FuzzLimits& limits, const OtherProgram* other)
-      : core_(core),
-        limits_(limits),
-        other_(other),
-        batch_(other == nullptr ? 64 : static_cast<std::int64_t>(other->batch())) {
+  Fuzzer(const Core& core, const FuzzLimits& limits) : core_(core), limits_(limits) {
     if (limits.runs) end_row_ = rows_ = limits.part.rows(*limits.runs);
   }
 
@@ -37,10 +35,7 @@ class Fuzzer {
     work([&] { show(progress); });
     workers.clear();
     if (error_) std::rethrow_exception(error_);
-    return {.runs = played_,
-            .not_compared = not_compared_,
-            .elapsed_s = elapsed_s(),
-            .failure = std::move(failure_)};
+    return {.runs = played_, .elapsed_s = elapsed_s(), .failure = std::move(failure_)};
   }
 
  private:
@@ -61,9 +56,9 @@ class Fuzzer {
   void work(const Report& report) {
     try {
       while (!is_over()) {
-        const std::int64_t first = next_row_.fetch_add(batch_);
+        const std::int64_t first = next_row_.fetch_add(kBatch);
         if (first >= end_row_) return;
-        play(first, std::min(first + batch_, rows_));
+        play(first, std::min(first + kBatch, rows_));
         report();
       }
     } catch (...) {
@@ -74,28 +69,15 @@ class Fuzzer {
   }
 
   void play(std::int64_t first, std::int64_t last) {
-    std::vector<Scenario> scenarios;
-    std::vector<Digest> hashes;
     for (std::int64_t row = first; row < last; ++row) {
       RandomRun random = random_run(core_, limits_.seed, run_of(row));
       const CheckedRun run = check_run(core_, random.scenario, random.stops);
       ++played_;
-      if (auto broken = broken_invariant(random.scenario, run))
-        return take(row, std::move(random.scenario), std::move(*broken));
-      if (other_ == nullptr) continue;
-      scenarios.push_back(std::move(random.scenario));
-      hashes.push_back(run.summary.state_hash);
+      for (const Invariant broken : broken_invariants(random.scenario, run.measures))
+        if (std::ranges::find(limits_.without, text_of(broken).name) == limits_.without.end())
+          return take(row, std::move(random.scenario), broken,
+                      run.measures[static_cast<std::size_t>(broken)]);
     }
-    if (!scenarios.empty()) compare(first, scenarios, hashes);
-  }
-
-  void compare(std::int64_t first, std::vector<Scenario>& scenarios, const std::vector<Digest>& hashes) {
-    const std::vector<std::string> others = other_->state_hashes(scenarios);
-    not_compared_ += std::count(others.begin(), others.end(), "");
-    for (std::size_t index = 0; index < others.size(); ++index)
-      if (auto broken = different_hash(hashes[index], others[index]))
-        return take(first + static_cast<std::int64_t>(index), std::move(scenarios[index]),
-                    std::move(*broken));
   }
 
   [[nodiscard]] std::uint64_t run_of(std::int64_t row) const {
@@ -103,23 +85,24 @@ class Fuzzer {
   }
 
   // Runs before this one go on: one of them may fail as well.
-  void take(std::int64_t row, Scenario scenario, BrokenRule broken) {
+  void take(std::int64_t row, Scenario scenario, Invariant broken, const InvariantMeasure& measure) {
     const std::lock_guard lock(mutex_);
     if (row >= end_row_) return;
     end_row_ = row;
-    failure_ = {run_of(row), std::move(scenario), std::move(broken)};
+    failure_ = {.run = run_of(row),
+                .scenario = std::move(scenario),
+                .broken = broken,
+                .found = fmt::format("{:.3g} {} at step {}", measure.slack, text_of(broken).unit,
+                                     measure.worst_step)};
   }
 
   const Core& core_;
   const FuzzLimits& limits_;
-  const OtherProgram* other_;
-  std::int64_t batch_;
   std::int64_t rows_ = std::numeric_limits<std::int64_t>::max() / 2;  // Runs of this part.
   SteadyClock::time_point start_ = SteadyClock::now();
   std::atomic<std::int64_t> next_row_ = 0;
   std::atomic<std::int64_t> end_row_ = rows_;  // Of the first failure.
   std::atomic<std::int64_t> played_ = 0;
-  std::atomic<std::int64_t> not_compared_ = 0;
   std::mutex mutex_;
   std::optional<FuzzFailure> failure_;
   std::exception_ptr error_;
@@ -127,8 +110,13 @@ class Fuzzer {
 
 }  // namespace
 
-FuzzOutcome fuzz(const Core& core, const FuzzLimits& limits, const OtherProgram* other) {
-  return Fuzzer(core, limits, other).run();
+std::vector<std::string> fuzzed_rules() {
+  std::vector<std::string> rules;
+  for (std::size_t index = 0; index < static_cast<std::size_t>(Invariant::comes_to_rest); ++index)
+    if (static_cast<Invariant>(index) != Invariant::no_time) rules.emplace_back(kInvariantTexts[index].name);
+  return rules;
 }
+
+FuzzOutcome fuzz(const Core& core, const FuzzLimits& limits) { return Fuzzer(core, limits).run(); }
 
 }  // namespace hyrax

@@ -8,7 +8,6 @@
 
 #include "tools/app/command_line/progress.h"
 #include "tools/app/sweep/sweep_run.h"
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/printable.h"
 
@@ -24,6 +23,8 @@ void allow_open_files(std::size_t count) {
   setrlimit(RLIMIT_NOFILE, &limit);
 }
 
+std::string core_text(const std::string& core) { return core.empty() ? "not named" : printable(core); }
+
 using Parts = std::map<std::int64_t, std::unique_ptr<EnsembleReader>>;
 
 void add_part(const std::string& path, Parts& parts) {
@@ -37,6 +38,11 @@ void add_part(const std::string& path, Parts& parts) {
     if (head.physics != first.physics)
       refuse(fmt::format("was computed by the physics model {}, the first file by {}",
                          printable(head.physics), printable(first.physics)));
+    if (head.core != first.core)
+      refuse(
+          fmt::format("was computed by another core than the first file ({}, the first file: {}); compute "
+                      "all parts with one program",
+                      core_text(head.core), core_text(first.core)));
     if (head.part.count != first.part.count)
       refuse(fmt::format("is one of {} parts, the first file one of {}", head.part.count, first.part.count));
   }
@@ -53,11 +59,10 @@ std::string missing_path(const std::string& known_path, const WorkPart& known, s
                                  : known_path.substr(0, at) + name + known_path.substr(at + mark.size());
 }
 
-// Puts a part's rows where they belong among `count` rows of all parts.
-void put_rows(const Column& rows, const WorkPart& part, std::int64_t count, Column& all) {
+// Puts a part's rows where they belong among those of all parts.
+void put_rows(const Column& rows, const WorkPart& part, Column& all) {
   const auto part_rows = static_cast<std::int64_t>(length(rows));
   with_numbers(all, [&](auto& to) {
-    to.resize(static_cast<std::size_t>(count) * rows.width);
     with_numbers(rows, [&](const auto& from) {
       for (std::int64_t row = 0; row < part_rows; ++row)
         std::copy_n(from.data() + static_cast<std::size_t>(row) * rows.width, rows.width,
@@ -66,40 +71,32 @@ void put_rows(const Column& rows, const WorkPart& part, std::int64_t count, Colu
   });
 }
 
-// Rows `first` .. of a merged column, a multiple of the parts: each part gives the same number, or one less.
-Column merged_column(const Parts& parts, std::size_t table, std::size_t column, std::int64_t first,
-                     std::int64_t count) {
-  const std::int64_t stride = std::ssize(parts);
-  Column merged = parts.begin()->second->tables()[table].columns[column];
-  for (const auto& [index, part] : parts) {
-    const std::int64_t part_first = first / stride;
-    const std::int64_t part_count = WorkPart{index, stride}.rows(first + count) - part_first;
-    if (part_count > 0)
-      put_rows(part->read(table, column, part_first, part_count), WorkPart{index, stride}, count, merged);
-  }
-  return merged;
-}
-
 void write_merged(const Parts& parts, const EnsembleHead& head, const std::string& output) {
   const EnsembleReader& first_part = *parts.begin()->second;
-  AtomicFile target(output);
-  create_ensemble(target.part_path(), output, head, first_part.sweep());
-  EnsembleWriter writer(target.part_path(), output, head, first_part.sweep());
-  constexpr std::int64_t kRows = 1 << 18;
-  const std::int64_t rows_at_once =  // A multiple of the parts.
-      std::max<std::int64_t>(1, kRows / std::ssize(parts)) * std::ssize(parts);
+  EnsembleWriter writer(output, head, first_part.sweep());
+  constexpr std::int64_t kRows = 1 << 16;
+  const std::int64_t stride = std::ssize(parts);
+  const std::int64_t rows_at_once = std::max<std::int64_t>(1, kRows / stride) * stride;
+  std::vector<Table> merged = first_part.tables(), of_part = merged;
   Progress progress("members", head.members);
   while (writer.rows_done() < head.members) {
     const std::int64_t count = std::min(rows_at_once, head.members - writer.rows_done());
-    std::vector<Table> rows = first_part.tables();
-    for (std::size_t table = 0; table < rows.size(); ++table)
-      for (std::size_t column = 0; column < rows[table].columns.size(); ++column)
-        rows[table].columns[column] = merged_column(parts, table, column, writer.rows_done(), count);
-    writer.write(rows);
+    for (std::size_t table = 0; table < merged.size(); ++table)
+      for (std::size_t column = 0; column < merged[table].columns.size(); ++column) {
+        Column& all = merged[table].columns[column];
+        with_numbers(all, [&](auto& values) { values.resize(static_cast<std::size_t>(count) * all.width); });
+        for (const auto& [index, part] : parts) {
+          const WorkPart place{index, stride};
+          const std::int64_t first = writer.rows_done() / stride;
+          Column& rows = of_part[table].columns[column];
+          part->read(table, column, first, place.rows(writer.rows_done() + count) - first, rows);
+          put_rows(rows, place, all);
+        }
+      }
+    writer.write(merged);
     progress.show(writer.rows_done());
   }
   writer.finish();
-  target.commit();
 }
 
 }  // namespace

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <condition_variable>
-#include <csignal>
 #include <exception>
-#include <map>
 #include <mutex>
+#include <utility>
 
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/progress.h"
@@ -17,7 +16,7 @@
 namespace hyrax {
 namespace {
 
-// Rows that are computed together: about a tenth of a second, so that little is lost if the process ends.
+// Rows that are computed together: about a tenth of a second, so that threads wait little for each other.
 std::int64_t chunk_rows(const Sweep& sweep) {
   constexpr std::int64_t kSteps = 1 << 26;
   constexpr std::int64_t kLeast = 64;
@@ -25,31 +24,26 @@ std::int64_t chunk_rows(const Sweep& sweep) {
   return std::clamp(kSteps / (step_count(sweep.base) + 1), kLeast, kMost);
 }
 
-// Rows first .. first + results.size() - 1 of the part.
+// Consecutive rows of the part.
 struct Chunk {
   std::vector<MemberResult> results;
   StepTally tally;
+  bool is_ready = false;
 };
 
-// Chunks in order, computed by so many threads, that of the caller included. Few are held at a time.
+// Chunks in order, computed by so many threads, that of the caller included. Few are held at a time, in the
+// same memory.
 class ChunkPool {
  public:
-  ChunkPool(const Core& core, const Sweep& sweep, const WorkPart& part, std::int64_t first_row,
-            std::int64_t rows, std::int64_t threads)
+  ChunkPool(const Core& core, const Sweep& sweep, const WorkPart& part, std::int64_t threads)
       : core_(core),
         sweep_(sweep),
         part_(part),
-        first_row_(first_row),
-        rows_(rows),
+        rows_(part.rows(sweep.members)),
         chunk_rows_(chunk_rows(sweep)),
-        player_(core, sweep) {
-    held_max_ = 2 * threads;
-    sigset_t all{};
-    sigset_t before{};
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before);  // Only the caller takes signals.
+        player_(core, sweep),
+        held_(static_cast<std::size_t>(2 * threads)) {
     threads_ = start_workers(threads - 1, [this](const std::stop_token& stop) { work(stop); });
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
   ~ChunkPool() {
     const std::scoped_lock lock(mutex_);  // No thread is between its test and its wait.
@@ -57,40 +51,45 @@ class ChunkPool {
     changed_.notify_all();
   }
 
-  // The next chunk; nothing after the last one. Until it is there, the caller computes those that no other
-  // thread does.
-  [[nodiscard]] std::optional<Chunk> take() {
-    if (taken_ == chunks()) return std::nullopt;
+  // The next chunk, until the next call; null after the last one. Until it is there, the caller computes
+  // those that no other thread does.
+  [[nodiscard]] const Chunk* take() {
     std::unique_lock lock(mutex_);
-    while (!ready_.contains(taken_) && !fault_) {
+    if (std::exchange(is_lent_, false)) {
+      held(taken_++).is_ready = false;
+      changed_.notify_all();
+    }
+    if (taken_ == chunks()) return nullptr;
+    while (!held(taken_).is_ready && !fault_) {
       if (!may_begin()) {
         changed_.wait(lock);
         continue;
       }
       const std::int64_t chunk = begun_++;
       lock.unlock();
-      Chunk computed = compute(player_, chunk);
+      compute(player_, chunk);
       lock.lock();
-      ready_.emplace(chunk, std::move(computed));
+      held(chunk).is_ready = true;
     }
     if (fault_) std::rethrow_exception(fault_);
-    Chunk chunk = std::move(ready_.extract(taken_++).mapped());
-    lock.unlock();
-    changed_.notify_all();
-    return chunk;
+    is_lent_ = true;
+    return &held(taken_);
   }
 
  private:
-  [[nodiscard]] std::int64_t chunks() const { return (rows_ - first_row_ + chunk_rows_ - 1) / chunk_rows_; }
-  [[nodiscard]] bool may_begin() const { return begun_ < std::min(chunks(), taken_ + held_max_); }
+  [[nodiscard]] std::int64_t chunks() const { return (rows_ + chunk_rows_ - 1) / chunk_rows_; }
+  [[nodiscard]] Chunk& held(std::int64_t chunk) {
+    return held_[static_cast<std::size_t>(chunk) % held_.size()];
+  }
+  [[nodiscard]] bool may_begin() const { return begun_ < std::min(chunks(), taken_ + std::ssize(held_)); }
 
   void work(const std::stop_token& stop) {
     try {
       EnsemblePlayer player(core_, sweep_);
       while (const auto chunk = next(stop)) {
-        Chunk computed = compute(player, *chunk);
+        compute(player, *chunk);
         const std::scoped_lock lock(mutex_);
-        ready_.emplace(*chunk, std::move(computed));
+        held(*chunk).is_ready = true;
         changed_.notify_all();
       }
     } catch (...) {
@@ -107,53 +106,46 @@ class ChunkPool {
     return begun_++;
   }
 
-  [[nodiscard]] Chunk compute(EnsemblePlayer& player, std::int64_t chunk) const {
-    const std::int64_t first = first_row_ + chunk * chunk_rows_;
-    Chunk computed;
-    computed.results.resize(static_cast<std::size_t>(std::min(chunk_rows_, rows_ - first)));
-    computed.tally = player.play(part_, first, computed.results);
-    return computed;
+  void compute(EnsemblePlayer& player, std::int64_t chunk) {
+    const std::int64_t first = chunk * chunk_rows_;
+    Chunk& into = held(chunk);
+    into.results.resize(static_cast<std::size_t>(std::min(chunk_rows_, rows_ - first)));
+    into.tally = player.play(part_, first, into.results);
   }
 
   const Core& core_;
   const Sweep& sweep_;
   const WorkPart part_;
-  const std::int64_t first_row_;
   const std::int64_t rows_;
   const std::int64_t chunk_rows_;
   EnsemblePlayer player_;  // Of the caller.
-  std::int64_t held_max_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::int64_t, Chunk> ready_;
+  std::vector<Chunk> held_;  // Chunk k in place k modulo their number.
   std::int64_t begun_ = 0;
-  std::int64_t taken_ = 0;
+  std::int64_t taken_ = 0;  // Those that the caller is done with.
+  bool is_lent_ = false;    // Whether it has the next one.
   std::exception_ptr fault_;
   std::vector<std::jthread> threads_;  // The last member: they end before what they use.
 };
 
 }  // namespace
 
-SweepOutcome compute_sweep(const Core& core, const Sweep& sweep, const SweepJob& job) {
-  PartialResult partial(job.output, job.head, sweep, job.existing);
-  EnsembleWriter writer(partial.partial(), job.output, job.head, sweep);
-  SweepOutcome outcome;
-  outcome.rows = job.head.part.rows(job.head.members);
-  outcome.rows_resumed = writer.rows_done();
-  {
-    partial.note_done(writer.rows_done());
-    ChunkPool pool(core, sweep, job.head.part, writer.rows_done(), outcome.rows, job.threads);
-    Progress progress("members", outcome.rows - outcome.rows_resumed);
-    while (const auto chunk = pool.take()) {
-      writer.write(ensemble_tables(sweep, job.head.part, writer.rows_done(), chunk->results));
-      partial.note_done(writer.rows_done());
-      outcome.tally += chunk->tally;
-      progress.show(writer.rows_done() - outcome.rows_resumed);
-    }
+StepTally compute_sweep(const Core& core, const Sweep& sweep, const EnsembleHead& head,
+                        const std::string& output, std::int64_t threads) {
+  EnsembleWriter writer(output, head, sweep);
+  ChunkPool pool(core, sweep, head.part, threads);
+  Progress progress("members", head.part.rows(head.members));
+  StepTally tally;
+  std::vector<Table> rows = ensemble_tables(sweep);
+  while (const Chunk* const chunk = pool.take()) {
+    set_ensemble_rows(sweep, head.part, writer.rows_done(), chunk->results, rows);
+    writer.write(rows);
+    tally += chunk->tally;
+    progress.show(writer.rows_done());
   }
   writer.finish();
-  partial.commit();
-  return outcome;
+  return tally;
 }
 
 std::string part_path(const std::string& path, const WorkPart& part) {

@@ -13,8 +13,7 @@ const esbuild = createRequire(join(packages, 'package.json'))('esbuild');
 
 const scripts = {
   'runs.js': `import { showRuns } from './runs.js'; showRuns();`,
-  'results.js': `import { showResults } from './results.js'; showResults();`,
-  'sweeps.js': `import { showResults } from './results.js'; import { showMembers } from './members.js'; showResults(showMembers);`,
+  'sweeps.js': `import { showSweeps } from './members.js'; showSweeps();`,
 };
 
 async function bundled(name) {
@@ -62,7 +61,7 @@ const shared = {
   SPRITE: Buffer.from(spriteText).toString('base64'),
 };
 
-for (const name of ['runs', 'results', 'sweeps']) {
+for (const name of ['runs', 'sweeps']) {
   const script = await bundled(`${name}.js`);
   const style = await bundled(`${name}.css`);
   const parts = {

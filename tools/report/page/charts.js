@@ -5,7 +5,6 @@ import { element, make, save } from './document.js';
 import { fixed, grouped, rounded } from './numbers.js';
 import { color, wallColors } from './painter.js';
 import { chartsOf, csvOf, logAxis, overviewRowsMin, rangeText, thousands, valueAt } from './series.js';
-import { tableOf } from './tables.js';
 
 export class Charts {
   #plots = [];
@@ -169,13 +168,13 @@ export class Charts {
 
   // What the pictures say, as numbers.
   #showTable(charts) {
-    const series = charts.flatMap(chart => chart.series.map(each => ({ chart, each, range: rangeOf(each.values) })));
-    const column = (name, get) => ({ name, values: series.map(get) });
+    const heads = ['chart', 'series', 'unit', 'smallest', 'largest', 'at the end'];
+    const lines = charts.flatMap(({ title, unit, series }) => series.map(each => [title, each.name, unit,
+      ...[...rangeOf(each.values), valueAt(this.result.rows, each, this.result.rows.step.length - 1)].map(value => rounded(value, 6))]));
+    const row = (tag, texts) => make('tr', {}, ...texts.map((text, i) => make(tag, { class: i < 3 ? 'text' : 'number' }, text)));
     const table = element('charts-table');
-    table.replaceChildren(table.firstElementChild, tableOf({ name: 'charts', long_name: 'The charts as a table', row_count: series.length, columns: [
-      column('chart', ({ chart }) => chart.title), column('series', ({ each }) => each.name), column('unit', ({ chart }) => chart.unit),
-      column('smallest', ({ range }) => range[0]), column('largest', ({ range }) => range[1]),
-      column('at the end', ({ each }) => valueAt(this.result.rows, each, this.result.rows.step.length - 1) ?? null)] }));
+    table.replaceChildren(table.firstElementChild, make('div', { class: 'table', tabindex: '0', role: 'group', 'aria-label': 'The charts as a table' },
+      make('table', {}, make('thead', {}, row('th', heads)), make('tbody', {}, ...lines.map(line => row('td', line))))));
   }
 
   fit() {

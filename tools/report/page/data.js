@@ -17,6 +17,9 @@ export const rowFields = ['step', 't', 'dt', 'x', 'y', 'vx', 'vy', 'contact'];
 
 export const rowsOf = run => Object.fromEntries(rowFields.map(field => [field, doubles(run.rows[field])]));
 
+/** The contacts that the page has of the file; null where only a replay gives them. */
+export const contactsIn = ({ contacts }) => contacts && Object.fromEntries(Object.entries(contacts).map(([name, values]) => [name, doubles(values)]));
+
 /** Smallest and largest value that is known; null and null if none is. */
 export function rangeOf(values) {
   let low = Infinity, high = -Infinity;

@@ -8,9 +8,10 @@ const wallNames = { 1: 'left', 2: 'right', 4: 'top', 8: 'ground' };
 const errorsOf = list => new Map(Array.from(list?.step ?? [], (step, i) => [`${step} ${list.wall[i]}`, i]));
 
 /** {heads, rows, all}: the first contacts, {step, last, wall, name, numbers} each, and how many there are. */
-export function contactsOf({ contacts, contactErrors, check }) {
+export function contactsOf({ run, contacts, contactErrors, check }) {
   const heads = ['Step', 'Wall', 't, s', 'Before, px/s', 'After, px/s', 'Overshoot, px', 'Late by, ms', 'Restitution'];
-  if (!contacts) return { heads, rows: [], all: 0 };
+  const all = Object.values(check?.contacts ?? run.result.contacts).reduce((sum, each) => sum + each, 0);
+  if (!contacts) return { heads, rows: [], all };
   const errors = errorsOf(contactErrors);
   const rows = Array.from({ length: Math.min(shownMax, contacts.step.length) }, (_, i) => {
     const step = contacts.step[i], wall = contacts.wall[i], isInX = wall < 4;
@@ -20,7 +21,7 @@ export function contactsOf({ contacts, contactErrors, check }) {
     return { step, last: contacts.last_step[i] > step ? `to ${contacts.last_step[i]}` : '', wall, name: wallNames[wall],
       numbers: [contacts.t[i], before, after, contacts.overshoot[i], ...measured] };
   });
-  return { heads, rows, all: Object.values(check.contacts).reduce((sum, each) => sum + each, 0) };
+  return { heads, rows, all };
 }
 
 /** What the hand or the script did, {frame, text} each; a hand's way is one line. */
@@ -34,7 +35,7 @@ export function inputsOf(inputs) {
 export function coverageOf({ result, margin }) {
   const list = names => (names.length ? names.join(', ') : 'nothing');
   return [['Exercised', list(result.exercised)], ['Never touched', list(result.never_touched)],
-    ['Not computed', list(result.not_computed)], ['Margin', margin]];
+    ['Not computed', list(result.not_computed)], ['Margin', margin || 'not measured: this core has another step than the paper']];
 }
 
 /** What is said of one expectation. */

@@ -4,7 +4,7 @@ import uPlot from 'uplot';
 import { itemsOf, numbersOf, recordOf, stops, viridis } from './cells.js';
 import { Core } from './core.js';
 import { doubles, firstAtLeast, rangeOf } from './data.js';
-import { element, make, report, save } from './document.js';
+import { element, make, report, root, save } from './document.js';
 import { grouped, rounded } from './numbers.js';
 import { Moment } from './moment.js';
 import { color, followLook, Painter } from './painter.js';
@@ -28,7 +28,7 @@ class Explorer {
     this.place = make('div', { class: 'plot' });
     this.hover = make('p', { class: 'quiet', role: 'status' });
     this.bar = make('div', { class: 'bar' });
-    place.append(make('div', { class: 'head' }, make('h3', {}, 'The members'), make('p', { class: 'note quiet' }, share)),
+    place.append(make('div', { class: 'head' }, make('h2', {}, 'The members'), make('p', { class: 'note quiet' }, share)),
       make('div', { class: 'choices' }, choice('x', 'Across'), choice('y', 'Up'), choice('tint', 'Colour'),
         make('label', {}, 'Member ', make('input', { type: 'number', id: 'member-number', min: 0, max: this.members.at(-1), onchange: event => this.#pick(this.#rowOf(Number(event.target.value))) }))),
       this.bar, this.place, this.hover);
@@ -193,9 +193,8 @@ class Stage {
 
 let stage = null;
 
-/** Adds to a result of a sweep its members. */
-export async function showMembers({ sweep }, article) {
-  if (!sweep || sweep.results.length === 0) return;
+// Adds to a sweep's result its members.
+async function showMembers(sweep, article) {
   if (!stage) {
     const core = await Core.start();
     core.requireSame(sweep.core_fingerprint, report.program);
@@ -206,4 +205,12 @@ export async function showMembers({ sweep }, article) {
   if (figure) figure.before(place);
   else article.append(place);
   new Explorer(sweep, place, (...which) => stage.show(...which));
+}
+
+/** Adds to the results of the page what they have of members. */
+export async function showSweeps() {
+  const articles = document.querySelectorAll('.result');
+  for (const [at, sweep] of report.sweeps.entries())
+    if (sweep?.results.length) await showMembers(sweep, articles[at]);
+  Object.assign(root.dataset, { replay: 'none', ready: '' });
 }

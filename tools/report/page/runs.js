@@ -1,7 +1,7 @@
 // Puts the page together: replays the runs, shows one, follows the reader.
 import { Charts } from './charts.js';
 import { Core } from './core.js';
-import { doubles, firstAtLeast, lastAtMost, rowsOf } from './data.js';
+import { contactsIn, doubles, firstAtLeast, lastAtMost, rowsOf } from './data.js';
 import { element, make, report, root, save } from './document.js';
 import { Playground } from './fling.js';
 import { contactsOf, coverageOf, expectationOf, inputsOf, originOf, shownMax } from './lists.js';
@@ -42,7 +42,7 @@ function contactRow({ step, last, wall, name, numbers }, seek) {
 function showContacts(result, seek) {
   const place = element('contacts');
   const { rows, heads, all } = contactsOf(result);
-  if (rows.length === 0) return place.replaceChildren(make('p', { class: 'quiet' }, 'None.'));
+  if (rows.length === 0) return place.replaceChildren(make('p', { class: 'quiet' }, all === 0 ? 'None.' : `${all}, which this page does not have without its replay.`));
   place.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...heads.map(head => make('th', { scope: 'col' }, head)))),
     make('tbody', {}, ...rows.map(row => contactRow(row, seek)))));
   const cut = firstOf(rows.length, all);
@@ -111,7 +111,8 @@ class View {
     const every = result.check?.every ?? 1;
     const decimated = every > 1 ? `Drawn from one row of every ${every.toLocaleString('en')}; the comparison covers all. ` : '';
     element('charts-note').textContent = result.rows.step.length > 5_000 ? `${decimated}Of many rows to a pixel, the smallest and the largest value are drawn.` : decimated;
-    element('stage-note').textContent = result.other ? `Dashed: the ${result.other.name}.` : '';
+    element('stage-note').textContent = result.reason ? `No replay: ${result.reason}. Without it there are no errors, no causes of drift and nothing to fling.`
+      : result.other ? `Dashed: the ${result.other.name}.` : '';
     this.setMode('replay');
     this.openLink() || this.#openWorst();
     this.paint();
@@ -197,7 +198,7 @@ const isOwnCore = report.core_fingerprint === null;
 
 async function replayed(core, run, share) {
   const reason = isOwnCore ? `this page holds no copy of the core ${report.core}` : 'this browser runs no WebAssembly';
-  if (!core) return { run, file: rowsOf(run), rows: rowsOf(run), outcome: 'none', reason };
+  if (!core) return { run, file: rowsOf(run), rows: rowsOf(run), contacts: contactsIn(run), outcome: 'none', reason };
   return replay(core, run, share);
 }
 

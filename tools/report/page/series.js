@@ -47,7 +47,7 @@ export function chartsOf(result, sizes) {
       { name: 'dt', color: 'blue', steps: true, values: Array.from(rows.dt, (dt, i) => (rows.step[i] === 0 ? null : 1000 * dt)) }] },
   ];
   if (errors?.step.length) {
-    // With the drag of 60 Hz both are the same, as in drift_figures.cpp.
+    // With the drag of 60 Hz both are the same.
     const areOne = errors.model.every((px, i) => Math.abs(px - errors.truncation[i]) <= 1e-9 * px);
     charts.splice(charts.length - 1, 0, { id: 'errors', title: 'Errors', unit: 'px', isLog: true, series: [
       ...(areOne ? [errorSeries('model and truncation', 'blue', 'truncation')] : [errorSeries('model', 'orange', 'model'), errorSeries('truncation', 'blue', 'truncation')]),
@@ -86,14 +86,17 @@ function distanceChart({ other }) {
     { name: 'distance', color: 'vermilion', values: other.distances.map(px => (px > 0 ? px : null)) }] }];
 }
 
-/** What a run of another clock shows at the times of these rows, with their steps, to the end of the shorter run; as in
- * `diff`, rows less than half the shorter of their frames apart are of the same time. */
-export function shownAt({ step, t, dt }, other) {
-  const last = other.t.length - 1, shown = [];
-  const isLater = (row, i) => other.t[row] > t[i] + 0.5 * Math.min(dt[i], other.dt[row]);
-  const isPast = i => t[i] > other.t[last] + 0.5 * Math.min(dt[i], other.dt[last]);
-  for (let i = 0, row = 0; i < t.length && !isPast(i); shown[i++] = row) while (row < last && !isLater(row + 1, i)) ++row;
-  return { ...Object.fromEntries(['x', 'y', 'vx', 'vy'].map(name => [name, shown.map(row => other[name][row])])), step: step.slice(0, shown.length), t: t.slice(0, shown.length) };
+/** A run of another clock at the times of these rows, with their steps, to the end of the shorter run: between two rows
+ * on the straight line between them, as in `diff`. */
+export function shownAt({ step, t }, other) {
+  const last = other.t.length - 1, count = lastAtMost(t, other.t[last]) + 1;
+  const shown = { step: step.slice(0, count), t: t.slice(0, count), x: [], y: [], vx: [], vy: [] };
+  for (const at of shown.t) {
+    const row = lastAtMost(other.t, at), next = Math.min(row + 1, last);
+    const part = next > row ? (at - other.t[row]) / (other.t[next] - other.t[row]) : 0;
+    for (const name of ['x', 'y', 'vx', 'vy']) shown[name].push(other[name][row] + part * (other[name][next] - other[name][row]));
+  }
+  return shown;
 }
 
 /** Of each row its distance from the row of the same step of another run; null where that has none. */

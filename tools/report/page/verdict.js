@@ -65,17 +65,13 @@ function driftTile({ errors, causes }) {
   return tile('Energy drift', `${rounded(100 * worst, 3)} %`, sums ? `largest of an arc; in all ${sums} px` : 'largest of a flight arc');
 }
 
-/** The judgement on a result; rules that do not hold come first. */
-export const judgementOf = ({ judgement, verdict: { broken } }) =>
-  (broken.length ? `${count(broken.length, 'rule')} ${broken.length === 1 ? 'does' : 'do'} not hold` : judgement);
-
 /** Sentences on what went wrong, tiles of verdicts and tiles of figures; a tile is {label, value, note, state}. */
 export function verdictOf(result) {
   const { run } = result;
   const { errors } = run;
   const difference = run.golden && !run.golden.agrees ? `Differs from the golden file: ${differenceText(run.golden)}` : '';
   return {
-    causes: [run.non_finite && `${run.non_finite}; the run ended there`, run.cause || difference].filter(Boolean),
+    causes: [run.non_finite && `${run.non_finite}; the run ended there`, difference].filter(Boolean),
     verdicts: [replayTile(result), ...(result.file ? [goldenTile(run.golden), expectTile(run.expect)] : [])],
     figures: [
       contactsTile(run.result.contacts),

@@ -58,8 +58,9 @@ struct Page {
   std::optional<Playground> playground;
 };
 
+// Never destroyed: its buffers go back to lists of the thread, which end before it would.
 Page& page() {
-  static Page only;
+  static Page& only = *new Page;
   return only;
 }
 
@@ -224,6 +225,10 @@ HYRAX_EXPORT(live_release) void live_release(std::int32_t x_px, std::int32_t y_p
   Playground& playground = *page().playground;
   live_drag(x_px, y_px, ticks);
   playground.follow_hand();
+  const Keyframe& now = playground.player.now();
+  const Position at{now.row.x_px, now.row.y_px};
+  const Position corner = inside(at, now.window, now.sprite);
+  if (corner != at) playground.apply(Place{corner});
   playground.apply(Release{playground.hold->velocity(static_cast<std::int64_t>(ticks))});
   playground.hold.reset();
   const Row& row = playground.player.now().row;

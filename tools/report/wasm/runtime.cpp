@@ -33,7 +33,9 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 extern "C" {
 void abort() { __builtin_trap(); }
 [[noreturn]] void __cxa_pure_virtual() { __builtin_trap(); }
-int __cxa_atexit(void (*)(void*), void*, void*) { return 0; }  // A page never exits.
+// A page never exits.
+int __cxa_atexit(void (*)(void*), void*, void*) { return 0; }
+int __cxa_thread_atexit(void (*)(void*), void*, void*) { return 0; }
 }
 
 _LIBCPP_BEGIN_NAMESPACE_STD

@@ -101,7 +101,7 @@ struct ShownDrift final : DriftSink {
   void row(const RowErrors& row) override { rows.push_back(row); }
   void arc(const ArcErrors& arc) override {
     causes.push_back({arc.first_step, sum.now()});
-    sum.add(arc);
+    sum.add(arc.energy_parts);
     causes.push_back({arc.last_step, sum.now()});
   }
   void contact(const ImpactErrors& contact) override {

@@ -104,6 +104,11 @@ TEST(Cause, IsAnInputThatDiffers) {
   // The frame of a hitch has another length, whatever the clock gives.
   EXPECT_EQ(cause_of({std::int64_t{40}, Hitch{0.2}}, {std::int64_t{40}, Hitch{0.1}}, false).kind,
             CauseKind::input);
+  const StoredRun hitched = kept_run(fling_at(60.0, 300, {{std::int64_t{40}, Hitch{0.1}}}));
+  EXPECT_EQ(program.cause_of(hitched, golden),
+            (Cause{CauseKind::input, "inputs differ: hitch in frame 40 -> none"}));
+  EXPECT_EQ(program.cause_of(golden, hitched),
+            (Cause{CauseKind::input, "inputs differ: none -> hitch in frame 40"}));
 }
 
 TEST(Cause, IsTheScenariosOwnText) {

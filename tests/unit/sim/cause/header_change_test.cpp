@@ -55,12 +55,33 @@ TEST(HeaderConstants, OfAFloatAreTheFloatsValue) {
     EXPECT_EQ(header_constants(text).at(0).value, static_cast<double>(0.1F)) << text;
 }
 
+TEST(HeaderConstants, AreReadInEveryWayToGiveAValue) {
+  for (const char* const text :
+       {"const double G = 1250.0L;", "const double G = 0x1.388p+10;", "const int G = 0X4E2;",
+        "constexpr double G{1250.0};", "constexpr double G = {1250.0};", "constexpr double G( 1250.0 );",
+        "struct A { double a{2.0}; const double G{1250.0}; };",
+        "// of \\\n const double A = 1.0;\nconst double G{1250};",
+        "// of \\\r\n const double A = 1.0;\r\nconst double G = 1250.l;"}) {
+    const std::vector<HeaderConstant> constants = header_constants(text);
+    ASSERT_EQ(constants.size(), 1u) << text;
+    EXPECT_EQ(constants[0].name, "G") << text;
+    EXPECT_EQ(constants[0].value, 1250.0) << text;
+  }
+  EXPECT_EQ(header_constants("const double G{-0x1p-1f};").at(0).value, -0.5);
+  for (const char* const text :
+       {"const double G{};", "const double G[] = {1.0, 2.0};", "const double G = 1.0_m;",
+        "double f() const { return 1.0; }", "double G{1.0};", "const double G = 0x;"})
+    EXPECT_TRUE(header_constants(text).empty()) << text;
+}
+
 TEST(HeaderChanges, CommentsBlanksAndLineEndsAreNone) {
   EXPECT_TRUE(header_changes(kHeader, kHeader).empty());
   EXPECT_TRUE(header_changes(kHeader, with("// A core.", "/* Another\n text; */ // with words")).empty());
   EXPECT_TRUE(header_changes(kHeader, with("// A core.", "/*/ not its end */")).empty());
   EXPECT_TRUE(
       header_changes(kHeader, with("m_vy += GRAVITY * dt;", "m_vy +=\n   GRAVITY*dt ;\r\n\n")).empty());
+  EXPECT_TRUE(
+      header_changes(kHeader, with("// A core.", "// A core, \\\n m_x += 1; \\\r\n m_y += 1;")).empty());
   EXPECT_TRUE(header_changes("#define A 1 \\\n  + 2\nint b;", "#define A 1 + 2\nint b;").empty());
 }
 
@@ -88,21 +109,25 @@ TEST(HeaderChanges, OfAStatementHasItsTextsAndLine) {
   const std::string drag = "m_vx *= DRAG;";
   const struct {
     std::string from, to, text;
-  } cases[] = {{drag, "m_vx *= 2 * DRAG;", "line 8    altered: m_vx *= DRAG; -> m_vx *= 2 * DRAG;"},
-               {drag, "", "line 8    removed: m_vx *= DRAG;"},
-               {drag, drag + "\n    " + drag, "line 9    added: m_vx *= DRAG;"},
-               {drag, "if (m_vx < 0.0)   m_vx = -m_vx*( DRAG);",
-                "line 8    altered: m_vx *= DRAG; -> if (m_vx < 0.0) m_vx = -m_vx*( DRAG);"},
-               // A loop is one statement.
-               {drag, "for (int i = 0; i < 2; ++i) m_vx *= DRAG;",
-                "line 8    altered: m_vx *= DRAG; -> for (int i = 0; i < 2; ++i) m_vx *= DRAG;"},
-               // A constant of the same value, or given by an expression.
-               {"= 1200.0", "= 1.2e3",
-                "line 4    altered: static constexpr double GRAVITY = 1200.0; -> static constexpr double "
-                "GRAVITY = 1.2e3;"},
-               {"= 1200.0", "= 2.0 * 600.0",
-                "line 4    altered: static constexpr double GRAVITY = 1200.0; -> static constexpr double "
-                "GRAVITY = 2.0 * 600.0;"}};
+  } cases[] = {
+      {drag, "m_vx *= 2 * DRAG;", "line 8    altered: m_vx *= DRAG; -> m_vx *= 2 * DRAG;"},
+      {drag, "", "line 8    removed: m_vx *= DRAG;"},
+      {drag, drag + "\n    " + drag, "line 9    added: m_vx *= DRAG;"},
+      {drag, "if (m_vx < 0.0)   m_vx = -m_vx*( DRAG);",
+       "line 8    altered: m_vx *= DRAG; -> if (m_vx < 0.0) m_vx = -m_vx*( DRAG);"},
+      // A loop is one statement.
+      {drag, "for (int i = 0; i < 2; ++i) m_vx *= DRAG;",
+       "line 8    altered: m_vx *= DRAG; -> for (int i = 0; i < 2; ++i) m_vx *= DRAG;"},
+      // A member's initial value, and a list.
+      {drag, "double a{2.0};", "line 8    altered: m_vx *= DRAG; -> double a{2.0};"},
+      {drag, "double a[] = {1.0, 2.0};", "line 8    altered: m_vx *= DRAG; -> double a[] = {1.0, 2.0};"},
+      // A constant of the same value, or given by an expression.
+      {"= 1200.0", "= 1.2e3",
+       "line 4    altered: static constexpr double GRAVITY = 1200.0; -> static constexpr double "
+       "GRAVITY = 1.2e3;"},
+      {"= 1200.0", "= 2.0 * 600.0",
+       "line 4    altered: static constexpr double GRAVITY = 1200.0; -> static constexpr double "
+       "GRAVITY = 2.0 * 600.0;"}};
   for (const auto& [from, to, text] : cases) EXPECT_EQ(change_text(only_change(with(from, to))), text);
 }
 
@@ -160,6 +185,31 @@ TEST(HeaderChanges, LinesAreCountedInWhateverIsAboveThem) {
 TEST(HeaderLiterals, AreTheNumbersThatAreNotThoseOfConstants) {
   EXPECT_EQ(header_literals(with("m_vx *= DRAG;", "if (dt < 1200) m_vx *= 0.5f * DRAG;")),
             (std::vector{1200.0, 0.5, 0.0, 0.0}));
+}
+
+TEST(HeaderMembers, AreThoseOfTheGettersThenTheOthers) {
+  const std::string header = R"(namespace a {
+class other { double m_other; };
+class physics {
+ public:
+  static constexpr double G = 1.0;
+  double x() const { return m_x; }
+  double y() const { return m_y; } double vx() const { return v; }
+  double vy() const { return w; }
+  void update(double dt) { double local = dt; if (dt > 0.0) { int i; } m_spin += local; }
+ private:
+  double m_spin = 0.0, v, w;
+  int m_count{3};
+  double m_y, m_x;
+  bool m_on;
+};
+class last { double m_last; };
+})";
+  EXPECT_EQ(header_members(header),
+            (std::vector<std::string>{"m_x", "m_y", "v", "w", "m_spin", "m_count", "m_on"}));
+  EXPECT_TRUE(header_members(with("m_vx", "m_vy")).empty());
+  EXPECT_EQ(header_members(shipped_core().record.header),
+            (std::vector<std::string>{"m_x", "m_y", "m_vx", "m_vy"}));
 }
 
 TEST(HeaderChanges, OfUnclosedTextsEnd) {

@@ -16,7 +16,7 @@ Row row_at(std::int64_t step, double x_px, double y_px) {
 }
 
 std::vector<Plot> plots_of(const Overlay& overlay) {
-  return std::get<std::vector<Plot>>(overlay.figure({"title", "subtitle", "a", "b", {10.0, 20.0}}).body);
+  return std::get<std::vector<Plot>>(overlay.figure({"title", "subtitle", "a", "b", {10, 20}, {2, 2}}).body);
 }
 
 TEST(Overlay, IsThePictureApproved) {
@@ -26,7 +26,7 @@ TEST(Overlay, IsThePictureApproved) {
     overlay.add(row_at(step, x_px, 2.0), row_at(step, step < 2 ? x_px : x_px + 3.0, step < 3 ? 2.0 : 6.0));
   }
   expect_approved("tests/unit/sim/compare/overlay.txt",
-                  described(overlay.figure({"the title", "the subtitle", "a.h5", "b.h5", {30.0, 20.0}})));
+                  described(overlay.figure({"the title", "the subtitle", "a.h5", "b.h5", {34, 22}, {4, 2}})));
 }
 
 TEST(Overlay, HasNoAxisOfDistancesThatAreAllZero) {

@@ -55,7 +55,7 @@ TEST_F(LongRun, AFaultIsBoundToItsBlockWhereNothingElseIsKept) {
   const Comparison comparison =
       compare(kept_, scenario_, {.fault = one_ulp(kBlock + 77, "vx"), .can_expand = false});
   EXPECT_EQ(said(comparison), "values, first state at 4096") << "how far the rows are apart is not known";
-  EXPECT_TRUE(comparison.has_unknown_rows);
+  EXPECT_TRUE(comparison.distance.has_unknown_rows);
   EXPECT_FALSE(comparison.first->expected);
 }
 
@@ -68,12 +68,12 @@ TEST_F(LongRun, MeasuresTheLargestDistanceInABlock) {
                     }};
   Comparison comparison = compare(kept_, scenario_, {.fault = fault});
   EXPECT_EQ(comparison.difference, DifferenceClass::values);
-  EXPECT_NEAR(comparison.largest.value().px, 2.0, 1e-9);
-  EXPECT_EQ(comparison.largest->step, step);
-  EXPECT_FALSE(comparison.has_unknown_rows);
+  EXPECT_NEAR(comparison.distance.largest.value().px, 2.0, 1e-9);
+  EXPECT_EQ(comparison.distance.largest->step, step);
+  EXPECT_FALSE(comparison.distance.has_unknown_rows);
   comparison = compare(kept_, scenario_, {.fault = fault, .can_expand = false});
-  EXPECT_TRUE(comparison.has_unknown_rows);
-  EXPECT_FALSE(comparison.largest);
+  EXPECT_TRUE(comparison.distance.has_unknown_rows);
+  EXPECT_FALSE(comparison.distance.largest);
 }
 
 // Rows that differ in every block: time and step of each are those of its row.
@@ -82,9 +82,9 @@ TEST_F(LongRun, MeasuresEveryBlockAfterTheFirstDifference) {
   other.events = {{std::int64_t{6000}, Fling{{1500.001, -2500.0}}}};
   const Comparison comparison = compare(kept_, other);
   EXPECT_EQ(comparison.first->step, 6001);
-  EXPECT_GT(comparison.largest.value().step, 6100);
-  EXPECT_GT(comparison.largest->px, 1e-3);
-  EXPECT_FALSE(comparison.has_unknown_rows);
+  EXPECT_GT(comparison.distance.largest.value().step, 6100);
+  EXPECT_GT(comparison.distance.largest->px, 1e-3);
+  EXPECT_FALSE(comparison.distance.has_unknown_rows);
 }
 
 TEST_F(LongRun, OfAnotherLengthDiffersInShape) {
@@ -142,7 +142,7 @@ TEST_F(RestingRun, AFaultInARepeatedBlockIsFound) {
   const Playing playing{.fault = one_ulp(step, "x"), .skips_repetition = false};
   const Comparison comparison = compare(kept_, scenario_, playing);
   EXPECT_EQ(said(comparison), said_of_fault(step, "x"));
-  EXPECT_EQ(comparison.largest.value().step, step);
+  EXPECT_EQ(comparison.distance.largest.value().step, step);
 }
 
 }  // namespace

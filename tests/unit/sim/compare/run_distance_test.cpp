@@ -36,6 +36,18 @@ Row row_with(double Row::*field, double value) {
   return row;
 }
 
+TEST(RunDistance, AWallOfAnotherSourceInBothRunsSetsNoClass) {
+  Row other = kRow;
+  for (const int contact : {0, 8 | kRestBit, 1}) {
+    other.contact = static_cast<std::uint8_t>(contact);
+    RunDistance distance(static_cast<int>(Wall::ground));
+    distance.add(kRow, other);
+    EXPECT_EQ(distance.has_other_walls(), contact == 1);
+    EXPECT_EQ(distance.is_rounding(), contact != 1);
+    EXPECT_FALSE(distance_of(kRow, other).is_rounding());
+  }
+}
+
 TEST(RunDistance, RoundingHasALimitForEveryQuantity) {
   const struct {
     double Row::*field;

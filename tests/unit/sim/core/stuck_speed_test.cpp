@@ -1,7 +1,7 @@
 // A stuck vx is not computed, and nothing shows it: bits, contacts and summary are those of class physics
 // called for every frame.
-#include "sim/core/kernel_of.h"
 #include "sim/core/shipped_core.h"
+#include "sim/core/stepper_of.h"
 
 #include <gtest/gtest.h>
 

@@ -63,7 +63,7 @@ void expect_same(Sweep sweep, const std::string& note, const std::vector<KeepSet
                  const Core& core = shipped_core()) {
   const auto members = static_cast<std::size_t>(sweep.members);
   Core step_by_step = core;
-  step_by_step.shape = {};
+  step_by_step.paper_match = {};
   std::vector<MemberResult> expected(members);
   const StepTally replayed = EnsemblePlayer(step_by_step, sweep).play({}, 0, expected);
   for (std::size_t set = 0; set < keeps.size(); ++set)
@@ -113,8 +113,10 @@ TEST(Ensemble, EqualsTheReplayWhereMembersHaveDifferentLengthsAndRates) {
   Sweep sweep = sweep_over(base, 200);
   sweep.vary.push_back({"/clock/rate_hz", ScenarioNumberKind::real, ChoiceDraw{{60.0, 120.0, 144.0}}});
   sweep.vary.push_back({"/duration_s", ScenarioNumberKind::real, UniformDraw{0.0, 30.0}});
-  sweep.vary.push_back({"/window/width_px", ScenarioNumberKind::integer, UniformDraw{100.0, 1920.0}});
-  sweep.vary.push_back({"/sprite/height_px", ScenarioNumberKind::integer, UniformDraw{1.0, 1200.0}});
+  sweep.vary.push_back(
+      {"/window/width_px", ScenarioNumberKind::integer, UniformDraw{std::int64_t{100}, std::int64_t{1920}}});
+  sweep.vary.push_back(
+      {"/sprite/height_px", ScenarioNumberKind::integer, UniformDraw{std::int64_t{1}, std::int64_t{1200}}});
   expect_same_in_all_details(sweep, "lengths, rates and sizes");
 }
 
@@ -148,11 +150,12 @@ TEST(Ensemble, EqualsTheReplayWithEvents) {
       sweep_over(fling_at(60.0, 200, {{std::int64_t{10}, Grab{}}, {std::int64_t{30}, Place{{9.0, 9.0}}}}), 3),
       "placed while held");
   Sweep sweep = sweep_over(base, 70);
-  sweep.vary.push_back({"/events/1/step", ScenarioNumberKind::integer, UniformDraw{0.0, 60.0}});
+  sweep.vary.push_back(
+      {"/events/1/step", ScenarioNumberKind::integer, UniformDraw{std::int64_t{0}, std::int64_t{60}}});
   sweep.vary.push_back({"/events/2/hitch/dt_s", ScenarioNumberKind::real, UniformDraw{0.0, 1.0}});
   sweep.vary.push_back({"/events/4/place/x_px", ScenarioNumberKind::real, UniformDraw{-100.0, 3000.0}});
-  sweep.vary.push_back(
-      {"/events/8/resize/window/width_px", ScenarioNumberKind::integer, UniformDraw{0.0, 2000.0}});
+  sweep.vary.push_back({"/events/8/resize/window/width_px", ScenarioNumberKind::integer,
+                        UniformDraw{std::int64_t{0}, std::int64_t{2000}}});
   expect_same_in_all_details(sweep, "events of different frames");
   sweep.members = 1030;
   sweep.base.events.back().when = 5.2;  // After the others, however long the hitch is.

@@ -81,7 +81,7 @@ TEST(SameBits, OfConstantsAreThoseOfEachOne) {
 TEST(ListingStep, WithAllPartsIsTheCoreOnEveryEdge) {
   visit_edges([](const State& start, double dt_s, const World& world) {
     ASSERT_TRUE(agrees(start, dt_s, world, step_with(AllParts())));
-    ASSERT_TRUE(agrees(start, dt_s, world, step_with(Parts())));
+    ASSERT_TRUE(agrees(start, dt_s, world, step_with(ModelParts())));
   });
 }
 
@@ -98,7 +98,7 @@ TEST(ListingStep, WithAllPartsIsTheCoreThroughRandomFlings) {
     State variant{next(-500.0, 2500.0), next(-500.0, 2500.0), next(-5000.0, 5000.0), next(-5000.0, 5000.0)};
     const double dt_s = 1.0 / next(20.0, 1000.0);
     physics core = core_of(variant);
-    const Parts parts;
+    const ModelParts parts;
     for (int frame = 0; frame < 400; ++frame) {
       ListingStep(kPaper, parts, world.bounds())(variant, dt_s);
       core.update(dt_s, world.window.width_px, world.window.height_px, 128, 128);
@@ -111,9 +111,9 @@ TEST(ListingStep, WithoutAPartWhenCompiledIsTheSameAsWhenRun) {
   visit_edges([](const State& start, double dt_s, const World& world) {
     State compiled = start;
     State run = start;
-    Parts parts;
-    parts.leave_out(Part::restitution);
-    ListingStep(kPaper, AllBut<Part::restitution>(), world.bounds())(compiled, dt_s);
+    ModelParts parts;
+    parts.leave_out(ModelPart::restitution);
+    ListingStep(kPaper, AllBut<ModelPart::restitution>(), world.bounds())(compiled, dt_s);
     ListingStep(kPaper, parts, world.bounds())(run, dt_s);
     ASSERT_TRUE(same_state(compiled, core_of(run)));
   });

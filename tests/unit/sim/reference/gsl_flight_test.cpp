@@ -94,13 +94,6 @@ TEST(GslFlight, RefusesAStateATimeAndAResultThatAreNotFinite) {
   EXPECT_FALSE(gsl->advance(100.0));
 }
 
-TEST(GslFlight, IsAJudgeOnlyAtFullAccuracy) {
-  EXPECT_TRUE(gsl_flight()->is_accurate());
-  EXPECT_TRUE(gsl_flight({.tolerance = 1e-13})->is_accurate());
-  EXPECT_FALSE(gsl_flight({.tolerance = 1e-9})->is_accurate());
-  EXPECT_FALSE(gsl_flight({.stepper = GslStepper::msadams})->is_accurate());
-}
-
 // Control: GSL's answers with a change.
 struct AlteredSolver final : FlightSolver {
   void start(const Velocity& velocity, bool solves_x) override { gsl->start(velocity, solves_x); }
@@ -113,26 +106,22 @@ struct AlteredSolver final : FlightSolver {
   std::optional<Impact> time_of_impact(const Approach& approach, double t_max_s) override {
     return gsl->time_of_impact(approach, t_max_s);
   }
-  bool is_accurate() const override { return judges; }
 
   std::unique_ptr<FlightSolver> gsl = gsl_flight();
   double off_px = 0.0;
   bool fails = false;
-  bool judges = true;
 };
 
-TEST(DriftMeterWithGsl, HoldsAJudgeToTheBoundAndCallsAFailedOneAFault) {
+TEST(DriftMeterWithGsl, HoldsItToTheBoundAndCallsAFailedOneAFault) {
   const struct {
     double off_px;
-    bool fails, judges;
+    bool fails;
     std::string_view fault;
-  } cases[] = {{0.9e-9, false, true, ""},
-               {2e-9, false, true, "position differs"},
-               {0.0, true, true, "the second solver failed"},
-               {1.0, false, false, ""}};
-  for (const auto& [off_px, fails, judges, fault] : cases) {
+  } cases[] = {
+      {0.9e-9, false, ""}, {2e-9, false, "position differs"}, {0.0, true, "the second solver failed"}};
+  for (const auto& [off_px, fails, fault] : cases) {
     AlteredSolver solver;
-    std::tie(solver.off_px, solver.fails, solver.judges) = std::tie(off_px, fails, judges);
+    std::tie(solver.off_px, solver.fails) = std::tie(off_px, fails);
     Measured measured;
     measure(fling(), measured, &solver);
     EXPECT_EQ(measured.arcs.at(0).reference_fault, fault);

@@ -187,5 +187,22 @@ TEST(Margin, IsNotLimitedByASpeedThatIsRoundedAway) {
   EXPECT_NEAR(*margin_of(scenario).half_width, 0x1p-43, 1e-15);
 }
 
+// A wall that moves in takes a resting sprite along; then the sprite stands on it, and whatever speed is too
+// small to clamp it is rounded away in each step: the speeds of many steps do not add up.
+TEST(Margin, OfASpriteOnAWallIsThatOfTheFirstStepThatCanFlip) {
+  Scenario scenario = fling();
+  scenario.start = {1700.0, 952.0};
+  scenario.start_velocity = {};
+  for (std::int32_t frame = 60; frame < 72; ++frame)
+    scenario.events.push_back(
+        {std::int64_t{frame}, Resize{Size{1760 - 40 * (frame - 60), 1080}, std::nullopt}});
+  const Margin margin = margin_of(scenario);
+  EXPECT_EQ(margin.nearest->step, 73);
+  EXPECT_NEAR(*margin.half_width, 0.0320, 5e-5);
+  const auto contacts = contacts_of(scenario);
+  EXPECT_EQ(contacts_of(shifted(scenario, corner(*margin.nearest, *margin.half_width * kInside))), contacts);
+  EXPECT_NE(contacts_of(shifted(scenario, corner(*margin.nearest, *margin.half_width * kOutside))), contacts);
+}
+
 }  // namespace
 }  // namespace hyrax

@@ -4,6 +4,7 @@
 // found again from the rows, and nothing is batched, skipped or resumed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -22,6 +23,8 @@ struct PlainRun {
   std::vector<Row> rows;
   std::vector<Contact> contacts;
   std::optional<std::int64_t> out_of_bounds_step;
+  std::vector<double> floors_px;          // By row.
+  std::vector<std::int64_t> input_steps;  // The rows after which inputs act.
 
   [[nodiscard]] std::string state_hash() const {
     StateHash hash;
@@ -34,6 +37,27 @@ struct PlainRun {
     for (const Row& row : rows)
       if (std::fabs(row.x_px - anchor->x_px) > 0.5 || std::fabs(row.y_px - anchor->y_px) > 0.5) anchor = &row;
     if (rows.back().t_s - anchor->t_s >= 1.0) return anchor->t_s;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool stays_near_floor(std::int64_t first, std::int64_t last) const {
+    for (auto row = static_cast<std::size_t>(first); row <= static_cast<std::size_t>(last); ++row)
+      if (std::fabs(rows[row].y_px - floors_px[row]) > 0.5) return false;
+    return true;
+  }
+  [[nodiscard]] bool is_resting(const Contact& contact) const {
+    std::int64_t last = rows.back().step;
+    for (const std::int64_t step : input_steps)
+      if (step >= contact.step) last = std::min(last, step);
+    return contact.wall == Wall::ground && contact.step < last && stays_near_floor(contact.step, last);
+  }
+  [[nodiscard]] std::optional<std::int64_t> resting_contact_from_step() const {
+    const std::int64_t first = input_steps.empty() ? 0 : input_steps.back() + 1;
+    for (const Contact& contact : contacts) {
+      if (!is_resting(contact) || contact.last_step < first) continue;
+      if (contact.step >= first) return contact.step;
+      if (stays_near_floor(first, rows.back().step)) return first;
+    }
     return std::nullopt;
   }
 
@@ -59,8 +83,11 @@ class PlainReplay {
     record(0, 0.0, 0);
     for (std::int64_t frame = 0; frame < steps; ++frame) {
       dt_s_ = clock_.dt_s(frame);
-      for (std::size_t event = 0; event < event_frames.size(); ++event)
-        if (event_frames[event] == frame) apply(scenario_.events[event].action);
+      for (std::size_t event = 0; event < event_frames.size(); ++event) {
+        if (event_frames[event] != frame) continue;
+        apply(scenario_.events[event].action);
+        run_.input_steps.push_back(frame);
+      }
       timeline_.play(dt_s_);
       record(frame + 1, timeline_.time_s(), is_held_ ? std::uint8_t{0} : step(frame + 1));
     }
@@ -132,6 +159,7 @@ class PlainReplay {
   void record(std::int64_t number, double t_s, std::uint8_t contact) {
     run_.rows.push_back(
         {number, t_s, number == 0 ? 0.0 : dt_s_, body_.x(), body_.y(), body_.vx(), body_.vy(), contact});
+    run_.floors_px.push_back(window_.height_px - sprite_.height_px);
     const bool is_inside = body_.x() >= 0.0 && body_.x() <= window_.width_px - sprite_.width_px &&
                            body_.y() >= 0.0 && body_.y() <= window_.height_px - sprite_.height_px;
     if (!is_inside && !run_.out_of_bounds_step) run_.out_of_bounds_step = number;

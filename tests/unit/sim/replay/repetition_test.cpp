@@ -4,10 +4,10 @@
 #include <array>
 #include <set>
 
-#include "sim/core/contact_kernel.h"
-#include "sim/core/kernel_of.h"
+#include "sim/core/contact_stepper.h"
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
+#include "sim/core/stepper_of.h"
 #include "sim/replay/replay.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
@@ -70,8 +70,8 @@ struct EulerStep {
 };
 
 TEST(SkippedRepetition, HasBlocksThatDifferWhereItsPeriodDoesNotDivideThem) {
-  const Core euler{.kernel = std::make_shared<const ContactKernel>(
-                       std::make_shared<const KernelOf<StepCores<EulerStep>>>(), nullptr, std::nullopt)};
+  const Core euler{.stepper = std::make_shared<const ContactStepper>(
+                       std::make_shared<const StepperOf<StepCores<EulerStep>>>(), nullptr, std::nullopt)};
   for (const std::int64_t steps : {20'479, 20'480, 20'481, 50'000}) {
     const RunSummary summary =
         expect_skipping_changes_nothing(fling_at(60.0, steps), 1, std::to_string(steps) + " steps", euler);

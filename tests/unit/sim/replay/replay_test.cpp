@@ -8,6 +8,7 @@
 #include "sim/core/shipped_core.h"
 #include "sim/replay/fingerprint.h"
 #include "sim/scenario/frame_clock.h"
+#include "sim/search/draws.h"
 #include "sim/trajectory/waypoints.h"
 #include "tests/unit/sim/replay/plain_replay.h"
 #include "tests/unit/sim/replay/some_flings.h"
@@ -30,9 +31,14 @@ void expect_plain_run(const Scenario& scenario, const std::string& which) {
   EXPECT_EQ(summary.at_rest_since_s, plain.at_rest_since_s()) << which;
   EXPECT_EQ(summary.out_of_bounds_step, plain.out_of_bounds_step) << which;
   EXPECT_EQ(summary.rest_steps, plain.steps_with(kRestBit)) << which;
-  WallCounts contacts{};
-  for (const Contact& contact : plain.contacts) ++contacts[contact.wall];
+  WallCounts contacts{}, bounces{};
+  for (const Contact& contact : plain.contacts) {
+    ++contacts[contact.wall];
+    if (!plain.is_resting(contact)) ++bounces[contact.wall];
+  }
   EXPECT_EQ(summary.contacts, contacts) << which;
+  EXPECT_EQ(summary.bounces, bounces) << which;
+  EXPECT_EQ(summary.resting_contact_from_step, plain.resting_contact_from_step()) << which;
   for (const Wall wall : kWalls)
     EXPECT_EQ(summary.clamped_steps[wall], plain.steps_with(static_cast<std::uint8_t>(wall))) << which;
 }
@@ -41,6 +47,25 @@ TEST(Replay, PlaysEveryKindOfInputAndRandomFlingsByTheFrameRule) {
   expect_plain_run(eventful_fling(), "eventful");
   for (std::uint64_t seed = 0; seed < 300; ++seed)
     expect_plain_run(any_fling(seed, 1000), "seed " + std::to_string(seed));
+}
+
+// Contacts that rest, that rest until an input, that go on over one, and those of a sprite that bounces for
+// ever.
+TEST(Replay, TellsRestingContactFromBounces) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Draws draws(seed);
+    constexpr double kRates_hz[] = {20.0, 60.0, 100.0, 144.0};
+    Scenario scenario = fling_at(draws.one_of(kRates_hz), 900);
+    scenario.start = {draws.between(0.0, 1700.0), draws.between(600.0, 952.0)};
+    scenario.start_velocity = {draws.between(-100.0, 100.0), draws.between(-200.0, 0.0)};
+    if (draws.below(2) == 1) scenario.clock.jitter = Jitter{Jitter::Kind::missed_frames, 0.2, seed};
+    for (std::int64_t frame = 0; draws.below(5) > 0 && frame < 800;
+         frame += static_cast<std::int64_t>(draws.below(200)))
+      scenario.events.push_back({frame, draws.below(2) == 1
+                                            ? Action(Hitch{draws.between(0.0, 0.2)})
+                                            : Action(Fling{{0.0, draws.between(-90.0, 30.0)}})});
+    expect_plain_run(scenario, "seed " + std::to_string(seed));
+  }
 }
 
 TEST(Replay, RecordsEveryFewRowsAndTheLastOne) {

@@ -44,17 +44,18 @@ inline std::ostream& operator<<(std::ostream& out, const Contact& contact) {
 
 /// Every field of a summary, doubles to the bit: a field that is added to it must be added here.
 inline std::string text_of(const RunSummary& summary) {
-  const auto& [steps, computed, simulated_s, contacts, clamped, rest_steps, final, at_rest_since_s,
-               periodic_from, period, hash, non_finite, out_of_bounds, had_gravity, had_drag, had_friction] =
-      summary;
+  const auto& [steps, computed, simulated_s, contacts, bounces, resting_from, clamped, rest_steps, final,
+               at_rest_since_s, periodic_from, period, hash, non_finite, out_of_bounds, had_gravity, had_drag,
+               had_friction] = summary;
   std::ostringstream out;
   out << std::hexfloat << steps << " steps, " << computed << " computed, " << simulated_s << " s, contacts";
-  for (const Wall wall : kWalls) out << " " << contacts[wall] << " of " << clamped[wall] << " steps";
-  out << ", " << rest_steps << " rest steps, final " << final << ", at rest since "
-      << at_rest_since_s.value_or(-1.0) << ", periodic from " << periodic_from.value_or(-1) << " by "
-      << period << ", hash " << hex(hash) << ", non-finite at " << non_finite.value_or(-1)
-      << ", out of bounds at " << out_of_bounds.value_or(-1) << ", had " << had_gravity << had_drag
-      << had_friction;
+  for (const Wall wall : kWalls)
+    out << " " << contacts[wall] << " of " << clamped[wall] << " steps, bounces " << bounces[wall];
+  out << ", resting contact from " << resting_from.value_or(-1) << ", " << rest_steps << " rest steps, final "
+      << final << ", at rest since " << at_rest_since_s.value_or(-1.0) << ", periodic from "
+      << periodic_from.value_or(-1) << " by " << period << ", hash " << hex(hash) << ", non-finite at "
+      << non_finite.value_or(-1) << ", out of bounds at " << out_of_bounds.value_or(-1) << ", had "
+      << had_gravity << had_drag << had_friction;
   return out.str();
 }
 

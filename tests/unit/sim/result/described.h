@@ -103,8 +103,8 @@ inline std::string described(const Column& column, const std::string& indent) {
 }
 
 inline std::string described(const Table& table, const std::string& indent) {
-  constexpr const char* kShapes[] = {"", " (values)", " (by first)", " (one)", " (members)"};
-  std::string text = indent + "table " + table.name + kShapes[static_cast<std::size_t>(table.shape)] + ": " +
+  constexpr const char* kForms[] = {"", " (values)", " (by first)", " (one)", " (members)"};
+  std::string text = indent + "table " + table.name + kForms[static_cast<std::size_t>(table.form)] + ": " +
                      table.long_name + "\n";
   for (const Column& column : table.columns) text += described(column, indent);
   return text;
@@ -185,20 +185,6 @@ inline std::string described(const Grid& grid) {
   return text;
 }
 
-inline std::string described(const Listing& listing) {
-  std::string text;
-  for (const ListColumn& column : listing.columns)
-    text += "  column '" + column.title + "' " + six_digits(column.width_px) +
-            (column.is_right ? " right " : " left ") + std::to_string(column.letters_max) + "\n";
-  for (const auto& row : listing.rows) {
-    text += "  row";
-    for (const ListField& field : row)
-      text += " '" + field.text + "' '" + field.detail + "' " + described(field.fill);
-    text += "\n";
-  }
-  return text;
-}
-
 inline std::string described(const Figure& figure) {
   std::string text = "figure " + figure.suffix + " '" + figure.title + "'\n  " + figure.subtitle + "\n";
   if (!figure.note.empty()) text += "  note " + figure.note + " " + described(figure.note_tone) + "\n";
@@ -210,7 +196,7 @@ inline std::string described(const Figure& figure) {
 }
 
 inline std::string described(const Verdict& verdict) {
-  std::string text = "verdict\n";
+  std::string text = "verdict " + verdict.answer + "\n";
   for (const auto& part : verdict.text) {
     const Table* const table = std::get_if<Table>(&part);
     text += table != nullptr ? described(*table, "  ") : "  " + std::get<std::string>(part) + "\n";

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "sim/scenario/split_mix64.h"
+
 namespace hyrax {
 namespace {
 
@@ -20,22 +24,68 @@ VariedKey x(decltype(VariedKey::variation) variation) {
   return {"/start/x_px", ScenarioNumberKind::real, std::move(variation)};
 }
 
-TEST(Sweep, WholeDrawsNeverRoundBeyondTheirEnd) {
-  for (const double low : {0x1p52, 0x1p53 - 1.0}) {
-    const UniformDraw range{low, low + 1.0};
-    const Sweep sweep = sweep_of({{"/steps", ScenarioNumberKind::integer, range}}, 100);
-    for (std::int64_t member = 0; member < sweep.members; ++member)
-      EXPECT_LE(std::get<std::int64_t>(value_of(sweep, 0, member)), static_cast<std::int64_t>(range.high));
+// Against long division of the draws by hand: the formula in integers that are wide enough.
+TEST(Sweep, WholeDrawsAreExactToTheLargestSeed) {
+  constexpr std::uint64_t kMost = ~std::uint64_t{0};
+  struct Range {
+    std::uint64_t low, high;
+  };
+  for (const auto& [low, high] : {Range{0, kMost},
+                                  {kMost - 1, kMost},
+                                  {1, kMost},
+                                  {(std::uint64_t{1} << 53) + 1, (std::uint64_t{1} << 53) + 3},
+                                  {kMost - 4096, kMost - 4095},
+                                  {7, 7},
+                                  {3, 10}}) {
+    const Sweep sweep =
+        sweep_of({{"/clock/jitter/seed", ScenarioNumberKind::seed, UniformDraw{low, high}}}, 200);
+    std::set<std::uint64_t> values;
+    for (std::int64_t member = 0; member < sweep.members; ++member) {
+      std::uint64_t part = split_mix64(sweep.seed, static_cast<std::uint64_t>(member)) >> 11;
+      // Bits of the draw from the lowest on: (high - low + 1) * part >> 53, a halving a bit.
+      std::uint64_t share = 0;
+      for (int bit = 0; bit < 53; ++bit, part >>= 1) {
+        const std::uint64_t added = (part & 1) != 0 ? high - low : 0, one = part & 1;
+        const std::uint64_t sum = share + added + one;
+        const bool is_over = sum < share || (added == kMost && one == 1);
+        share = sum >> 1 | (is_over ? std::uint64_t{1} << 63 : 0);
+      }
+      const auto value = std::get<std::uint64_t>(value_of(sweep, 0, member));
+      EXPECT_EQ(value, low + share) << low << " .. " << high;
+      values.insert(value);
+    }
+    EXPECT_GE(*values.begin(), low);
+    EXPECT_LE(*values.rbegin(), high);
+    EXPECT_EQ(values.size() > 1, high > low);
   }
+  const UniformDraw signed_range{std::int64_t{-3}, std::int64_t{2}};
+  const Sweep sweep = sweep_of({{"/steps", ScenarioNumberKind::integer, signed_range}}, 200);
+  std::set<std::int64_t> values;
+  for (std::int64_t member = 0; member < sweep.members; ++member)
+    values.insert(std::get<std::int64_t>(value_of(sweep, 0, member)));
+  EXPECT_EQ(values, (std::set<std::int64_t>{-3, -2, -1, 0, 1, 2}));
+}
+
+TEST(Sweep, WholeGridsAreExactToTheLargestSeed) {
+  constexpr std::uint64_t kMost = ~std::uint64_t{0};
+  const GridAxis grid{kMost - 30, kMost, 4};
+  for (std::int64_t index = 0; index < 4; ++index)
+    EXPECT_EQ(std::get<std::uint64_t>(value_of(grid, index)),
+              kMost - 30 + 10 * static_cast<std::uint64_t>(index));
+  EXPECT_EQ(std::get<std::uint64_t>(value_of(GridAxis{std::uint64_t{0}, kMost, 4}, 2)), kMost / 3 * 2);
+  EXPECT_EQ(std::get<std::int64_t>(value_of(GridAxis{std::int64_t{-9}, std::int64_t{3}, 5}, 1)), -6);
 }
 
 TEST(Sweep, GridsEndAtBothEnds) {
   const GridAxis grid{0.1, 0.7, 4};
-  EXPECT_EQ(value_of(grid, 0), 0.1);
-  EXPECT_EQ(value_of(grid, 1), 0.1 + ((0.7 - 0.1) * 1.0) / 3.0);
-  EXPECT_EQ(value_of(grid, 3), 0.7);
-  EXPECT_EQ(value_of(GridAxis{-0.3, 0.1, 2}, 1), 0.1) << "the formula gives the number above";
-  EXPECT_EQ(value_of(GridAxis{5.0, 9.0, 1}, 0), 5.0);
+  const auto real_of = [](const GridAxis& axis, std::int64_t index) {
+    return std::get<double>(value_of(axis, index));
+  };
+  EXPECT_EQ(real_of(grid, 0), 0.1);
+  EXPECT_EQ(real_of(grid, 1), 0.1 + ((0.7 - 0.1) * 1.0) / 3.0);
+  EXPECT_EQ(real_of(grid, 3), 0.7);
+  EXPECT_EQ(real_of(GridAxis{-0.3, 0.1, 2}, 1), 0.1) << "the formula gives the number above";
+  EXPECT_EQ(real_of(GridAxis{5.0, 9.0, 1}, 0), 5.0);
 }
 
 TEST(Sweep, MembersHaveTheirNumbers) {

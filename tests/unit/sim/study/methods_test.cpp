@@ -5,10 +5,13 @@
 #include <cmath>
 #include <set>
 
+#include "sim/compare/comparison.h"
+#include "sim/core/core_of.h"
 #include "sim/core/shipped_core.h"
 #include "sim/study/methods/cost.h"
 #include "sim/study/methods/method_errors.h"
 #include "sim/study/speed_error/speed_error.h"
+#include "tests/unit/sim/study/swept_physics.h"
 
 namespace hyrax {
 namespace {
@@ -91,7 +94,7 @@ MethodKind kind_of(const std::string& name) {
 }
 
 Problem problem_named(const std::string& name) {
-  for (const Problem& problem : study_problems())
+  for (const Problem& problem : study_problems(FixedLaws()))
     if (problem.name == name) return problem;
   ADD_FAILURE() << "no problem " << name;
   return {};
@@ -125,6 +128,31 @@ TEST(FrameMethods, ImpactsInsideTheFrameKeepAFastSpriteInsideASmallWindow) {
   EXPECT_LT(errors.position_px, 1e-6);
 }
 
+// With its own program and its own series: the code that sim/physics/README.md shows.
+TEST(FrameMethods, TheSweptClampIsTheOneThatIsShown) {
+  const Core shown = core_of<SweptPhysics>("swept", {});
+  for (const Problem& fling : problems_like(problem_named("fling"), 20)) {
+    const std::vector<double> frames_s = stage_frames_s(fling, 60.0).front();
+    const Bounds room = fling.stages.front().bounds;
+    const auto method = kind_of("swept-clamp").make();
+    method->start(fling.start, room, false);
+    for (std::size_t frame = 0; frame < frames_s.size(); frame += 24) {
+      ASSERT_TRUE(method->play(std::span(frames_s).subspan(frame, 24)));
+      const State end = shown.played(fling.start, std::span(frames_s).first(frame + 24), room);
+      EXPECT_NEAR(distance_px(method->motion(), end), 0.0, 1e-6) << frame;
+    }
+  }
+}
+
+TEST(FrameMethods, ASweptClampIsOfSecondOrderAtWalls) {
+  for (const char* name : {"fling", "corner-fling", "jittered-fling"}) {
+    const Problem fling = problem_named(name);
+    const double at_60_hz_px = errors_of("swept-clamp", fling, 60.0).position_px;
+    EXPECT_LT(at_60_hz_px, errors_of("exact-flight", fling, 60.0).position_px / 10.0) << name;
+    EXPECT_LT(errors_of("swept-clamp", fling, 960.0).position_px, at_60_hz_px / 100.0) << name;
+  }
+}
+
 // What changes nothing, a hitch of one frame's length and the window's own size, cuts the slide into stages.
 TEST(FrameMethods, ASlideGoesOnPastWhatLeavesItOnTheGround) {
   Problem slide = problem_named("fling"), cut = slide;
@@ -138,6 +166,47 @@ TEST(FrameMethods, ASlideGoesOnPastWhatLeavesItOnTheGround) {
     const MethodErrors whole = errors_of(kind.name, slide, 64.0), parts = errors_of(kind.name, cut, 64.0);
     EXPECT_NEAR(parts.position_px, whole.position_px, 1e-9) << kind.name;
     EXPECT_NEAR(parts.end_px, whole.end_px, 1e-9) << kind.name;
+  }
+}
+
+// Whatever a method remembers of a sprite that flies, slides or has long been still.
+TEST(FrameMethods, AfterInputsAMethodPlaysAsFromAFreshStart) {
+  Problem fresh = problem_named("fling"), later = fresh;
+  const Bounds room = fresh.stages[0].bounds;
+  fresh.stages = {{.duration_s = 3.0, .bounds = room}};
+  const State in_air = fresh.start, on_ground = {300.0, room.bottom_px, 900.0, 0.0};
+  // Laid on the ground out of its flight; one that lies there already slides on without an impact.
+  for (const auto& [from, all_before_s] :
+       {std::pair(in_air, std::vector{0.5, 6.0, 40.0}), {on_ground, {0.5}}}) {
+    fresh.start = from;
+    for (const double before_s : all_before_s) {
+      later.stages = {{.duration_s = before_s, .bounds = room}, fresh.stages[0]};
+      later.stages[1].inputs = {Place{{from.x_px, from.y_px}}, Fling{{from.vx_px_per_s, from.vy_px_per_s}}};
+      for (const MethodKind& kind : frame_methods(shipped_core())) {
+        const auto alone = kind.make(), after = kind.make();
+        ASSERT_TRUE(play_through(fresh, *alone, stage_frames_s(fresh, 64.0)));
+        ASSERT_TRUE(play_through(later, *after, stage_frames_s(later, 64.0)));
+        EXPECT_NEAR(distance_px(alone->motion(), after->motion()), 0.0, 1e-9) << kind.name << before_s;
+      }
+    }
+  }
+}
+
+TEST(FrameMethods, FramesOfNoLengthChangeNothing) {
+  const Bounds room = problem_named("fling").stages[0].bounds;
+  const std::vector<double> frames_s(40, 1.0 / 64.0);
+  std::vector<double> with_others_s;
+  for (const double frame_s : frames_s) with_others_s.insert(with_others_s.end(), {frame_s, 0.0});
+  for (const MethodKind& kind : frame_methods(shipped_core())) {
+    if (std::holds_alternative<Divergent>(kind.accuracy)) continue;  // Its drag is taken once a frame.
+    State ends[2];
+    for (const bool has_others : {false, true}) {
+      const auto method = kind.make();
+      method->start({100.0, room.bottom_px, 3000.0, 0.0}, room, false);
+      ASSERT_TRUE(method->play(has_others ? with_others_s : frames_s));
+      ends[has_others] = method->motion();
+    }
+    EXPECT_NEAR(distance_px(ends[0], ends[1]), 0.0, 1e-9) << kind.name;
   }
 }
 

@@ -92,24 +92,69 @@ TEST(ProblemOfScenario, WithoutTimeOrRoomIsRefused) {
   }
 }
 
-TEST(StudyProblems, AreTheseMotions) {
+std::string problems_text(const Model& model) {
   std::string text;
-  for (const Problem& problem : study_problems()) {
+  for (const Problem& problem : study_problems(FixedLaws(model))) {
     const State& start = problem.start;
-    text += fmt::format("{}: {}, {:g} {:g} {:g} {:.0f} {:g} s{}{}\n", problem.name, problem.label, start.x_px,
-                        start.y_px, start.vx_px_per_s, start.vy_px_per_s, problem.duration_s(),
-                        problem.is_free_flight ? " free" : "", problem.jitter ? " jittered" : "");
+    text += fmt::format("{}: {:g} {:g} {:g} {:.0f} {:g} s{}{}{}{}\n", problem.name, start.x_px, start.y_px,
+                        start.vx_px_per_s, start.vy_px_per_s, problem.duration_s(),
+                        problem.is_free_flight ? " free" : "", problem.jitter ? " jittered" : "",
+                        problem.remark.empty() ? "" : " ", problem.remark);
   }
-  EXPECT_EQ(
-      text,
-      "long-arc: one second in the air, 200 400 900 -900 1 s free\n"
-      "short-arc: a fifth of a second in the air, 200 400 900 -900 0.2 s free\n"
-      "fast-arc: one second at 10,000 px/s, 200 6000 8000 -6000 1 s free\n"
-      "terminal-speed: one second at terminal speed, 200 200 0 19990 1 s free\n"
-      "fling: a fling that bounces until it settles, 60 900 1000 -1350 8 s\n"
-      "corner-fling: a fast fling into a corner, 300 500 2400 -700 8 s\n"
-      "jittered-fling: the fling on a clock that jitters by half a frame, 60 900 1000 -1350 8 s jittered\n"
-      "hitched-arc: the second in the air, a quarter of it one frame, 200 400 900 -900 1 s\n");
+  return text;
+}
+
+TEST(StudyProblems, AreTheseMotions) {
+  EXPECT_EQ(problems_text(Model()),
+            "long-arc: 200 400 900 -900 1 s free\n"
+            "short-arc: 200 200 900 -900 0.2 s free\n"
+            "fast-arc: 200 6000 8000 -6000 1 s free\n"
+            "fling: 60 900 1000 -1350 8 s\n"
+            "corner-fling: 300 500 2400 345 8 s\n"
+            "jittered-fling: 60 900 1000 -1350 8 s jittered\n"
+            "hitched-arc: 200 400 900 -900 1 s\n"
+            "terminal-speed: 200 200 0 19990 1 s free\n");
+  EXPECT_EQ(problems_text(Model({980.0, 0.9, 0.9995, 0.7, 8.0})),
+            "long-arc: 200 500 900 -900 1 s free\n"
+            "short-arc: 200 200 900 -900 0.2 s free\n"
+            "fast-arc: 200 6000 8000 -6000 1 s free\n"
+            "fling: 60 900 1000 -1350 25 s\n"
+            "corner-fling: 300 500 2400 419 18 s\n"
+            "jittered-fling: 60 900 1000 -1350 25 s jittered\n"
+            "hitched-arc: 200 500 900 -900 1 s\n"
+            "terminal-speed: 200 200 0 32658 1 s free\n");
+  EXPECT_EQ(problems_text(Model({500.0, 1.0, 1.0, 0.8, 5.0})),
+            "long-arc: 200 900 900 -900 1 s free\n"
+            "short-arc: 200 200 900 -900 0.2 s free\n"
+            "fast-arc: 200 6000 8000 -6000 1 s free\n"
+            "fling: 60 900 1000 -1350 8 s its first 8 s: it does not settle in 60 s\n"
+            "corner-fling: 300 500 2400 572 8 s its first 8 s: it does not settle in 60 s\n"
+            "jittered-fling: 60 900 1000 -1350 8 s jittered its first 8 s: it does not settle in 60 s\n"
+            "hitched-arc: 200 900 900 -900 1 s\n")
+      << "without drag there is no terminal speed";
+  EXPECT_EQ(problems_text(Model({9.81, 0.3, 0.99, 1.0, 0.01})),
+            "long-arc: 200 900 900 -900 1 s free\n"
+            "short-arc: 200 200 900 -900 0.2 s free\n"
+            "fast-arc: 200 6000 8000 -6000 1 s free\n"
+            "fling: 60 900 1000 -1350 38 s\n"
+            "corner-fling: 300 500 2400 723 18 s\n"
+            "jittered-fling: 60 900 1000 -1350 38 s jittered\n"
+            "hitched-arc: 200 900 900 -900 1 s\n"
+            "terminal-speed: 200 200 0 16 1 s free\n");
+}
+
+// Of the exact fling, which takes walls that it meets at one time together.
+TEST(StudyProblems, TheCornerIsMetAtBothWallsAtOneTime) {
+  for (const Model& model :
+       {Model(), Model({500.0, 1.0, 1.0, 0.8, 5.0}), Model({9.81, 0.3, 0.5, 1.0, 0.01})}) {
+    const Problem corner = study_problems(FixedLaws(model))[4];
+    ExactFling fling{FixedLaws(model)};
+    fling.start(corner.start, corner.stages.front().bounds);
+    static_cast<void>(fling.at(2.0));
+    ASSERT_GE(fling.impacts().size(), 2u);
+    EXPECT_NE(fling.impacts()[0].wall, fling.impacts()[1].wall);
+    EXPECT_NEAR(fling.impacts()[0].t_s, fling.impacts()[1].t_s, 1e-12);
+  }
 }
 
 constexpr Constants kOthers{.gravity_px_per_s2 = 900.0,

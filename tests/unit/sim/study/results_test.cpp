@@ -10,7 +10,6 @@
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/tools/report/picture_faults.h"
-#include "tools/report/figure_json.h"
 #include "tools/report/figure_svg.h"
 
 namespace hyrax {
@@ -66,15 +65,12 @@ TEST(Results, OfEveryStudyAreThoseApproved) {
       SCOPED_TRACE(study.name + ": " + figure.title);
       EXPECT_EQ(picture_faults(figure_svg(figure)), std::vector<std::string>{});
       EXPECT_EQ(picture_faults(figure_html(figure)), std::vector<std::string>{});
-      EXPECT_EQ(
-          figure_svg(
-              figures_of(parse_json(to_text(Json::Array{figure_json(figure)}), "file"), "figures").front()),
-          figure_svg(figure))
-          << "the figure in the study's file";
       if (const auto* const plots = std::get_if<std::vector<Plot>>(&figure.body)) {
         for (const Plot& plot : *plots) EXPECT_EQ(shared_looks(plot.series), std::vector<std::string>{});
       }
     }
+    EXPECT_FALSE(result.verdict.answer.empty()) << study.name;
+    EXPECT_LE(result.verdict.answer.size(), 80u) << result.verdict.answer;
     text += described(result.verdict) + "summary\n";
     for (const Table& table : result.summary) text += described(table, "  ");
     expect_approved("tests/unit/sim/study/approved/" + study.name + ".txt", text);

@@ -1,4 +1,4 @@
-// What breaks the verdicts of the studies bounces and frame-rate.
+// What the study frame-rate measures and what breaks its verdict.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,30 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/core/core.h"
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
-#include "sim/study/bounces/bounces.h"
 #include "sim/study/frame_rate/frame_rate.h"
 
 namespace hyrax {
 namespace {
-
-TEST(BouncesResult, ARuleIsBrokenByExactImpactsThatLoseEnergy) {
-  const KeptEnergy paper{BounceMethod::paper, 60.0, 0, 500.0, 0.5, 0.4},
-      euler{BounceMethod::explicit_euler, 60.0, 0, 500.0, 1.5, 1.7},
-      exact{BounceMethod::exact, 0.0, 0, 500.0, 1.0, 1.0 + 1e-10};
-  EXPECT_TRUE(bounces_result({paper, euler, exact}).verdict.broken.empty());
-  for (double KeptEnergy::*const part : {&KeptEnergy::minute, &KeptEnergy::ten_minutes})
-    for (const auto& [kept, change] :
-         {std::pair(1.0 - 1e-8, "-1e-08"), {1.0 + 1e-8, "1e-08"}, {std::nan(""), "nan"}}) {
-      KeptEnergy changed = exact;
-      changed.number = 7;
-      changed.*part = kept;
-      EXPECT_EQ(bounces_result({paper, euler, exact, changed}).verdict.broken,
-                std::vector<std::string>{std::string("exact impacts: throw 7 changes its energy by ") +
-                                         change + " of it, more than 1e-09"});
-    }
-}
 
 TEST(FrameRate, TheGateBreaksByAnotherCoreAndByAMethodThatIsNoSteadier) {
   FrameRateStudy study = study_frame_rate(shipped_core(), {24.0, 144.0}, 30);
@@ -41,14 +23,48 @@ TEST(FrameRate, TheGateBreaksByAnotherCoreAndByAMethodThatIsNoSteadier) {
     ASSERT_NE(landing, study.landings.end());
     landing->is_core = false;
   }
+  study.shifts[1].settled.count -= 2;
   study.steadier_by_time = {Share{40, 60}, Share{37, 60}, Share{0, 4}};
   EXPECT_EQ(frame_rate_result(study).verdict.broken,
             (std::vector<std::string>{
                 "24 Hz, jittered: the method called the paper's step differs from the core",
+                "144 Hz, the paper's step: 2 of 31 flings have not settled within 16 s",
                 "frames jittered by 2 ms (normal): drag and friction by time spread less in 37 of 60 flings "
                 "(49 .. 73 %): they are no more independent of the frame rate than the paper's step",
                 "one frame in twenty missed: drag and friction by time spread less in 0 of 4 flings "
                 "(0 .. 49 %): they are no more independent of the frame rate than the paper's step"}));
+}
+
+// At 60 Hz vy ends in a two-cycle or at the residual speed, at 144 Hz at 0; vx shrinks on and on.
+TEST(FrameRate, ASettledSpriteStandsStillAndSomeOfItsSpeedsStillChange) {
+  const FrameRateStudy study = study_frame_rate(shipped_core(), {60.0, 144.0}, 30);
+  for (const std::size_t rate : {0u, 1u}) {
+    const DisplayShift& at = study.shifts[rate];
+    EXPECT_EQ(at.settled.count, 31);
+    EXPECT_EQ(at.moves_px, 0.0);
+    EXPECT_EQ(at.changing[0] + at.changing[1], 0);
+    EXPECT_EQ(at.changing[2], 31);
+    EXPECT_EQ(at.changing[3] > 0, rate == 0);
+    EXPECT_LT(at.changing[3], 31);
+  }
+}
+
+TEST(FrameRate, PlaysFlingsForAsLongAsTheCoresConstantsAskAndSaysWhereThatIsCut) {
+  Constants laws{980.0, 0.9, 0.9995, 0.7, 8.0};
+  const FrameRateStudy lively = study_frame_rate(listing_core(laws), {24.0, 240.0}, 20);
+  EXPECT_GT(lively.until_s, 25.0);
+  EXPECT_FALSE(lively.is_cut);
+  for (const DisplayShift& shift : lively.shifts)
+    EXPECT_TRUE(shift.settled.count == 21 || shift.clock == DisplayClock::missing);
+  laws.restitution = laws.air_drag = 1.0;
+  const FrameRateStudy endless = study_frame_rate(listing_core(laws), {24.0, 240.0}, 20);
+  EXPECT_TRUE(endless.is_cut);
+  EXPECT_LT(endless.shifts[0].settled.count, 21);
+  const Verdict verdict = frame_rate_result(endless).verdict;
+  EXPECT_NE(std::get<std::string>(verdict.text[4]).find("within 60 s"), std::string::npos);
+  EXPECT_NE(std::get<std::string>(verdict.text[4]).find("Some may take longer"), std::string::npos);
+  for (const std::string& sentence : verdict.broken)
+    EXPECT_EQ(sentence.find("not settled"), std::string::npos) << sentence;
 }
 
 TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {

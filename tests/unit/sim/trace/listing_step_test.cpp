@@ -19,17 +19,17 @@ using namespace recording;
 constexpr Constants kShipped = {physics::GRAVITY, physics::RESTITUTION, physics::AIR_DRAG,
                                 physics::GROUND_FRICTION, physics::REST_THRESHOLD};
 
-// The shape of the listing as a test changes it.
-StepShape shape_with(const std::function<void(Listing&)>& change) {
+// How the listing stands to the paper's as a test changes it.
+PaperMatch match_with(const std::function<void(Listing&)>& change) {
   Listing listing;
   change(listing);
-  return shape_of(canonical(record(listing)));
+  return match_paper(canonical(record(listing)));
 }
 
 std::string difference_with(const std::function<void(Listing&)>& change) {
-  const StepShape shape = shape_with(change);
-  EXPECT_FALSE(shape.constants);
-  return shape.difference;
+  const PaperMatch paper_match = match_with(change);
+  EXPECT_FALSE(paper_match.constants);
+  return paper_match.difference;
 }
 
 void set(Listing& listing, const Constants& to) {
@@ -62,8 +62,8 @@ TEST(ListingStep, GivesTheConstantsOfAnyCoreOfItsShape) {
                              {1.0, 0.0, 1.0, 0.0, 1.0},
                              {1e300, 1e-300, 5e-324, 0.1, 0.2}};
   for (const Constants& core : cores) {
-    const StepShape shape = shape_with([&](Listing& listing) { set(listing, core); });
-    EXPECT_TRUE(same_bits(shape.constants.value(), core)) << core.gravity_px_per_s2;
+    const PaperMatch paper_match = match_with([&](Listing& listing) { set(listing, core); });
+    EXPECT_TRUE(same_bits(paper_match.constants.value(), core)) << core.gravity_px_per_s2;
   }
 }
 
@@ -98,7 +98,7 @@ TEST(ListingStep, NamesAConstantThatIsNotKnown) {
 }
 
 TEST(ListingStep, NamesWhatIsMissing) {
-  EXPECT_EQ(shape_of(canonical(record([](Body& body, const Frame& frame) {
+  EXPECT_EQ(match_paper(canonical(record([](Body& body, const Frame& frame) {
               body.vx = body.vx * Real(0.5);
               body.x = body.x + body.vx * frame.dt;
             }))).difference,
@@ -112,20 +112,20 @@ TEST(ListingStep, AllowsFurtherMembersThatNothingReads) {
   step.expressions.push_back({.op = Operator::argument, .kind = NumberKind::whole, .name = "member_5"});
   for (std::vector<StepPath>& paths : step.paths)
     for (StepPath& path : paths) path.members.push_back(count);
-  const StepShape shape = shape_of(canonical(step));
-  EXPECT_EQ(shape.constants.value().gravity_px_per_s2, 980.0);
+  const PaperMatch paper_match = match_paper(canonical(step));
+  EXPECT_EQ(paper_match.constants.value().gravity_px_per_s2, 980.0);
   // As soon as one is read, the step is another.
   step.comparisons.push_back({count, count, Relation::equal});
   for (StepPath& path : step.paths[static_cast<std::size_t>(CoreFunction::update)])
     path.outcomes.push_back({static_cast<StepIndex>(step.comparisons.size() - 1), true});
-  EXPECT_EQ(shape_of(canonical(step)).difference, "member_5 == member_5");
+  EXPECT_EQ(match_paper(canonical(step)).difference, "member_5 == member_5");
 }
 
 TEST(ListingStep, SettersArePartOfTheShape) {
   TracedStep step = listing_step(kShipped);
   StepPath& path = step.paths[static_cast<std::size_t>(CoreFunction::set_velocity)].front();
   std::swap(path.members[2], path.members[3]);
-  EXPECT_EQ(shape_of(canonical(step)).difference, "what the constructor or a setter does");
+  EXPECT_EQ(match_paper(canonical(step)).difference, "what the constructor or a setter does");
 }
 
 }  // namespace

@@ -225,11 +225,43 @@ struct ByTheRoomLeftAndItsMiddle {
       turn_y(b, Wall::ground, bottom_of(f), -b.vy);
   }
 };
+// Height above the ground, and twice the position.
+struct MeasuredFromTheOtherWallAndScaled {
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    if (b.x * 2.0 < 0.0)
+      turn_x(b, Wall::left, 0.0, -b.vx);
+    else if (b.x * 2.0 > right_of(f) * 2.0)
+      turn_x(b, Wall::right, right_of(f), -b.vx);
+    const auto height = bottom_of(f) - b.y;
+    if (height > bottom_of(f))
+      turn_y(b, Wall::top, 0.0, -b.vy);
+    else if (height * -0.5 > 0.0)
+      turn_y(b, Wall::ground, bottom_of(f), -b.vy * 0.6);
+  }
+};
+// A twentieth of the window is left free; the origin is in the middle.
+struct WithAMarginAndByTheMiddle {
+  void operator()(auto& b, const auto& f) const {
+    fly(b, f);
+    const auto margin = to_real(f.window_width) * 0.05;
+    if (b.x < margin)
+      turn_x(b, Wall::left, margin, fabs(b.vx));
+    else if (b.x > right_of(f) - margin)
+      turn_x(b, Wall::right, right_of(f) - margin, -fabs(b.vx));
+    const auto middle = bottom_of(f) / 2.0;
+    if (b.y - middle < -middle)
+      turn_y(b, Wall::top, 0.0, fabs(b.vy));
+    else if (b.y - middle > middle)
+      turn_y(b, Wall::ground, bottom_of(f), -fabs(b.vy));
+  }
+};
 template <class Core>
 class ContactsOf : public testing::Test {};
 using Cores = testing::Types<OtherFlight, YFirst, InFloat, Reflected, SubSteps, WallsOnTheBoundAndAllInside,
                              NeverNegativeBoundsAndClamped, SnapsToTheLeft, ShelfInside,
-                             FrictionOfTheRowBefore, WallsFirst, ByTheRoomLeftAndItsMiddle>;
+                             FrictionOfTheRowBefore, WallsFirst, ByTheRoomLeftAndItsMiddle,
+                             MeasuredFromTheOtherWallAndScaled, WithAMarginAndByTheMiddle>;
 TYPED_TEST_SUITE(ContactsOf, Cores);
 
 TYPED_TEST(ContactsOf, AreThoseOfItsCounters) {
@@ -280,6 +312,21 @@ TEST(ContactsOfALargeSprite, AreBeyondTheBoundByWhatThePositionWasSetTo) {
     EXPECT_EQ(body.meeting(Wall::right, 0.01, {50, 600}, {100, 100}).overshoot_px,
               x < 30.0 ? 50.0 : x + 50.0);
   }
+}
+
+TEST(ContactsOfAStep, OvershootIsInPixelsOfThePosition) {
+  const auto overshoot = [](const auto& core, Wall wall, const State& start, double dt_s) {
+    const auto program = make_step_program(
+        canonical(recording::record([&](recording::Body& b, const recording::Frame& f) { core(b, f); })));
+    return TracedBody(*program, start).meeting(wall, dt_s, {700, 600}, {100, 100}).overshoot_px;
+  };
+  const MeasuredFromTheOtherWallAndScaled scaled;
+  EXPECT_EQ(overshoot(scaled, Wall::right, {596, 100, 64, 0}, 0.125), 4.0);
+  EXPECT_EQ(overshoot(scaled, Wall::ground, {100, 504, 0, 0}, 0.0), 4.0);
+  EXPECT_EQ(overshoot(scaled, Wall::top, {100, -3, 0, 0}, 0.0), 3.0);
+  // Of two halves of a step both are beyond the ground, or the last one only.
+  EXPECT_TRUE(std::isnan(overshoot(SubSteps(), Wall::ground, {100, 500, 0, 0}, 1.0)));
+  EXPECT_EQ(overshoot(SubSteps(), Wall::right, {500, 100, 150, 0}, 1.0), 50.0);
 }
 
 }  // namespace

@@ -226,20 +226,61 @@ std::vector<TracedBody> bodies_of(const StepPair& pair, const State& start) {
   return bodies;
 }
 
-bool notice(const StepPair& pair, const StepInput& input, std::vector<bool>& noticed) {
+void notice(const StepPair& pair, const StepInput& input, std::vector<bool>& noticed) {
   std::vector<TracedBody> bodies = bodies_of(pair, input.world.state);
-  std::vector<bool> evaluated(noticed.size());
-  return pair.notice(input, bodies, evaluated, noticed);
+  std::vector<DifferenceWatch> watches(noticed.size());
+  pair.notice(input, bodies, watches, noticed);
+}
+
+// By difference, of a step from this input alone.
+std::vector<bool> noticed_from(const StepPair& pair, const StepInput& input) {
+  std::vector<bool> noticed(pair.differences().size());
+  notice(pair, input, noticed);
+  return noticed;
+}
+
+std::vector<std::string> texts_of(const StepPair& pair, const std::vector<bool>& noticed) {
+  std::vector<std::string> texts;
+  for (std::size_t index = 0; index < noticed.size(); ++index)
+    if (noticed[index]) texts.push_back(pair.differences()[index].text);
+  return texts;
 }
 
 TEST(StepDifferences, AreNoticedOnlyWhereTheyAreEvaluated) {
   const StepPair pair(canonical(record_listing()), edited([](Listing& l) { l.friction = 0.81; }));
-  std::vector<bool> noticed(pair.differences().size());
-  EXPECT_FALSE(notice(pair, {{{100, 100, 300, 0}, {1000, 1000}, {64, 64}}, 0.01}, noticed));
-  EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), 0);
-  EXPECT_TRUE(notice(pair, {{{100, 936, 300, 0}, {1000, 1000}, {64, 64}}, 0.01}, noticed));
+  EXPECT_TRUE(
+      texts_of(pair, noticed_from(pair, {{{100, 100, 300, 0}, {1000, 1000}, {64, 64}}, 0.01})).empty());
   // Of the four not those of a contact with a wall as well.
-  EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), 2);
+  EXPECT_EQ(texts_of(pair, noticed_from(pair, {{{100, 936, 300, 0}, {1000, 1000}, {64, 64}}, 0.01})).size(),
+            2u);
+}
+
+// Gravity changes every row. x is compared with the left wall in every step, which decides on it alone; so is
+// a width.
+TEST(StepDifferences, AreNoticedOnlyWhereTheyDecideBesideAnother) {
+  const StepPair left(canonical(record_listing()), edited([](Listing& l) {
+                        l.gravity = 1250.0;
+                        l.before_walls = [](Body& body, const Frame&) {
+                          if (body.x <= 0.0) body.vx = body.vx + 7.0;
+                        };
+                      }));
+  const StepInput in_flight{{{100, 100, 300, 0}, {1000, 1000}, {64, 64}}, 0.01};
+  const StepInput at_the_left{{{0, 100, 0, 0}, {1000, 1000}, {64, 64}}, 0.01};
+  const StepInput at_the_ground{{{100, 935.9, 300, 0}, {1000, 1000}, {64, 64}}, 0.01};
+  const std::vector<std::string> gravity = {"dt * 1200", "dt * 1250"};
+  EXPECT_EQ(texts_of(left, noticed_from(left, in_flight)), gravity);
+  EXPECT_EQ(texts_of(left, noticed_from(left, at_the_ground)), gravity) << "by friction vx differs, too";
+  EXPECT_EQ(noticed_from(left, at_the_left), std::vector<bool>(left.differences().size(), true));
+  const StepPair small(canonical(record_listing()), edited([](Listing& l) {
+                         l.gravity = 1250.0;
+                         l.at_end = [](Body& body, const Frame& frame) {
+                           if (frame.window_width < Whole(500)) body.vy *= 0.5;
+                         };
+                       }));
+  StepInput in_small = in_flight;
+  EXPECT_EQ(texts_of(small, noticed_from(small, in_flight)), gravity);
+  in_small.world.window.width_px = 400;
+  EXPECT_EQ(texts_of(small, noticed_from(small, in_small)).size(), 3u) << "of all that both have operands of";
 }
 
 TEST(StepDifferences, WithoutEffectAreNotNoticedByALaterRow) {
@@ -247,13 +288,15 @@ TEST(StepDifferences, WithoutEffectAreNotNoticedByALaterRow) {
                       edited([](Listing& l) { l.friction = 0.81, l.restitution = 0.61; }));
   const StepInput lying{{{100, 936, 0, 0}, {1000, 1000}, {64, 64}}, 0.001};
   const StepInput at_the_left{{{0.5, 100, -300, 0}, {1000, 1000}, {64, 64}}, 0.01};
-  std::vector<bool> evaluated(pair.differences().size()), noticed = evaluated, at_the_left_alone = evaluated;
+  std::vector<DifferenceWatch> watches(pair.differences().size());
+  std::vector<bool> noticed(watches.size());
   std::vector<TracedBody> lies = bodies_of(pair, lying.world.state),
                           flies = bodies_of(pair, at_the_left.world.state);
-  EXPECT_FALSE(pair.notice(lying, lies, evaluated, noticed));
-  EXPECT_TRUE(pair.notice(at_the_left, flies, evaluated, noticed));
-  EXPECT_TRUE(notice(pair, at_the_left, at_the_left_alone));
-  EXPECT_EQ(noticed, at_the_left_alone);
+  pair.notice(lying, lies, watches, noticed);
+  EXPECT_TRUE(texts_of(pair, noticed).empty());
+  pair.notice(at_the_left, flies, watches, noticed);
+  EXPECT_FALSE(texts_of(pair, noticed).empty());
+  EXPECT_EQ(noticed, noticed_from(pair, at_the_left));
 }
 
 // A fifth member that counts steps, and slows the body down after some.
@@ -273,11 +316,61 @@ TEST(StepDifferences, AreNoticedWhereWhatFurtherMembersHoldShowsThem) {
   for (const auto& [current, shown_by] : {std::pair(counting(5), 5), std::pair(counting(3, 2), 3)}) {
     const StepPair pair(counting(3), current);
     std::vector<TracedBody> bodies = bodies_of(pair, input.world.state);
-    std::vector<bool> evaluated(pair.differences().size()), noticed = evaluated;
+    std::vector<DifferenceWatch> watches(pair.differences().size());
+    std::vector<bool> noticed(watches.size());
     for (int step = 1; step <= shown_by; ++step) {
-      EXPECT_EQ(pair.notice(input, bodies, evaluated, noticed), step == shown_by);
+      pair.notice(input, bodies, watches, noticed);
       EXPECT_EQ(std::count(noticed.begin(), noticed.end(), true), step == shown_by ? 2 : 0);
     }
+  }
+}
+
+// Gravity changes every row; what the fifth member makes of it another one shows.
+TEST(StepDifferences, OfFurtherMembersAreNoticedWhereThoseDecideBesideAnother) {
+  const auto counting_with = [](int counts, double gravity) {
+    return canonical(record_of<CountingBody>([=](CountingBody& body, const Frame& frame) {
+      Listing listing;
+      listing.gravity = gravity;
+      listing(body, frame);
+      if (body.steps > 3) body.vx *= 0.5;
+      body.steps += counts;
+    }));
+  };
+  const StepPair pair(counting_with(1, 1200.0), counting_with(2, 1250.0));
+  const StepInput input{{{100, 100, 300, 0}, {1000, 1000}, {64, 64}}, 0.01};
+  std::vector<TracedBody> bodies = bodies_of(pair, input.world.state);
+  std::vector<DifferenceWatch> watches(pair.differences().size());
+  std::vector<bool> noticed(watches.size());
+  for (const std::size_t count : {2U, 2U, 4U}) {
+    pair.notice(input, bodies, watches, noticed);
+    EXPECT_EQ(texts_of(pair, noticed).size(), count);
+  }
+}
+
+// A fifth member that turns with vx, and is kept below a turn; with `is_used` it slows the body down.
+TracedStep turning(double rate, bool is_used) {
+  struct TurningBody : Body {
+    Real turned = 0.0;
+  };
+  return canonical(record_of<TurningBody>([=](TurningBody& body, const Frame& frame) {
+    Listing()(body, frame);
+    body.turned += body.vx * rate * frame.dt;
+    if (body.turned > 6.25) body.turned -= 6.25;
+    if (is_used) body.vx += 1e-9 * body.turned;
+  }));
+}
+
+TEST(UnrecordedMembers, AreThoseOnWhichNoRowDepends) {
+  EXPECT_EQ(unrecorded_members(turning(0.5, false)), ~MemberBits{0b1111});
+  EXPECT_EQ(unrecorded_members(turning(0.5, true)), ~MemberBits{0b11111});
+  EXPECT_EQ(unrecorded_members(counting(3)), ~MemberBits{0b11111}) << "decides between ends";
+  EXPECT_EQ(unrecorded_members(canonical(record_listing())), ~MemberBits{0b1111});
+  const StepPair pair(turning(0.5, false), turning(0.25, false));
+  for (std::size_t index = 0; index < pair.differences().size(); ++index) {
+    const DifferenceSearch search = pair.search(index, 1, 10'000);
+    EXPECT_FALSE(search.found) << pair.differences()[index].text;
+    EXPECT_EQ(search.further_members, MemberBits{0b10000}) << pair.differences()[index].text;
+    EXPECT_EQ(search.further_members & pair.unrecorded(), search.further_members);
   }
 }
 
@@ -297,7 +390,7 @@ TEST(StepSearch, FindsAStepForEveryConditionalChange) {
       const DifferenceSearch search = pair.search(index, 1, 100'000);
       ASSERT_TRUE(search.found) << change.name << ": " << pair.differences()[index].text;
       EXPECT_EQ(search.frames, 1);
-      EXPECT_TRUE(notice(pair, *search.found, noticed)) << change.name;
+      notice(pair, *search.found, noticed);
       EXPECT_TRUE(noticed[index]) << change.name;
     }
   }

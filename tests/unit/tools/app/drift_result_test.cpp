@@ -1,14 +1,15 @@
-// A measured run as its text, its members and its pictures.
+// A measured run as its text, its members and its picture.
 #include <gtest/gtest.h>
 
 #include <regex>
 
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/report/picture_faults.h"
 #include "tools/app/drift/drift.h"
-#include "tools/report/drift_figures.h"
+#include "tools/report/drift_figure.h"
 #include "tools/report/figure_svg.h"
 
 namespace hyrax {
@@ -21,13 +22,10 @@ std::string text_of(const DriftReport& report, bool lists_all) {
   return text;
 }
 
-std::string pictures_of(const DriftRun& run) {
-  std::string text;
-  for (const Figure& figure : drift_figures(run)) {
-    text += described(figure);
-    EXPECT_EQ(picture_faults(figure_svg(figure)), std::vector<std::string>{}) << figure.title;
-  }
-  return text;
+std::string picture_of(const DriftRun& run) {
+  const Figure figure = drift_figure(run);
+  EXPECT_EQ(picture_faults(figure_svg(figure)), std::vector<std::string>{}) << figure.title;
+  return described(figure);
 }
 
 TEST(DriftRows, OfALongFlightAreEvenlyApart) {
@@ -46,29 +44,26 @@ TEST(DriftResult, OfRunsAreThoseApproved) {
   DriftReport report{
       .run = measure_drift(shipped_core(), eventful_fling(), {.gsl = GslOptions{}, .keeps_rows = true}),
       .has_rows_stored = true,
-      .step_ns = 5.25,
-      .contact_chance = ContactChance{.drawn_part = 0.5, .changed = {30, 200}, .steps = 330}};
-  report.half_dt = {.run = measure_drift(shipped_core(), fling_at(120.0, 40)), .step_ns = 6.5};
-  report.half_dt.run->scenario.length = std::int64_t{660};
-  text += text_of(report, false) + pictures_of(report.run);
+      .half_dt = HalfDt{.run = measure_drift(shipped_core(), fling_at(120.0, 40))}};
+  report.half_dt->run->scenario.length = std::int64_t{660};
+  text += text_of(report, false) + picture_of(report.run);
 
   text += "\nA long one, all of it listed\n";
   std::vector<Event> flings;
   for (std::int64_t frame = 5; frame < 200; frame += 5) flings.push_back({frame, Fling{{10.0, -100.0}}});
   report = {.run = measure_drift(shipped_core(), fling_at(60.0, 200, flings))};
-  report.step_ns = 4.0;
-  report.half_dt.why_not = "a reason";
+  report.half_dt = HalfDt{.why_not = "a reason"};
   const std::string shortened = text_of(report, false);
   EXPECT_NE(shortened.find("  ... 20 more; --verbose lists them\n"), std::string::npos) << shortened;
   text += described(drift_result(report, true).verdict);
 
   text += "\nNo flight\n";
   report = {.run = measure_drift(shipped_core(), fling_at(60.0, 1))};
-  text += text_of(report, false) + pictures_of(report.run);
+  text += text_of(report, false) + picture_of(report.run);
 
   text += "\nBounces, and faults\n";
   report = {.run = measure_drift(shipped_core(), fling_at(60.0, 300), {.gsl = {}, .keeps_rows = true})};
-  text += pictures_of(report.run);
+  text += picture_of(report.run);
   report.run.note = "a note";
   report.run.whole.run->end_px = 12.0;
   report.run.summary.differing_steps = 2;
@@ -77,7 +72,7 @@ TEST(DriftResult, OfRunsAreThoseApproved) {
   report.run.summary.first_reference_fault_step = 3;
   report.run.summary.first_reference_fault = "a fault";
   text += text_of(report, false);
-  EXPECT_EQ(drift_exit_code(report.run.summary), ExitCode::program_fault);
+  EXPECT_EQ(drift_exit_code(report.run), ExitCode::program_fault);
   expect_approved("tests/unit/tools/app/drift.txt",
                   std::regex_replace(text, std::regex("[0-9.]+e-1[0-9]+"), "rounding"));
 }
@@ -115,6 +110,32 @@ TEST(HalfDt, SaysWhyItIsNotMeasured) {
     EXPECT_FALSE(half.run.has_value());
     EXPECT_EQ(half.why_not, why_not);
   }
+}
+
+// What half the error costs: by the order of the truncation error; the model error stays where drag is the
+// reason.
+TEST(HalfError, SaysWhatHoldsOfThisCoreAndScenario) {
+  const auto said = [](const Core& core, const Scenario& scenario) {
+    const DriftReport report{.run = measure_drift(core, scenario),
+                             .half_dt = measure_half_dt(core, scenario)};
+    const std::string text = described(drift_result(report, false).verdict);
+    const std::string line = text.substr(text.find("half the error"));
+    return line.substr(0, line.find("\n  brief: "));
+  };
+  Constants constants = *shipped_core().constants;
+  constants.air_drag = 1.0;
+  Core dragless = listing_core(constants);
+  dragless.name = "dragless/1";
+  Scenario hitch = fling_at(60.0, 100, {{std::int64_t{20}, Hitch{0.5}}});
+  hitch.start_velocity = {600.0, -700.0};
+  EXPECT_TRUE(std::regex_match(
+      said(shipped_core(), fling_at(60.0, 100)),
+      std::regex(R"(half the error costs [12]\.\d times the steps \(120 Hz\)\s+the model error then )"
+                 R"(is \S+ px: drag acts once a frame, however short)")))
+      << said(shipped_core(), fling_at(60.0, 100));
+  EXPECT_EQ(said(dragless, fling_at(60.0, 100)), "half the error costs 2.0 times the steps (120 Hz)");
+  EXPECT_TRUE(said(dragless, hitch).starts_with("half the error: not by shorter frames; truncation "));
+  EXPECT_EQ(said(shipped_core(), hitch).find("drag"), std::string::npos);
 }
 
 TEST(MarginText, NeverPromisesMoreThanTheMargin) {

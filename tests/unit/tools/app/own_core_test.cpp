@@ -16,8 +16,7 @@
 #include "tools/app/causes/core_check.h"
 #include "tools/app/causes/difference_group.h"
 #include "tools/app/core/accepted_core.h"
-#include "tools/app/core/paper_model.h"
-#include "tools/app/diff/difference_text.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/scenario_writer.h"
@@ -30,7 +29,8 @@ Core own_core(bool has_constants) {
   core.name = "my-physics/3";
   core.record.header = "constexpr double GRAVITY = 1250.0;\nconstexpr double AIR_DRAG = 0.4;\n";
   core.record.why_incomplete = "more than 4,096 paths";
-  core.shape.difference = "vx * 2";
+  core.paper_match.difference = "vx * 2";
+  core.walls_of_rows = kAllWalls;
   if (has_constants)
     core.constants->air_drag = 0.4;
   else
@@ -131,14 +131,26 @@ std::string verdicts() {
       {{HeaderChangeKind::added, "a line", 20, {}, {}}, std::nullopt}};
   Scenario scenario = fling_at(60.0, 1);
   scenario.name = "unnoticed-1";
-  verdict.unnoticed = {{"vx > 1", scenario, "after 5 s 3 px apart", 7},
+  verdict.unnoticed = {{"vx > 1", scenario, "played for 5 s, ends 3 px apart", 7},
                        {"vx > 2", scenario, "the same", 7},
                        {"vx > 3", std::nullopt, "", 300'000}};
   text += section("unnoticed", core_text(verdict));
   scenario.name = "unnoticed-2";
-  verdict.unnoticed.push_back({"vx > 4", scenario, "after 5 s 4 px/s apart", 9});
-  return text + section("more unnoticed", core_text(verdict)) +
-         section("as JSON", to_text(core_json(verdict), 2));
+  verdict.unnoticed.push_back({"vx > 4", scenario, "played for 5 s, ends 4 px/s apart", 9});
+  text += section("more unnoticed", core_text(verdict)) + section("as JSON", to_text(core_json(verdict), 2));
+  verdict.unnoticed.clear();
+  BeyondLibrary beyond{.other_bits = {0, 1000}, .end_error_px = {{41.0, 12.0}}};
+  for (const double current_px : {12.0, 41.0, 1234.5}) {
+    beyond.end_error_px->current = current_px;
+    verdict.beyond = beyond;
+    text += section("beyond", core_text(verdict));
+    beyond.other_bits.count = 998;
+    beyond.ends_elsewhere = {612, 1000};
+    beyond.apart_px = {612, 41.25, 1.0, std::numeric_limits<double>::infinity()};
+    beyond.other_bounces = {300, 1000};
+    beyond.settles_in_one = {1, 1000};
+  }
+  return text + section("beyond, as JSON", to_text(core_json(verdict), 2));
 }
 
 TEST(OwnCore, TextsAreThoseApproved) {
@@ -179,7 +191,7 @@ CoreVerdict verdict_on(const TracedStep& step, const Scenario& scenario,
   CoreCheck check(core, folder.at("golden"), {"accept it", "write them"});
   std::vector<std::string> folders;
   for (const std::string& library : libraries) folders.push_back(folder.at(library));
-  check.judge_differences(folders);
+  check.judge_differences(folders, 20);
   return check.verdict();
 }
 
@@ -228,9 +240,42 @@ TEST(FullContacts, AreSaidToBeTheFewestThatMoved) {
     const DifferenceGroup group = group_by_cause({&scenario}, cores).front();
     EXPECT_TRUE(consequence_sentence(group).ends_with("no position differs, " + text + "."));
     EXPECT_EQ(scenario_consequence(scenario), "no position differs, " + text);
-    EXPECT_EQ(contacts_sentence(contacts), text + (contacts.is_none() ? "" : ", 0 vanished, 0 appeared"));
     contacts.moved.resize(3);
   }
+}
+
+// A core whose header includes files, which are kept and compared.
+TEST(OwnCore, IsAcceptedWithTheFilesThatItsHeaderIncludes) {
+  const TempFolder folder;
+  Core core = own_core(true);
+  std::array files = {CoreFile{"/usr/fast.h", "int fast;\n", false},
+                      CoreFile{"src/deep/pull.h", "constexpr double PULL = 9.0;\n", true}};
+  core.record.step = {};
+  core.record.path = "src/core.h";
+  core.record.files = files;
+  write_accepted_core(folder.at(""), program_core(core));
+  EXPECT_EQ(bytes_of(folder.at("core/files/src/deep/pull.h")), files[1].text);
+  EXPECT_NE(bytes_of(folder.at("core/accepted.txt")).find(", AIR_DRAG 0.4, PULL 9\n"), std::string::npos);
+  const auto verdict = [&] { return CoreCheck(core, folder.at(""), {}).verdict(); };
+  EXPECT_EQ(verdict().status, CoreStatus::accepted);
+  core.record.files = {};  // As what an older version accepted: nothing is known of them.
+  EXPECT_EQ(verdict().status, CoreStatus::accepted);
+  core.record.files = files;
+  files[1].text = "\nconstexpr double PULL = 9.5;\n";
+  EXPECT_EQ(verdict().status, CoreStatus::not_proved);
+  EXPECT_EQ(core_text(verdict()),
+            "core: not proved equal to the accepted one: more than 4,096 paths\n"
+            "  line 2    constant: PULL 9 -> 9.5 (src/deep/pull.h)\n");
+  files[0].text = "int slow;\n";
+  EXPECT_NE(core_text(verdict()).find("altered: a file outside the project (/usr/fast.h)"),
+            std::string::npos);
+  files[1].path = "src/push.h";
+  EXPECT_EQ(changes_sentence(header_changes("int a;", "int b;", "src/push.h"), "src/core.h"),
+            "the core changed at line 1 of src/push.h");
+  EXPECT_NE(core_text(verdict()).find("removed: constexpr double PULL = 9.0; (src/deep/pull.h)"),
+            std::string::npos);
+  write_bytes(folder.at("core/files/src/deep/pull.h"), "");
+  EXPECT_NE(verdict().why.find("files/src/deep/pull.h: does not have the checksum"), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the report page is given of runs, of a part of a sweep, and of a study; a run as `run` writes it, how
+// What the report pages are given of runs and of a part of a sweep; a run as `run` writes it, how
 // far it is, and its file as the page shows it without JavaScript.
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@
 #include "tools/app/runs/scenario_run.h"
 #include "tools/app/sweep/sweep_run.h"
 #include "tools/files/sweep_reader.h"
-#include "tools/store/table_file.h"
 
 namespace hyrax {
 namespace {
@@ -69,12 +68,11 @@ std::string runs_shown(const TempFolder& folder) {
                                                       folder.at("long.h5")},
                                             .against = folder.at("short.h5"),
                                             .output = "page.html",
-                                            .command = "a command",
-                                            .cause = "a cause"}),
+                                            .command = "a command"}),
                folder);
 }
 
-std::string sweep_shown(const TempFolder& folder) {
+ShownResult sweep_page(const TempFolder& folder, const std::string& computed_by) {
   const SweepFile file = parse_sweep(R"({"format": "hyrax-sweep/1", "members": 12, "seed": 3, "base": {
       "format": "hyrax-scenario/1", "name": "base", "window": {"width_px": 1000, "height_px": 500},
       "sprite": {"width_px": 100, "height_px": 40}, "start": {"x_px": 300, "y_px": 200, "vx_px_per_s": 700},
@@ -84,35 +82,43 @@ std::string sweep_shown(const TempFolder& folder) {
       "/clock/jitter/seed": {"choice": [18446744073709551615, 1]}},
       "keep": ["final", "contacts", "at_rest", "state_hash"]})",
                                      "sweep");
-  SweepJob job{.head = {.sweep_text = file.text, .members = 12, .part = {1, 2}, .is_part = true},
-               .output = folder.at("sweep.h5")};
-  job.head.physics = shipped_core().name;
-  static_cast<void>(compute_sweep(shipped_core(), file.sweep, job));
-  return shown(result_json(result_of_file(shipped_core(), job.output)), folder);
+  const EnsembleHead head{.sweep_text = file.text,
+                          .members = 12,
+                          .part = {1, 2},
+                          .is_part = true,
+                          .physics = std::string(shipped_core().name),
+                          .core = computed_by};
+  const std::string path = folder.at("sweep.h5");
+  static_cast<void>(compute_sweep(shipped_core(), file.sweep, head, path, 1));
+  return sweep_result(shipped_core(), path);
 }
 
-std::string study_shown(const TempFolder& folder, const std::string& broken) {
-  const auto text = [](const char* name, const std::string& json) {
-    return Column{.name = name, .long_name = "as JSON", .values = std::vector<std::string>{json}};
-  };
-  const Table table{
-      .name = "numbers",
-      .long_name = "some numbers",
-      .columns = {{.name = "a", .unit = "px", .long_name = "first", .values = std::vector{1.0, 2.0}}}};
-  const Table report{.name = kReportTable,
-                     .long_name = "for the page",
-                     .columns = {text("verdict", R"({"text": ["a sentence"], "broken": [)" + broken + "]}"),
-                                 text("figures", "[]")}};
-  write_study_file(folder.at("study.h5"), {"a-study", "what it is about"}, {table, report});
-  return shown(result_json(result_of_file(shipped_core(), folder.at("study.h5"))), folder);
+std::string sweep_shown(const TempFolder& folder) {
+  const ShownResult page = sweep_page(folder, shipped_core().record.checksum());
+  std::string text = page.title + "\n" + page.subtitle + "\n" + described(page.verdict);
+  for (const Table& table : page.tables) text += described(table);
+  for (const Figure& figure : page.figures) text += described(figure);
+  for (const auto& [name, value] : page.origin) text += name + ": " + value + "\n";
+  return std::regex_replace(text, std::regex(folder.at("")), "") + shown(page.members, folder);
 }
 
 TEST(ReportData, IsWhatWasApproved) {
   const TempFolder folder;
-  expect_approved("tests/unit/tools/app/report.txt",
-                  "Runs against another\n" + runs_shown(folder) + "A part of a sweep\n" +
-                      sweep_shown(folder) + "A study\n" + study_shown(folder, "") +
-                      "A study with a broken rule\n" + study_shown(folder, "\"a rule\""));
+  expect_approved("tests/unit/tools/app/report.txt", "Runs against another\n" + runs_shown(folder) +
+                                                         "A part of a sweep\n" + sweep_shown(folder));
+}
+
+TEST(ReportData, OfASweepThatAnotherCoreComputedHasNoMembersToReplayAndSaysSo) {
+  const TempFolder folder;
+  ASSERT_NE(shipped_core().record.checksum(), "");
+  for (const auto& [core, said] :
+       {std::pair(std::string(32, '7'), "another core than this program's computed them"),
+        {std::string(), "the file does not name the core that computed it"}}) {
+    const ShownResult page = sweep_page(folder, core);
+    EXPECT_NE(described(page.verdict).find(said), std::string::npos);
+    EXPECT_TRUE(page.members.is_null());
+  }
+  EXPECT_FALSE(sweep_page(folder, shipped_core().record.checksum()).members.is_null());
 }
 
 TEST(ReportData, HasTheFirstInputsAndEveryResize) {
@@ -165,13 +171,13 @@ TEST(StillPicture, HasThePathOfTheCentreToScaleBelowTheVerdict) {
   scenario.sprite = {100, 40};
   scenario.start = {300.0, 200.0};
   static_cast<void>(write_run(shipped_core(), folder.at("run.h5"), scenario, {}));
-  const Json data = parse_json(R"({"runs": [{"name": "a<b", "title": "2 steps", "cause": "a cause",
+  const Json data = parse_json(R"({"runs": [{"name": "a<b", "title": "2 steps",
       "non_finite": "vx is NaN", "golden": {"agrees": false, "class": "values"},
       "expect": [{"holds": true, "text": "one"}, {"holds": false, "text": "another"}]}]})",
                                "data");
   const std::string html = still_html({.files = {folder.at("run.h5")}}, data);
   EXPECT_TRUE(html.starts_with(
-      "<h1>a&lt;b</h1>\n<p>2 steps</p>\n<p>a cause</p>\n<p>vx is NaN; the run ended there</p>\n"
+      "<h1>a&lt;b</h1>\n<p>2 steps</p>\n<p>vx is NaN; the run ended there</p>\n"
       "<p>Differs from the golden file: values</p>\n<p>holds: one</p>\n<p>does not hold: another</p>\n"
       "<svg viewBox=\"0 0 900 500\""))
       << html;

@@ -126,6 +126,7 @@ TEST(Json, KeepsOrderAndRepetitionOfKeysAndEscapesWhatATextCannotHold) {
 TEST(JsonRefusal, NamesLineAndColumn) {
   for (const auto& [text, place, part] : std::initializer_list<std::array<std::string, 3>>{
            {"{\n  \"a\": 1,\n  \"b\": ?\n}", "line 3, column 8", "not JSON"},
+           {"\r\n{\r\n\r\n  ?\r\n}", "line 4, column 3", "not JSON"},
            {"?", "line 1, column 1", "not JSON"},
            {"", "line 1, column 1", "unexpected end of input"},
            {"{} x", "line 1, column 4", "expected end of input"},

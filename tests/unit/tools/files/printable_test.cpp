@@ -38,15 +38,26 @@ TEST(Printable, KeepsPlainTextAndUtf8) {
 }
 
 TEST(Printable, EscapesWhatATerminalObeysAndBytesThatAreNoUtf8) {
-  for (const auto& [text, shown] : {std::pair{"\x1b[31m", "\\u001b[31m"},
-                                    {"a\nb\tc\x7f", "a\\u000ab\\u0009c\\u007f"},
-                                    {"\xc2\x9b", "\\u009b"},  // CSI as one character.
-                                    {"\x9b", "\\x9b"},
-                                    {"\xc3(", "\\xc3("},
-                                    {"\xe0\x82\x9b", "\\xe0\\x82\\x9b"}})  // Overlong.
+  for (const auto& [text, shown] :
+       {std::pair{"\x1b[31m", "\\u001b[31m"},
+        {"a\nb\tc\x7f", "a\\u000ab\\u0009c\\u007f"},
+        {"\xc2\x9b", "\\u009b"},  // CSI as one character.
+        {"\x9b", "\\x9b"},
+        {"\xe2\x80\xaegpj.json", "\\u202egpj.json"},  // Right to left from here on.
+        {"\xe2\x81\xa9\xd8\x9c\xe2\x80\xa8", "\\u2069\\u061c\\u2028"},
+        {"\xc3(", "\\xc3("},
+        {"\xe0\x82\x9b", "\\xe0\\x82\\x9b"}})  // Overlong.
     EXPECT_EQ(printable(text), shown);
   EXPECT_EQ(printable(std::string_view("\0", 1)), "\\u0000");
   EXPECT_EQ(printable_lines("a\n\tb\x1b\r"), "a\n\tb\\u001b\\u000d");
+}
+
+TEST(OwnName, IsThatOfTheProgramWhereAMessageNamesIt) {
+  name_program("hyrax-sim", "pet-sim");
+  EXPECT_EQ(with_own_name("hyrax-sim run: x; see `hyrax-sim run --help`, or: hyrax-sim info"),
+            "pet-sim run: x; see `pet-sim run --help`, or: pet-sim info");
+  EXPECT_EQ(with_own_name("hyrax-sim.json: in a/hyrax-sim folder"), "hyrax-sim.json: in a/hyrax-sim folder");
+  name_program("", "");
 }
 
 TEST(Shortened, KeepsSixtyBytesAndCutsBetweenCharacters) {

@@ -9,7 +9,7 @@
 namespace hyrax {
 namespace {
 
-Table two_rates(JsonShape shape) {
+Table two_rates(JsonForm form) {
   return {"rates",
           "",
           {{"method", "", "", std::vector<std::string>{"paper", "größer"}},
@@ -17,11 +17,11 @@ Table two_rates(JsonShape shape) {
            {"path_length", "px", "", std::vector<double>{3214.04, kNotGiven}, 5},
            {"contacts", "1", "", std::vector<std::int64_t>{3, 12}},
            {"agrees", "", "", std::vector<bool>{true, false}}},
-          shape};
+          form};
 }
 
 Table column_of(const Column& column, std::size_t count = 1) {
-  return {"t", "", std::vector<Column>(count, column), JsonShape::one};
+  return {"t", "", std::vector<Column>(count, column), JsonForm::one};
 }
 
 struct Throw {
@@ -50,8 +50,8 @@ TEST(TableText, OfTablesIsTheOneApproved) {
   const std::vector<Throw> throws = {{1000.0, 2.5, 7, 4}, {500.0, {}, {}, 1}};
   std::string text;
   for (const Table& table :
-       {two_rates(JsonShape::rows), two_rates(JsonShape::values), two_rates(JsonShape::by_first),
-        two_rates(JsonShape::one), column_of(errors, 9), column_of(errors, 10), column_of(rounded),
+       {two_rates(JsonForm::rows), two_rates(JsonForm::values), two_rates(JsonForm::by_first),
+        two_rates(JsonForm::one), column_of(errors, 9), column_of(errors, 10), column_of(rounded),
         column_of(of_all_sizes), column_of({"no_rows", "Hz", "", std::vector<double>{}}),
         column_of({"large", "1", "", std::vector<std::int64_t>{-7, 1'000'000'000'000}}),
         Table{.columns = {{"huge", "px", "", std::vector{1e9}, 4, false, "one/x"},
@@ -59,9 +59,11 @@ TEST(TableText, OfTablesIsTheOneApproved) {
         column_of({"text", "", "", std::vector<std::string>{"a, b", "the \"step\"", "two\nlines"}}),
         Table{.columns = columns_of(kColumns, throws)}})
     text += aligned_text(table) + csv_text(table) + to_text(json_of(table)) + "\n\n";
-  const Table parts = column_of({"parts", "", "", std::vector{two_rates(JsonShape::rows)}});
+  for (const std::size_t width : {1U, 20U, 40U})
+    text += aligned_text({.columns = columns_of(kColumns, throws)}, width) + "\n";
+  const Table parts = column_of({"parts", "", "", std::vector{two_rates(JsonForm::rows)}});
   Json::Object members;
-  add_members(members, {two_rates(JsonShape::rows), {"", "", {energy}, JsonShape::members}});
+  add_members(members, {two_rates(JsonForm::rows), {"", "", {energy}, JsonForm::members}});
   expect_approved("tests/unit/tools/files/tables.txt",
                   text + to_text(json_of(parts)) + "\n" + to_text(Json(members)) + "\n");
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <tuple>
 
 #include "tools/hyrax/desk.h"
 #include "tools/hyrax/hand.h"
@@ -19,6 +20,44 @@ TEST(Desk, PutsAPositionOntoTheScreenOrAsFarAsAWindowCanBe) {
   EXPECT_EQ(on_screen(kMain, {1e12, -1e12}), (ScreenPoint{1'000'000, -1'000'000}));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(on_screen(kMain, {nan, 0.0}).y_px, 0);
+}
+
+TEST(Desk, ShowsALargerWindowScaledDown) {
+  const auto shown = [](Size window, Size sprite, Position position) {
+    const Shown on = shown_on(kLeftOfIt, window, sprite, position);
+    return std::vector<int>{on.at.x_px, on.at.y_px, on.sprite.width_px, on.sprite.height_px};
+  };
+  EXPECT_EQ(shown({1280, 984}, {128, 100}, {10.25, 5.5}), (std::vector<int>{-1270, -194, 128, 100}));
+  EXPECT_EQ(shown({640, 480}, {128, 100}, {10.25, 5.5}), (std::vector<int>{-1270, -194, 128, 100}));
+  EXPECT_EQ(shown({5120, 100}, {128, 100}, {4992.0, 0.0}), (std::vector<int>{-32, -200, 32, 25}));
+  EXPECT_EQ(shown({100, 9840}, {128, 100}, {0.0, 9740.0}), (std::vector<int>{-1280, 774, 12, 10}));
+  EXPECT_EQ(shown({100, 984'000}, {1, 1}, {}), (std::vector<int>{-1280, -200, 1, 1}));
+}
+
+TEST(Desk, IsThatOfTheWayOfASpriteWhichCrossesBordersWhereMonitorsTouch) {
+  const std::vector<Desk> monitors = {
+      kMain, kLeftOfIt, {{1920, 1040}, {800, 600}, {128, 128}}, {{300, 1040}, {500, 700}, {128, 128}}};
+  const Desk left_border{{-1280, 0}, {3200, 784}, {128, 128}};
+  const Desk lower_border{{300, 0}, {500, 1740}, {128, 128}};
+  for (const auto& [from, to, expected] : {std::tuple{Position{100, 500}, Position{0, 500}, kMain},
+                                           {{0, 500}, {-1, 500}, left_border},
+                                           {{10, 500}, {-300, 700}, left_border},
+                                           {{0, 700}, {-1, 700}, kMain},
+                                           {{-5, 500}, {10, 500}, left_border},
+                                           {{-128, 500}, {-150, 500}, kLeftOfIt},
+                                           {{5, 650}, {-30, 670}, left_border},
+                                           {{1792, 912}, {1900, 1000}, kMain},
+                                           {{400, 912}, {400, 913}, lower_border},
+                                           {{299, 912}, {299, 930}, kMain},
+                                           {{672, 1000}, {672, 900}, lower_border},
+                                           {{5, -5}, {0, 0}, kMain},
+                                           {{500, -1}, {500, 5}, kMain}}) {
+    const Desk found = desk_of_way(monitors, kMain, from, to);
+    EXPECT_EQ(found, expected) << from.x_px << " " << from.y_px << " to " << to.x_px << ": "
+                               << found.origin.x_px << " " << found.work_area.width_px;
+  }
+  EXPECT_TRUE(is_one_of(monitors, kLeftOfIt) && is_one_of(monitors, left_border));
+  EXPECT_FALSE(is_one_of({kMain}, left_border));
 }
 
 TEST(Desk, HasASpriteOfItsScalingAndARateOfItsDisplay) {
@@ -66,7 +105,8 @@ TEST(Hand, GivesItsMeanVelocityOverTheLastTenthOfASecond) {
   EXPECT_EQ(hand.velocity(400 * kMs), Velocity{}) << "stopped before it let go";
   EXPECT_EQ(hand.velocity(60'000 * kMs), Velocity{});
   EXPECT_EQ(moved_hand({20, 0}, 10, 4).velocity(40 * kMs), (Velocity{2000.0, 0.0})) << "a short flick";
-  EXPECT_EQ(moved_hand({40, 0}, 80, 2).velocity(160 * kMs), (Velocity{800.0, 0.0})) << "seldom messages";
+  EXPECT_EQ(moved_hand({40, 0}, 80, 2).velocity(160 * kMs), (Velocity{500.0, 0.0})) << "seldom messages";
+  EXPECT_EQ(moved_hand({600, -300}, 1000, 1).velocity(1000 * kMs), (Velocity{600.0, -300.0})) << "a stall";
 }
 
 TEST(Hand, IgnoresOlderMovesAndHasDraggedForTenMillisecondsAtLeast) {
@@ -80,6 +120,9 @@ TEST(Hand, IgnoresOlderMovesAndHasDraggedForTenMillisecondsAtLeast) {
   EXPECT_EQ(hand.velocity(52), (Velocity{100.0, 0.0}));
   hand.move({30, -10}, 51);
   EXPECT_EQ(hand.velocity(51), (Velocity{3000.0, -1000.0}));
+  hand = hand_at({0, 0});
+  for (const auto& [x_px, ms] : {std::pair{10, 100}, {20, 50}, {30, 160}}) hand.move({x_px, 0}, ms * kMs);
+  EXPECT_NEAR(hand.velocity(210 * kMs).vx_px_per_s, 250.0 / 3.0, 1e-9) << "a message of before a move";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <thread>
 
@@ -165,6 +166,36 @@ TEST_F(ChosenFromMenu, ARecordingOfFiveHoursContinuesInANewFile) {
   EXPECT_EQ(notes.back(), "Saved as " + path("fling-2.json"));
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"fling-2.json", "fling.json"}));
   EXPECT_EQ(good_frames(path("fling-2.json")), 5);
+}
+
+TEST_F(ChosenFromMenu, ARecordingThatCannotBeSavedContinuesAndIsSavedLater) {
+  std::filesystem::create_directory(path("gone"));
+  recorder.start(path("gone/fling.json"), ticks);
+  frames(30);
+  std::filesystem::remove(path("gone"));
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    choose(Choice::save_recording);
+    EXPECT_TRUE(notes.back().starts_with(path("gone/fling.json") + ": cannot be written") &&
+                notes.back().ends_with("; the recording continues"))
+        << notes.back();
+    ASSERT_TRUE(pet.session().is_recording());
+    frames(5);
+  }
+  std::filesystem::create_directory(path("gone"));
+  std::ofstream(path("gone/fling.json")) << "mine";  // Another's, though it was to be written before.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    choose(Choice::save_recording);
+    EXPECT_EQ(notes.back(), path("gone/fling.json") +
+                                ": cannot be written: File exists; what was saved is in " +
+                                path("gone/fling-2.json") + "; the recording continues");
+  }
+  EXPECT_EQ(good_frames(path("gone/fling-2.json")), 40);
+  std::filesystem::remove(path("gone/fling.json"));
+  frames(2);
+  choose(Choice::save_recording);
+  EXPECT_EQ(notes.back(), "Saved as " + path("gone/fling.json"));
+  EXPECT_EQ(good_frames(path("gone/fling.json")), 42);
+  EXPECT_FALSE(is_there(path("gone/fling-2.json")) || pet.session().is_recording());
 }
 
 TEST_F(ChosenFromMenu, AFailureToSaveIsReportedOnce) {

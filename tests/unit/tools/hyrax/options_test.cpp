@@ -22,7 +22,8 @@ TEST(PetOptions, MayBeLeftOutAndAcceptTheirValueAfterASpaceOrAnEqualsSign) {
   const PetOptions of_replay = parse_options({"--exit", "--replay", "x.json"});
   EXPECT_EQ(of_replay.replay_path, "x.json");
   EXPECT_TRUE(of_replay.only_exits);
-  for (const std::string option : {"--help", "-h", "--version"}) {
+  EXPECT_EQ(parse_options({"dragged onto it.json", "--exit"}).replay_path, "dragged onto it.json");
+  for (const std::string option : {"--help", "-h", "/?", "--version"}) {
     const PetOptions asked = parse_options({option});
     EXPECT_EQ(asked.wants_version, option == "--version");
     EXPECT_EQ(asked.wants_help, option != "--version") << option;
@@ -37,7 +38,10 @@ TEST(PetOptions, OfOtherNamesAndValuesAndTogetherWithOthersAreRefused) {
        {std::pair{Arguments{"--recrod", "x"},
                   "hyrax: unknown option (found --recrod); allowed: --record, --replay, --log, --seconds, "
                   "--exit, --help, --version (did you mean --record?); see `hyrax --help`"},
-        {Arguments{"x.json"}, "unknown option (found x.json)"},
+        {Arguments{"-x.json"}, "unknown option (found -x.json)"},
+        {Arguments{""}, "unknown option (found )"},
+        {Arguments{"x.json", "y.json"}, "--replay: given twice"},
+        {Arguments{"x.json", "--record", "y.json"}, "--record is not allowed with --replay:"},
         {Arguments{"--record"}, "--record needs a value"},
         {Arguments{"--seconds="}, "--seconds needs a value"},
         {Arguments{"--exit=yes"}, "--exit takes no value (found yes)"},

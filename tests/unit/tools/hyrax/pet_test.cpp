@@ -31,6 +31,10 @@ class PetOnADesk : public testing::Test {
     for (int frame = 0; frame < 10'000 && !pet.is_asleep(); ++frame) frames(1);
     ASSERT_TRUE(pet.is_asleep());
   }
+  // The only desk becomes this one.
+  void change_to(const Desk& desk, std::int64_t after_ticks = 0) {
+    pet.use_monitors({desk}, desk, ticks += after_ticks);
+  }
   // A hand that drags by 12 px to the right and 9 px up every 10 ms.
   void drag_away(int moves) {
     for (int move = 1; move <= moves; ++move) {
@@ -66,10 +70,22 @@ TEST_F(PetOnADesk, FallsFromTheMiddleOfTheTopByTheTimeThatPassed) {
   EXPECT_GT(row().y_px, 100.0);
   EXPECT_TRUE(same_bits(row().x_px, 448.0));
   for (const auto& [frame_ticks, dt_s] : {std::pair{5 * kMs, 0.005},
-                                          {3 * kTicksPerS, 3.0},  // The program was stopped.
+                                          {3 * kTicksPerS, 0.1},  // The program was stopped.
+                                          {100 * kMs, 0.1},
                                           {-5 * kMs, 0.0}}) {
     frames(1, frame_ticks);
     EXPECT_TRUE(same_bits(row().dt_s, dt_s)) << frame_ticks;
+  }
+}
+
+TEST_F(PetOnADesk, IsNotLaunchedByAStall) {
+  sleep();
+  change_to({kDesk.origin, {1024, 768}, {128, 127}});  // It falls by one pixel, and stands.
+  frames(30);
+  for (const std::int64_t stall_ms : {500, 2000, 60'000}) {
+    frames(1, stall_ms * kMs);
+    frames(1);
+    EXPECT_GT(row().y_px, 641.0 - 5.0) << stall_ms;
   }
 }
 
@@ -85,7 +101,7 @@ TEST_F(PetOnADesk, IsOnlyDampedAndDoesNotSleepInTheAirWhileTheClockIsStopped) {
 }
 
 TEST_F(PetOnADesk, FollowsTheHandAndFliesAsFastAsItWhenItIsLetGo) {
-  frames(10);
+  frames(50);
   const ScreenPoint before = pet.place();
   grab();
   drag_away(10);
@@ -106,15 +122,89 @@ TEST_F(PetOnADesk, IsLetGoWithinOneFrameOrDropsWhenTheHandIsTakenAway) {
   pet.let_go(hand, ticks, kDesk);
   frames(1);
   EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Grab{}, Release{}}));
-  pet.reset(ticks);
+  frames(30);
   grab();
   drag_away(11);  // The last of it no frame has shown.
   pet.drop(ticks);
   EXPECT_EQ(row().x_px, hand.x_px - 64 - kDesk.origin.x_px);
-  EXPECT_EQ(row().y_px, hand.y_px - 64 - kDesk.origin.y_px);
+  EXPECT_EQ(pet.place().y_px, hand.y_px - 64);
   EXPECT_EQ(velocity(), Velocity{});
   frames(20);
   EXPECT_GT(row().vy_px_per_s, 0.0);
+}
+
+TEST_F(PetOnADesk, IsBackWhereItWasGrabbedWhenTheDragIsCancelled) {
+  frames(30);
+  const double y_px = row().y_px;
+  grab();
+  drag_away(60);
+  Desk moved = kDesk;
+  moved.origin.x_px -= 30;
+  change_to(moved);
+  pet.cancel(ticks);
+  EXPECT_FALSE(pet.is_held());
+  EXPECT_TRUE(row().x_px == 448.0 + 30.0 && row().y_px == y_px && velocity() == Velocity{});
+  frames(5);
+}
+
+TEST_F(PetOnADesk, FliesFromTheEdgeThatItWasDraggedPast) {
+  frames(50);
+  for (const int side : {1, -1}) {
+    const double y_px = row().y_px;
+    grab();
+    for (const int way_px : {900 * side, 900 * side, -55 * side, -55 * side, -55 * side})
+      pet.drag(hand = {hand.x_px + way_px, hand.y_px}, ticks += 100 * kMs);
+    pet.let_go(hand, ticks, kDesk);
+    EXPECT_EQ(velocity(), (Velocity{-550.0 * side, 0.0}));
+    EXPECT_TRUE(row().x_px == (side > 0 ? 1024.0 - 128.0 : 0.0) && row().y_px == y_px);
+    frames(1);
+    EXPECT_EQ(velocity().vx_px_per_s, -550.0 * side * 0.999) << "no step takes it back to the edge";
+    pet.fling({}, ticks);
+  }
+}
+
+TEST_F(PetOnADesk, FliesOnToTheNextMonitorWhereTheyTouch) {
+  const Desk right{{1124, -100}, {800, 900}, {192, 192}};  // Of another scaling, higher, and less far down.
+  const Desk border{{100, 50}, {1824, 750}, {128, 128}};
+  const Desk left{{-700, 0}, {800, 900}, {192, 192}};
+  pet.use_monitors({left, right, kDesk}, kDesk, ticks);
+  EXPECT_EQ(pet.desk(), kDesk);
+  const auto screen_x_px = [&] { return pet.desk().origin.x_px + row().x_px; };
+  const auto fly_to = [&](const Desk& desk, double vx_px_per_s) {
+    for (int throws = 0; throws < 100 && pet.desk() != desk; ++throws) {
+      pet.fling({vx_px_per_s, -10.0}, ticks);
+      const double before_px = screen_x_px();
+      frames(1);
+      EXPECT_NEAR(screen_x_px() - before_px, vx_px_per_s / 60.0, 1.0) << "no wall";
+    }
+    EXPECT_EQ(pet.desk(), desk);
+  };
+  frames(40);
+  fly_to(border, 600.0);
+  fly_to(right, 600.0);
+  EXPECT_EQ(pet.session().now().sprite, (Size{192, 192}));
+  frames(1);
+  EXPECT_GT(velocity().vx_px_per_s, 590.0);
+  fly_to(kDesk, -3000.0);
+  frames(1);
+  EXPECT_LT(velocity().vx_px_per_s, -2900.0) << "nor one that its smaller picture meets";
+  pet.fling({-1000.0, -300.0}, ticks);
+  for (int frame = 0; frame < 100 && pet.desk() != left; ++frame) frames(1);
+  EXPECT_LT(velocity().vx_px_per_s, -900.0) << "nor its larger one";
+  pet.fling({1000.0, -300.0}, ticks);
+  for (int frame = 0; frame < 100 && pet.desk() != kDesk; ++frame) frames(1);
+  pet.reset(ticks);
+  frames(20);
+  fly_to(border, 600.0);
+  pet.fling({}, ticks);
+  sleep();
+  EXPECT_EQ(row().y_px, 750.0 - 128.0);
+  grab();
+  pet.let_go(hand, ticks, kDesk);
+  EXPECT_EQ(pet.desk(), border) << "let go on it";
+  pet.use_monitors({kDesk}, kDesk, ticks);
+  EXPECT_EQ(pet.desk(), kDesk) << "the other monitor is gone";
+  frames(1);
 }
 
 TEST_F(PetOnADesk, SleepsOrIsPausedAndWakesToAFrameThatDoesNotHoldTheNight) {
@@ -126,7 +216,7 @@ TEST_F(PetOnADesk, SleepsOrIsPausedAndWakesToAFrameThatDoesNotHoldTheNight) {
   inputs.emplace_back([&] { grab(); });
   inputs.emplace_back([&] { pet.drag({hand.x_px + 1, hand.y_px}, ticks); });
   inputs.emplace_back([&] { pet.drop(ticks); });
-  inputs.emplace_back([&] { pet.move_to(other, ticks); });
+  inputs.emplace_back([&] { change_to(other); });
   for (std::size_t input = 0; input < inputs.size(); ++input) {
     sleep();
     EXPECT_EQ(pet.pose(), pet.is_held() ? Pose::held : Pose::sleep);
@@ -136,9 +226,40 @@ TEST_F(PetOnADesk, SleepsOrIsPausedAndWakesToAFrameThatDoesNotHoldTheNight) {
     EXPECT_EQ(row().step, step);
     ticks += 3600 * kTicksPerS;
     inputs[input]();
-    EXPECT_FALSE(pet.is_paused());
+    EXPECT_FALSE(pet.is_paused() && input != 5) << "a pause survives a change of the display";
+    pet.resume(ticks);
     frames(1);
     EXPECT_TRUE(same_bits(row().dt_s, static_cast<double>(kFrame) / kTicksPerS)) << input;
+  }
+}
+
+TEST_F(PetOnADesk, IsShownOnADeskThatShrinksWhileItIsPaused) {
+  sleep();
+  pet.pause();
+  change_to({kDesk.origin, {500, 400}, {128, 128}});
+  EXPECT_TRUE(pet.is_paused());
+  EXPECT_EQ(pet.place(), (ScreenPoint{100 + 372, 50 + 272}));
+}
+
+TEST_F(PetOnADesk, SleepsAgainAfterUnevenFrames) {
+  constexpr std::int64_t kFrames_ms[] = {16, 12, 0, 10, 14, 9, 0, 12};
+  for (int rest = 0; rest < 3; ++rest) {
+    pet.fling({300.0 * rest, -200.0}, ticks);
+    int still = 0;
+    bool is_broken = false;
+    for (int frame = 0; frame < 10'000 && !pet.is_asleep(); ++frame) {
+      const Row before = row();
+      std::int64_t ms = kFrames_ms[frame % 8];
+      if (still == 30 + rest && !std::exchange(is_broken, true)) {
+        frames(1, 60 * kMs);
+        ms = 5;  // After a late frame a short one: it hops.
+      }
+      frames(1, ms * kMs);
+      const bool is_in_place = row().x_px == before.x_px && row().y_px == before.y_px;
+      still = is_in_place ? still + (ms > 0) : 0;
+      ASSERT_EQ(pet.is_asleep(), still >= Session::kStillFrames) << rest << " " << frame;
+    }
+    EXPECT_TRUE(pet.is_asleep() && is_broken) << rest;
   }
 }
 
@@ -160,7 +281,7 @@ TEST_F(PetOnADesk, SleepsInAHandThatDoesNotMove) {
 TEST_F(PetOnADesk, IsResetToItsFirstPosition) {
   Desk wider = kDesk;
   wider.work_area.width_px += 1;
-  pet.move_to(wider, ticks);
+  change_to(wider);
   frames(100);
   grab();
   pet.reset(ticks);
@@ -174,18 +295,18 @@ TEST_F(PetOnADesk, IsPushedUpByAWorkAreaThatShrinksAndFallsOnWhenItGrows) {
   sleep();
   Desk desk = kDesk;
   desk.work_area.height_px = 600;
-  pet.move_to(desk, ticks += kTicksPerS);
+  change_to(desk, kTicksPerS);
   EXPECT_FALSE(pet.is_asleep());
   frames(1);
   EXPECT_TRUE(same_bits(row().y_px, 600.0 - 128.0));
   EXPECT_EQ(pet.inputs_of_frame(), (std::vector<Action>{Resize{Size{1024, 600}, {}}}));
   sleep();
   desk.work_area.height_px = 1000;
-  pet.move_to(desk, ticks += kTicksPerS);
+  change_to(desk, kTicksPerS);
   frames(200);
   EXPECT_TRUE(same_bits(row().y_px, 1000.0 - 128.0));
   desk.work_area = {100, 90};  // Smaller than itself.
-  pet.move_to(desk, ticks);
+  change_to(desk);
   frames(200);
   EXPECT_TRUE(std::isfinite(row().x_px) && std::isfinite(row().vx_px_per_s));
 }
@@ -198,7 +319,7 @@ TEST_F(PetOnADesk, KeepsItsPlaceOnTheScreenWhenTheDeskMovesUnderItOrItChangesThe
   ScreenPoint before = pet.place();
   Desk moved = kDesk;
   moved.origin = {140, 90};
-  pet.move_to(moved, ticks);
+  change_to(moved);
   EXPECT_EQ(pet.place(), before);
   drag_away(2);
   EXPECT_EQ(pet.place(), (ScreenPoint{before.x_px + 24, before.y_px - 18}));

@@ -3,7 +3,13 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import Plot, { base64, Element, element, load, saved } from './stand_in.mjs';
 
-const [{ viridis }, { Core }, { showMembers }] = await Promise.all(['cells', 'core', 'members'].map(load));
+const [{ viridis }, { Core }, { showSweeps }, { report }] = await Promise.all(['cells', 'core', 'members', 'document'].map(load));
+
+async function showMembers(sweep, article) {
+  report.sweeps = [null, sweep];
+  document.querySelectorAll = () => [null, article];
+  await showSweeps();
+}
 
 // The core's flight of a record goes a step of 10 px to the right, and down.
 const loaded = [], required = [];
@@ -22,7 +28,7 @@ const grid = { core_fingerprint: 'ab', members: base64([1, 4, 7, 10, 13, 16]), c
 async function shown(sweep) {
   Plot.all = [];
   const article = new Element('article');
-  await showMembers({ sweep }, article);
+  await showMembers(sweep, article);
   const [section] = article.children, [head, choices, bar, , hover] = section.children;
   const plot = () => (Plot.all.at(-1).redraw(), Plot.all.at(-1));
   const at = (type, x, y) => (plot().over.fire(type, { clientX: 10 + x, clientY: 20 + y }), hover.textContent);
@@ -109,7 +115,6 @@ test('numbers that are no grids, many points and a page with figures have their 
   const article = new Element('article'), figure = new Element('figure');
   figure.setAttribute('class', 'figure');
   article.append(figure);
-  for (const results of [[], grid.results]) await showMembers({ sweep: { ...grid, results } }, article);
-  await showMembers({}, article);
+  for (const results of [[], grid.results]) await showMembers({ ...grid, results }, article);
   assert.deepEqual([article.children.length, figure.previous.attributes['aria-label'], required], [1, 'The members', ['ab']]);
 });

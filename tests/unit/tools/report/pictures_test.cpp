@@ -1,5 +1,5 @@
-// Pictures, compared with approved ones to the last line of their SVG; figures, tables and verdicts as the
-// report page reads them; scales.
+// Pictures, compared with approved ones to the last line of their SVG; results as their page shows them;
+// scales.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -8,12 +8,11 @@
 #include "sim/replay/replay.h"
 #include "sim/trajectory/stored_run.h"
 #include "tests/unit/sim/result/described.h"
-#include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/report/picture_faults.h"
+#include "tests/unit/tools/report/some_figures.h"
+#include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/scenario_reader.h"
-#include "tools/files/temporary_folder.h"
 #include "tools/files/text_file.h"
-#include "tools/report/figure_json.h"
 #include "tools/report/figure_svg.h"
 #include "tools/report/page_file.h"
 #include "tools/report/plot_scale.h"
@@ -28,20 +27,27 @@ void expect_picture(const std::string& name, const std::string& svg) {
   expect_approved("tests/unit/tools/report/pictures/" + name, svg);
 }
 
-// The JSON files are the figures. `stacked` has plots below each other with all that a plot may have, texts
-// that meet and that have no room; the widest ticks are those of the second. `beside` has bars with their
-// texts, points of equal scales in both directions, ticks that were chosen, a line without a text, which
-// takes no room, and a series whose name begins that of another. In `grid` a row's name is above its fields
-// on a narrow sheet. Long texts are broken there.
 TEST(Pictures, OfFiguresAreThoseApproved) {
-  for (const std::string name : {"stacked", "beside", "grid", "list"}) {
-    const std::string path = "tests/unit/tools/report/pictures/" + name + ".json";
-    const std::string json = read_text_file(HYRAX_SOURCE_DIR "/" + path);
-    const Figure figure = figures_of(parse_json(json, path), name).at(0);
-    expect_approved(path, to_text(Json::Array{figure_json(figure)}, 5) + "\n");
+  for (const auto& [name, figure] : {std::pair(std::string("stacked"), stacked_figure()),
+                                     {"beside", beside_figure()},
+                                     {"grid", grid_figure()}}) {
     expect_picture(name + ".svg", figure_svg(figure));
     expect_picture(name + ".html", figure_html(figure));
   }
+}
+
+// A curve's name that goes into the legend leaves the ends of axes that give the plot its height.
+TEST(Pictures, OfEqualScalesHaveTheirProportionsAtEveryWidth) {
+  Plot plot{.x = {.low = 0, .high = 100},
+            .y = {.low = 0, .high = 50},
+            .series = {{.name = "path", .x = {0, 100}, .y = {0, 50}}},
+            .texts = {{100, 50, "path"}},
+            .has_equal_scales = true};
+  const Figure named{.body = std::vector{plot}};
+  EXPECT_EQ(figure_html(named).find("nan"), std::string::npos);
+  plot.x.high = kNotGiven;
+  EXPECT_EQ(figure_html({.body = std::vector{plot}}).find("nan"), std::string::npos)
+      << "one end is not given";
 }
 
 // Of runs with all kinds of inputs, of which one lacks some rows, of one that becomes non-finite, one with a
@@ -67,45 +73,39 @@ TEST(Pictures, OfRunsAreThoseApproved) {
   }
 }
 
-TEST(FigureJson, RefusesWhatIsNoFigureAndSaysWhere) {
-  const std::string path = HYRAX_SOURCE_DIR "/tests/unit/tools/report/refused_figures.json";
-  const Json table = parse_json(read_text_file(path), path);
-  for (const auto& [refusal, refused] : *table.get<Json::Object>())
-    for (const Json& figures : *refused.get<Json::Array>())
-      EXPECT_EQ(refusal_of([&] { static_cast<void>(figures_of(figures, "figures")); }), refusal)
-          << to_text(figures);
-}
-
-// Whole numbers are exact in a page; of a table there are all rows, of one in JSON the first.
-TEST(ResultPage, OfTwoResultsIsTheOneApproved) {
-  constexpr std::int64_t kExact = std::int64_t{1} << 53;
-  const Table table{"t",
-                    "some table",
-                    {{"n", "px", "a count", std::vector<std::int64_t>{kExact, -kExact - 1, 3}, 3},
+TEST(ResultPage, OfResultsIsTheOneApproved) {
+  const Table table{"numbers",
+                    "some <table>",
+                    {{"n_of", "px2/s2", "a \"count\"", std::vector<std::int64_t>{1, -20, 3}},
                      {"x", "", "", std::vector<double>{0.5, kNotGiven, 1.0}},
                      {"is", "", "", std::vector<bool>{true, false, true}},
-                     {"at", "", "", std::vector<std::optional<std::int64_t>>{{}, kExact + 1, 2}},
-                     {"word", "", "", std::vector<std::string>{"a", "b", "c"}}}};
-  const ShownResult bad{
-      .title = "<b> & more",
-      .subtitle = "what it is",
-      .judgement = "a rule is broken",
-      .verdict = verdict_json({.text = {"first", table, "last"}, .broken = {"one <rule>", "another"}}),
-      .tables = {table},
-      .figures = {{.title = "figure & <co>", .subtitle = "<of> it"}},
-      .origin = {{"core", "paper"}, {"built_by", "g++"}}};
-  const TemporaryFolder folder;
-  const std::string path = folder.path() + "/page.html";
-  write_result_page(path, "report a.h5", {bad, {.title = "good"}});
+                     {"", "", "", std::vector<std::string>{"a", "<b>", "c"}}}};
+  const ShownResult bad{.title = "<b> & more",
+                        .subtitle = "what it is",
+                        .verdict = {.answer = "not again",
+                                    .text = {"first\n  line", "\n  before", table, table, "last"},
+                                    .broken = {"one <rule>", "another"}},
+                        .judgement = "not shown",
+                        .tables = {table, {"many", "rows", {{"i", "", "", std::vector<double>(501, 7.0)}}}},
+                        .figures = {{.title = "figure & <co>",
+                                     .subtitle = "<of> it",
+                                     .note = "a note",
+                                     .remarks = {"a remark"}},
+                                    {.title = "folded"}},
+                        .origin = {{"core", "<paper>"}}};
+  const TempFolder folder;
+  const std::string path = folder.at("page.html");
+  write_result_page(
+      path, "study <a>",
+      {bad, {.title = "good", .verdict = {.broken = {"one"}}}, {.title = "bare", .judgement = "all hold"}});
   std::string page = read_text_file(path);
-  write_result_page(path, "report b.h5", {{.title = "swept", .members = Json::Object{}}});
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_NE(page.find(".findings"), std::string::npos) << "the style of results";
+  page = std::regex_replace(page, std::regex("<style>[^]*?</style>|(<tr><td>7\n)+"), "...");
+  write_result_page(path, "report b.h5", {{.title = "swept", .members = Json::Object{}}, {.title = "other"}});
   page += "\n" + read_text_file(path);
   expect_approved("tests/unit/tools/report/pictures/results.txt",
                   std::regex_replace(page, std::regex("hyrax-sim [0-9.]+"), "hyrax-sim VERSION"));
-  const Json first = table_json(table, 2);
-  EXPECT_EQ(first.find("row_count")->number(), 3.0);
-  for (const Json& column : *first.find("columns")->get<Json::Array>())
-    EXPECT_EQ(column.find("values")->get<Json::Array>()->size(), 2u);
 }
 
 PlotScale scale_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {
@@ -191,8 +191,6 @@ std::string_view page_template(PageKind kind) {
   switch (kind) {
     case PageKind::runs:
       return "runs";
-    case PageKind::results:
-      return "results\n<!--without JavaScript-->\n{\"hyrax\":\"report data\"}";
     case PageKind::sweeps:
       return "sweeps\n<!--without JavaScript-->\n{\"hyrax\":\"report data\"}";
   }

@@ -123,14 +123,18 @@ TEST(RunSvg, HasTheTextsApproved) {
     text += shown(what, svg) + place.substr(place.find("<rect"));
   }
 
-  std::vector<Contact> at_rest(20, {.wall = Wall::ground, .y_px = 952});
-  for (std::size_t i = 0; i < at_rest.size(); ++i) at_rest[i].x_px = 900 + static_cast<double>(i);
-  const std::string piled = run_svg(fling, dropped_rows(60), at_rest);
-  text += shown("contacts at rest", piled);
+  // Two bounces at one place, then it rests: each bounce has a dot, a resting contact has none.
+  Columns settled = dropped_rows(60);
+  for (std::size_t row = 20; row < settled.size(); ++row) settled.y_px[row] = 952;
+  std::vector<Contact> contacts;
+  for (const std::int64_t step : {10, 15, 20, 22, 59})
+    contacts.push_back({.step = step, .wall = Wall::ground, .x_px = 900, .y_px = 952});
+  const std::string piled = run_svg(fling, settled, contacts);
+  text += shown("a resting contact", piled);
   const std::regex ground("r=\"2.8\" fill=\"" + colour_of(Tone::orange));
   const std::string seen = wide(piled);
-  EXPECT_EQ(std::distance(std::sregex_iterator(seen.begin(), seen.end(), ground), {}), 2)
-      << "in the picture and in the legend";
+  EXPECT_EQ(std::distance(std::sregex_iterator(seen.begin(), seen.end(), ground), {}), 4)
+      << "in the picture, with the one in the last row, and in the legend";
   expect_approved("tests/unit/tools/report/run_texts.txt", text);
 }
 

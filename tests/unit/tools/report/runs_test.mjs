@@ -130,6 +130,10 @@ test('what is not all shown, or is not replayed, is said', async t => {
   await opened([run('a')], { show: own.showRuns });
   assert.deepEqual([data().replay, element('mode-fling').disabled], ['none', true]);
   assert.match(text('verdict'), /not replayedthis page holds no copy of the core moon\.h/);
+  assert.equal(text('stage-note'), 'No replay: this page holds no copy of the core moon.h. Without it there are no errors, no causes of drift and nothing to fling.');
+  // It has the contacts of the file.
+  await opened([run('a', { contacts: Object.fromEntries(Object.entries(contacts).map(([name, values]) => [name, base64(values)])) })], { show: own.showRuns });
+  assert.match(text('contacts'), /^StepWall.*ground/);
 });
 
 test('a page of another width is drawn anew', async () => {
@@ -161,6 +165,6 @@ test('the playground takes the stage, and gives it back', async () => {
   frame(148);
   assert.deepEqual([frames, rowShown()], [4, '0']);
   await opened([run('a')], { start: () => Promise.reject(new Error('no WebAssembly')) });
-  assert.deepEqual([data().replay, element('mode-fling').disabled, text('contacts')], ['none', true, 'None.']);
+  assert.deepEqual([data().replay, element('mode-fling').disabled, text('contacts')], ['none', true, '2, which this page does not have without its replay.']);
   assert.match(text('verdict'), /this browser runs no WebAssembly/);
 });

@@ -65,7 +65,7 @@ TEST_F(Explorer, KeepsTheArithmeticOfFloat) {
   for (const char* const part : {"members: single single single single\n", ": single = to_single(dt)",
                                  ": real = to_real(x)"})  // Compared with a half, which is a double.
     EXPECT_NE(text.find(part), std::string::npos) << text;
-  EXPECT_EQ(shape_of(step_of<Floats>()).difference, "x, y, vx and vy that are not double");
+  EXPECT_EQ(match_paper(step_of<Floats>()).difference, "x, y, vx and vy that are not double");
 }
 
 TEST_F(Explorer, KeepsTheArithmeticOfInt) {
@@ -136,7 +136,7 @@ TEST(LimitProcess, SaysWhichLimitAHeaderMet) {
   EXPECT_EQ(why_incomplete<Throws>(), "over its limits: throws an exception");
   EXPECT_EQ(why_incomplete<Exits>(), "over its limits: ends the program");
   EXPECT_EQ(why_incomplete<Indexes>(), "a number becomes an integer");
-  if (trace::kLimitsMemory) {
+  if (trace::limits_memory()) {
     EXPECT_EQ(why_incomplete<Allocates>(), "over its limits: more than 1 GB of memory");
   }
 }

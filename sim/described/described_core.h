@@ -1,0 +1,66 @@
+// The one value through which a core that describes itself is used, and one body of it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/core/core_record.h"
+#include "sim/described/description.h"
+
+namespace hyrax {
+
+/// The lists of values that can be set.
+enum class SettableList : std::uint8_t { state, inputs, parameters };
+
+/// A range is no longer as long as in the description.
+struct RangeLengthChanged : std::runtime_error {
+  RangeLengthChanged(const std::string& range, std::size_t length_before, std::size_t length_now)
+      : std::runtime_error(range + ": has " + std::to_string(length_now) + " elements, not the " +
+                           std::to_string(length_before) + " of its description") {}
+};
+
+/// One core, as it goes on. ERRORS of all functions: what the core's own code throws; those that pass over a
+/// list of values: RangeLengthChanged.
+class DescribedBody {
+ public:
+  DescribedBody() = default;
+  DescribedBody(const DescribedBody&) = delete;
+  DescribedBody& operator=(const DescribedBody&) = delete;
+  virtual ~DescribedBody() = default;
+
+  /// By the core's copy constructor.
+  [[nodiscard]] virtual std::unique_ptr<DescribedBody> copy() const = 0;
+  virtual void step(double dt_s) = 0;
+  /// Puts all values of a list there, in declared order. REQUIRES: as many as the list has.
+  virtual void read(SettableList list, std::span<Word> words) = 0;
+  /// Sets the given values in declared order, others not. REQUIRES: as many as the list has; words of the
+  /// values' types.
+  virtual void set(SettableList list, std::span<const std::optional<Word>> words) = 0;
+  /// REQUIRES: an action of the description; a word for each argument.
+  virtual void act(std::size_t action, std::span<const Word> arguments) = 0;
+  /// 0 or 1 for each contact. REQUIRES, of all three: as many as the description has.
+  virtual void contacts(std::span<std::uint8_t> flags) const = 0;
+  virtual void outputs(std::span<Word> words) const = 0;
+  /// 0 or 1: whether each property holds, or is shown.
+  virtual void properties(std::span<std::uint8_t> flags) const = 0;
+};
+
+struct DescribedCore {
+  Description description = {};
+  /// Its header and the project's files that it includes; it has no traced step.
+  CoreRecord record = {};
+  /// A default constructed body.
+  std::function<std::unique_ptr<DescribedBody>()> make = {};
+};
+
+/// The core that a program is built with, named by it; only its `main` asks for it. Defined by the one source
+/// that includes the core's header (built_described_core.cpp).
+[[nodiscard]] DescribedCore built_described_core();
+
+}  // namespace hyrax

@@ -1,0 +1,170 @@
+#include "sim/described/described_figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "sim/described/scripted_body.h"
+
+namespace hyrax {
+namespace {
+
+constexpr std::array kTones = {Tone::blue,   Tone::vermilion, Tone::green,
+                               Tone::purple, Tone::orange,    Tone::sky_blue};
+constexpr std::array kDashes = {Dash::solid, Dash::long_dashes, Dash::short_dashes, Dash::dots};
+constexpr std::size_t kSeriesMax = 12;  // Of a plot; a remark says so.
+constexpr std::size_t kMarksMax = 12;
+
+// A tone and a dash together tell one curve from all others of a plot.
+Look look_of(std::size_t curve) {
+  return {.tone = kTones[curve % kTones.size()],
+          .width_px = 2,
+          .dash = kDashes[curve / kTones.size() % kDashes.size()]};
+}
+
+std::string named(const PositionPair& pair) { return pair.name.empty() ? "position" : pair.name; }
+
+std::string event_name(const Description& description, const DescribedAction& action) {
+  if (const auto* const act = std::get_if<Act>(&action)) return description.actions[act->action].name;
+  constexpr std::array<const char*, std::variant_size_v<DescribedAction>> kNames = {"set", "hitch", "hold",
+                                                                                    "go", ""};
+  return kNames[action.index()];
+}
+
+std::optional<double> input_of(const Description& description, const DescribedScenario& scenario,
+                               std::string_view name) {
+  const std::vector<ValueInfo>& inputs = description.inputs.values;
+  const auto found = std::ranges::find(inputs, name, &ValueInfo::name);
+  if (found == inputs.end()) return std::nullopt;
+  Word word = found->initial;
+  for (const auto& [input, given] : scenario.inputs)
+    if (input == static_cast<std::size_t>(found - inputs.begin())) word = given;
+  return number_of(found->type, word);
+}
+
+}  // namespace
+
+DescribedPicture::DescribedPicture(const Description& description, const DescribedScenario& scenario)
+    : description_(description),
+      scenario_(scenario),
+      flags_before_(description.contacts.size()),
+      event_frames_(event_frames(scenario, step_count(scenario))) {}
+
+void DescribedPicture::row(const DescribedRow& row) {
+  for (std::size_t event = 0; event < event_frames_.size() && marks_.size() < kMarksMax; ++event)
+    if (event_frames_[event] + 1 == row.step)
+      marks_.push_back({.at = row.t_s,
+                        .text = event_name(description_, scenario_.events[event].action),
+                        .tone = Tone::quiet});
+  bool begins_contact = false;
+  for (std::size_t contact = 0; contact < row.contacts.size(); ++contact)
+    begins_contact |= row.contacts[contact] != 0 && flags_before_[contact] == 0;
+  flags_before_.assign(row.contacts.begin(), row.contacts.end());
+  const bool is_marked = begins_contact && contacts_.size() < kContactsMax;
+  if (row.step % every_ != 0 && !is_marked) return;
+  Point point{.step = row.step, .t_s = row.t_s};
+  for (std::size_t value = 0; value < row.state.size(); ++value)
+    point.values.push_back(number_of(description_.state.values[value].type, row.state[value]));
+  for (std::size_t value = 0; value < row.outputs.size(); ++value)
+    point.values.push_back(number_of(description_.outputs.values[value].type, row.outputs[value]));
+  if (is_marked) contacts_.push_back(point);
+  if (row.step % every_ != 0) return;
+  points_.push_back(std::move(point));
+  if (points_.size() <= kPointsMax) return;
+  every_ *= 2;
+  std::erase_if(points_, [&](const Point& each) { return each.step % every_ != 0; });
+}
+
+Plot DescribedPicture::path_plot(const std::vector<PositionPair>& pairs) const {
+  Plot plot{.x = {.label = "x, px"}, .y = {.label = "y, px", .is_reversed = true}, .has_equal_scales = true};
+  const auto width_px = input_of(description_, scenario_, "width_px");
+  const auto height_px = input_of(description_, scenario_, "height_px");
+  if (width_px && height_px)
+    plot.series.push_back({.name = "width_px and height_px",
+                           .look = {.tone = Tone::hairline, .width_px = 1.5},
+                           .x = {0.0, *width_px, *width_px, 0.0, 0.0},
+                           .y = {0.0, 0.0, *height_px, *height_px, 0.0}});
+  for (std::size_t pair = 0; pair < std::min(pairs.size(), kSeriesMax); ++pair) {
+    Series path{.name = named(pairs[pair]), .look = look_of(pair)};
+    Series dots{.name = "contact",
+                .look = {.form = Form::points, .tone = path.look.tone, .marker = Marker::ring}};
+    for (const auto& [points, series] : {std::pair(&points_, &path), {&contacts_, &dots}})
+      for (const Point& point : *points) {
+        series->x.push_back(point.values[pairs[pair].x]);
+        series->y.push_back(point.values[pairs[pair].y]);
+      }
+    plot.texts.push_back({path.x.front(), path.y.front(), named(pairs[pair]), path.look.tone});
+    plot.series.push_back(std::move(path));
+    if (!dots.x.empty()) plot.series.push_back(std::move(dots));
+  }
+  return plot;
+}
+
+std::vector<Plot> DescribedPicture::value_plots(const std::vector<PositionPair>& pairs) const {
+  std::vector<const ValueInfo*> values;
+  for (const ValueInfo& value : description_.state.values) values.push_back(&value);
+  for (const ValueInfo& value : description_.outputs.values) values.push_back(&value);
+  std::map<std::string, Plot> plots;  // By unit.
+  for (std::size_t value = 0; value < values.size(); ++value) {
+    if (std::ranges::any_of(pairs,
+                            [&](const PositionPair& pair) { return pair.x == value || pair.y == value; }))
+      continue;
+    const std::string& unit = values[value]->unit;
+    Plot& plot = plots[unit];
+    if (plot.series.size() == kSeriesMax) continue;
+    Series series{.name = values[value]->name, .look = look_of(plot.series.size())};
+    for (const Point& point : points_) {
+      series.x.push_back(point.t_s);
+      series.y.push_back(point.values[value]);
+    }
+    if (plot.series.empty())
+      plot.y.label = series.name + (unit.empty() ? "" : ", " + unit);
+    else
+      plot.y.label = unit.empty() ? "values without a unit" : unit;
+    plot.x.label = "time, s";
+    plot.texts.push_back({series.x.back(), series.y.back(), series.name, series.look.tone});
+    plot.series.push_back(std::move(series));
+  }
+  std::vector<Plot> list;
+  for (auto& [unit, plot] : plots) {
+    plot.marks = marks_;
+    list.push_back(std::move(plot));
+  }
+  return list;
+}
+
+Figure DescribedPicture::figure(const std::string& subtitle) const {
+  Figure figure{.title = scenario_.name, .subtitle = subtitle};
+  const std::vector<PositionPair> pairs = position_pairs(description_);
+  std::vector<Plot> plots;
+  if (!pairs.empty()) plots.push_back(path_plot(pairs));
+  for (Plot& plot : value_plots(pairs)) plots.push_back(std::move(plot));
+  for (const Plot& plot : plots)
+    if (plot.series.size() >= kSeriesMax)
+      figure.remarks.emplace_back("Not all values are drawn: of each unit the first twelve.");
+  if (!contacts_.empty() && !pairs.empty())
+    figure.legend.push_back({"first row of a contact", {.form = Form::points, .marker = Marker::ring}});
+  figure.body = std::move(plots);
+  return figure;
+}
+
+Table DescribedPicture::rows() const {
+  Table table{.name = "rows", .long_name = "Every row"};
+  if (every_ > 1) table.long_name = "One row of every " + std::to_string(every_);
+  const auto add = [&](const std::string& name, const std::string& unit, const auto& value_of) {
+    table.columns.push_back(column_of(name, unit, "", points_, value_of, 6));
+  };
+  add("step", "", &Point::step);
+  add("t", "s", &Point::t_s);
+  std::size_t place = 0;
+  for (const ValueList* list : {&description_.state, &description_.outputs})
+    for (const ValueInfo& value : list->values) {
+      add(value.name, "", [place](const Point& point) { return point.values[place]; });
+      ++place;
+    }
+  return table;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,693 @@
+// What the lists of a core's header are compiled with: visitors that are called as see(NAME, ...), and a
+// body.
+//
+// Names are asked for once, when a core is described; after that values are read and set by their place.
+#pragma once
+
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "sim/described/described_core.h"
+
+// Brought into the global namespace after a core's header: ::hyrax_core is this one only if the header has
+// none.
+namespace hyrax_missing {
+struct hyrax_core;
+}  // namespace hyrax_missing
+
+namespace hyrax::see {
+
+template <class T, class... Types>
+inline constexpr bool kIsOneOf = (std::is_same_v<T, Types> || ...);
+template <class T>
+concept Value = (std::is_arithmetic_v<T> || std::is_enum_v<T>)&&sizeof(T) <= sizeof(Word) &&
+                !kIsOneOf<T, long double, char, wchar_t, char8_t, char16_t, char32_t>;
+template <class T>
+concept Getter = std::is_invocable_v<T&>;
+template <class T>
+concept Range = requires(T& range) {
+  std::begin(range);
+  std::end(range);
+};
+template <class T>
+concept Text = std::is_convertible_v<const T&, std::string_view>;
+
+// What stands in a braced list has to convert to these types.
+// NOLINTBEGIN(google-explicit-constructor)
+
+/// A name in a list {"calm", "wild"}; no number converts to it, 0 neither.
+struct NameText {
+  template <class T>
+  requires std::is_same_v<T, const char*>
+  constexpr NameText(T literal) : text(literal) {}
+  const char* text;
+};
+
+/// A limit of an enum: an enumerator, or its number.
+template <class Enum>
+struct EnumLimit {
+  constexpr EnumLimit(Enum limit) : value(limit) {}
+  constexpr EnumLimit(std::underlying_type_t<Enum> limit) : value(static_cast<Enum>(limit)) {}
+  constexpr operator Enum() const { return value; }
+  Enum value;
+};
+
+/// A limit of a bool: no text converts to it.
+struct BoolLimit {
+  template <class T>
+  requires std::is_same_v<T, bool>
+  constexpr BoolLimit(T limit) : value(limit) {}
+  constexpr operator bool() const { return value; }
+  bool value;
+};
+// NOLINTEND(google-explicit-constructor)
+
+/// The values of what an author passes: of a member, a getter, a range. Others have none.
+template <class T>
+struct ValueOf {
+  struct None {};
+  using Limit = None;
+};
+template <Value T>
+struct ValueOf<T> {
+  using Limit = std::conditional_t<std::is_floating_point_v<T>, double, T>;  // {0.1, 0.9} of a float.
+};
+template <Value T>
+requires std::is_enum_v<T>
+struct ValueOf<T> {
+  using Limit = EnumLimit<T>;
+};
+template <>
+struct ValueOf<bool> {
+  using Limit = BoolLimit;
+};
+template <Getter T>
+struct ValueOf<T> : ValueOf<std::remove_cvref_t<std::invoke_result_t<T&>>> {};
+template <Range T>
+struct ValueOf<T>
+    : ValueOf<typename std::iterator_traits<decltype(std::begin(std::declval<T&>()))>::value_type> {};
+template <class T>
+using LimitOf = typename ValueOf<std::remove_cvref_t<T>>::Limit;
+
+/// The last argument of see: none, {LOW, HIGH}, or names.
+struct NoNote {};
+template <class Limit>
+struct Limits {
+  Limit low;
+  Limit high;
+};
+struct Names {
+  std::span<const NameText> names;
+};
+
+template <class>
+inline constexpr bool kNever = false;
+
+/// The forms of see(NAME, ...) in lists of values. A Visitor has enter(NAME or place), leave(),
+/// enter_range(length), value<T>(getter, setter, note).
+/// @param kIsOutput constants and temporaries are taken, too.
+template <class Visitor, bool kIsOutput>
+class SeeValues {
+ public:
+  SeeValues() = default;
+  SeeValues(const SeeValues&) = delete;
+  SeeValues& operator=(const SeeValues&) = delete;
+
+  template <class T>
+  void operator()(std::string_view name, T&& at) {
+    member(name, std::forward<T>(at), NoNote());
+  }
+  template <class T>
+  void operator()(std::string_view name, T&& at, const LimitOf<T> (&limits)[2]) {
+    member(name, std::forward<T>(at), Limits<LimitOf<T>>{limits[0], limits[1]});
+  }
+  template <class T, std::size_t N>
+  void operator()(std::string_view name, T&& at, const NameText (&names)[N]) {
+    member(name, std::forward<T>(at), Names{names});
+  }
+
+  template <Getter Get, class Set>
+  void operator()(std::string_view name, Get&& get, Set&& set) {
+    property(name, get, set, NoNote());
+  }
+  template <Getter Get, class Set>
+  void operator()(std::string_view name, Get&& get, Set&& set, const LimitOf<Get> (&limits)[2]) {
+    property(name, get, set, Limits<LimitOf<Get>>{limits[0], limits[1]});
+  }
+  template <Getter Get, class Set, std::size_t N>
+  void operator()(std::string_view name, Get&& get, Set&& set, const NameText (&names)[N]) {
+    property(name, get, set, Names{names});
+  }
+
+  /// An object, or a range of them, with the list of each.
+  template <class T, class Parts>
+  requires(!Getter<std::remove_reference_t<T>>) void operator()(std::string_view name, T&& object,
+                                                                Parts&& parts) {
+    static_assert(
+        std::is_class_v<std::remove_cvref_t<Parts>>,
+        "hyrax: after an object stands a function of it, after a value {LOW, HIGH} or {\"name\", ...}");
+    visitor().enter(name);
+    objects(object, parts);
+    visitor().leave();
+  }
+
+  void undeclared(std::string_view /*name*/) {}
+
+ private:
+  Visitor& visitor() { return static_cast<Visitor&>(*this); }
+
+  template <class T, class Note>
+  void member(std::string_view name, T&& at, const Note& note) {
+    using Plain = std::remove_reference_t<T>;
+    if constexpr (Getter<Plain>) {
+      static_assert(kNever<T>,
+                    "hyrax: a getter needs a setter, see(NAME, GETTER, SETTER); an output is a value");
+    } else if constexpr (!std::is_lvalue_reference_v<T> && !kIsOutput) {
+      static_assert(kNever<T>,
+                    "hyrax: a temporary cannot be set; give a member, or see(NAME, GETTER, SETTER)");
+    } else {
+      visitor().enter(name);
+      element(at, note);
+      visitor().leave();
+    }
+  }
+
+  template <class Get, class Set, class Note>
+  void property(std::string_view name, Get& get, Set& set, const Note& note) {
+    using V = std::remove_cvref_t<std::invoke_result_t<Get&>>;
+    if constexpr (!Value<V>) {
+      static_assert(kNever<V>, "hyrax: a getter gives a double, float, bool, integer or enum");
+    } else if constexpr (!std::is_invocable_v<Set&, V>) {
+      static_assert(kNever<V>, "hyrax: a setter takes what its getter gives");
+    } else {
+      visitor().enter(name);
+      value<V>([&]() -> V { return get(); }, [&](V given) { static_cast<void>(set(given)); }, note);
+      visitor().leave();
+    }
+  }
+
+  template <class T, class Note>
+  void element(T& at, const Note& note) {
+    using V = std::remove_cv_t<T>;
+    if constexpr (Text<V>) {
+      static_assert(kNever<T>, "hyrax: a string is no value; declare a number or an enum with names");
+    } else if constexpr (std::is_const_v<T> && !kIsOutput) {
+      static_assert(kNever<T>, "hyrax: a const member cannot be set, and need not be declared");
+    } else if constexpr (Value<V>) {
+      value<V>([&]() -> V { return at; },
+               [&]([[maybe_unused]] V given) {
+                 if constexpr (!std::is_const_v<T>) at = given;
+               },
+               note);
+    } else if constexpr (requires(V & object, Visitor & see) { object.state(see); }) {
+      static_assert(std::is_same_v<Note, NoNote>, "hyrax: limits and names are of values, not of a struct");
+      const_cast<V&>(at).state(visitor());  // It may not be const; of an output nothing is set.
+    } else if constexpr (Range<T>) {
+      each(at, [&](auto&& part) {
+        using Part = decltype(part);
+        if constexpr (std::is_lvalue_reference_v<Part>) {
+          element(part, note);
+        } else if constexpr (std::is_same_v<LimitOf<V>, BoolLimit>) {  // Of std::vector<bool>.
+          value<bool>([&]() -> bool { return part; },
+                      [&]([[maybe_unused]] bool given) {
+                        if constexpr (std::is_assignable_v<Part, bool>) std::forward<Part>(part) = given;
+                      },
+                      note);
+        } else {
+          static_assert(kIsOutput || kNever<Part>,
+                        "hyrax: the elements of a range are temporaries, which cannot be set");
+          element(part, note);
+        }
+      });
+    } else {
+      static_assert(
+          kNever<T>,
+          "hyrax: a value is a double, float, bool, integer or enum, or a range or struct of these (no "
+          "optional, pointer or char); a struct has template <class See> void state(See&& see), or is "
+          "passed as see(NAME, OBJECT, [](auto& part, T& object) {...})");
+    }
+  }
+
+  template <class T, class Parts>
+  void objects(T& object, Parts& parts) {
+    if constexpr (Range<T>)
+      each(object, [&](auto&& part) { objects(part, parts); });
+    else
+      parts(visitor(), object);
+  }
+
+  template <class T, class Do>
+  void each(T& range, const Do& action) {
+    visitor().enter_range(static_cast<std::size_t>(std::distance(std::begin(range), std::end(range))));
+    std::size_t place = 0;
+    for (auto&& part : range) {
+      visitor().enter(place++);
+      action(std::forward<decltype(part)>(part));
+      visitor().leave();
+    }
+  }
+
+  template <class V, class Get, class Set, class Note>
+  void value(const Get& get, const Set& set, const Note& note) {
+    static_assert(!std::is_same_v<Note, Names> || std::is_enum_v<V> ||
+                      (std::is_integral_v<V> && !std::is_same_v<V, bool>),
+                  "hyrax: names are of the values of an enum or integer");
+    visitor().template value<V>(get, set, note);
+  }
+};
+
+/// Lists what is declared.
+template <bool kIsOutput>
+class Describer : public SeeValues<Describer<kIsOutput>, kIsOutput> {
+ public:
+  [[nodiscard]] ValueList& list() { return list_; }
+  [[nodiscard]] std::vector<std::string>& undeclared_names() { return undeclared_names_; }
+
+  void enter(std::string_view part) {
+    ends_.push_back(name_.size());
+    if (!name_.empty()) name_ += '.';
+    name_ += part;
+  }
+  void enter(std::size_t place) { enter(std::string_view(std::to_string(place))); }
+  void leave() {
+    name_.resize(ends_.back());
+    ends_.pop_back();
+  }
+  void enter_range(std::size_t length) { list_.ranges.push_back({name_, length}); }
+  void undeclared(std::string_view name) {
+    enter(name);
+    undeclared_names_.push_back(name_);
+    leave();
+  }
+
+  template <class V, class Get, class Set, class Note>
+  void value(const Get& get, const Set& /*set*/, const Note& note) {
+    ValueInfo info = {.name = name_, .type = value_type<V>(), .unit = unit_of(name_)};
+    info.is_enum = std::is_enum_v<V>;
+    if constexpr (!kIsOutput) info.initial = word_of<V>(get());
+    if constexpr (std::is_same_v<Note, Names>)
+      for (const NameText& name : note.names) info.names.emplace_back(name.text);
+    else if constexpr (!std::is_same_v<Note, NoNote>)
+      info.limits = {word_of(static_cast<V>(note.low)), word_of(static_cast<V>(note.high))};
+    list_.values.push_back(std::move(info));
+  }
+
+ private:
+  ValueList list_ = {};
+  std::vector<std::string> undeclared_names_ = {};
+  std::string name_ = {};
+  std::vector<std::size_t> ends_ = {};
+};
+
+[[noreturn]] inline void throw_list_changed(std::string_view list) {
+  throw std::runtime_error("the list of " + std::string(list) + " is not as long as in the description");
+}
+
+/// Goes along a list that is described.
+class Places {
+ public:
+  explicit Places(const ValueList& list) : list_(list) {}
+  void enter(std::string_view /*part*/) {}
+  void enter(std::size_t /*place*/) {}
+  void leave() {}
+  void enter_range(std::size_t length) {
+    if (range_ == list_.ranges.size()) throw_list_changed("values");
+    const RangeInfo& range = list_.ranges[range_++];
+    if (range.length != length) throw RangeLengthChanged(range.name, range.length, length);
+  }
+  void finish() const {
+    if (place_ != list_.values.size() || range_ != list_.ranges.size()) throw_list_changed("values");
+  }
+
+ protected:
+  std::size_t next() {
+    if (place_ == list_.values.size()) throw_list_changed("values");
+    return place_++;
+  }
+
+ private:
+  const ValueList& list_;
+  std::size_t place_ = 0;
+  std::size_t range_ = 0;
+};
+
+template <bool kIsOutput>
+class Reader : public SeeValues<Reader<kIsOutput>, kIsOutput>, public Places {
+ public:
+  Reader(const ValueList& list, std::span<Word> words) : Places(list), words_(words) {}
+  template <class V, class Get, class Set, class Note>
+  void value(const Get& get, const Set& /*set*/, const Note& /*note*/) {
+    words_[next()] = word_of<V>(get());
+  }
+
+ private:
+  std::span<Word> words_;
+};
+
+class Setter : public SeeValues<Setter, false>, public Places {
+ public:
+  Setter(const ValueList& list, std::span<const std::optional<Word>> words) : Places(list), words_(words) {}
+  template <class V, class Get, class Set, class Note>
+  void value(const Get& /*get*/, const Set& set, const Note& /*note*/) {
+    if (const std::optional<Word>& word = words_[next()]) set(value_of<V>(*word));
+  }
+
+ private:
+  std::span<const std::optional<Word>> words_;
+};
+
+template <class Function>
+struct Signature;
+template <class Result, class... Argument>
+struct Signature<std::function<Result(Argument...)>> {
+  using Arguments = std::tuple<std::remove_cvref_t<Argument>...>;
+  template <class A>  // What it could write to is nobody's.
+  static constexpr bool kIsWritten =
+      std::is_lvalue_reference_v<A> && !std::is_const_v<std::remove_reference_t<A>>;
+  static constexpr bool kAreValues = ((Value<std::remove_cvref_t<Argument>> && !kIsWritten<Argument>)&&...);
+};
+/// Of a function whose arguments have types of their own.
+template <class F>
+using SignatureOf = Signature<decltype(std::function(std::declval<F&>()))>;
+
+/// The forms of see(NAME, ...) in the list of actions. A Visitor has action<Arguments>(name, function,
+/// names).
+template <class Visitor>
+class SeeActions {
+ public:
+  SeeActions() = default;
+  SeeActions(const SeeActions&) = delete;
+  SeeActions& operator=(const SeeActions&) = delete;
+
+  template <class F>
+  void operator()(std::string_view name, F&& act) {
+    pass<0>(name, act, {});
+  }
+  template <class F, std::size_t N>
+  void operator()(std::string_view name, F&& act, const NameText (&names)[N]) {
+    pass<N>(name, act, names);
+  }
+
+ private:
+  template <std::size_t N, class F>
+  void pass(std::string_view name, F& act, std::span<const NameText> names) {
+    if constexpr (!requires { typename SignatureOf<F>::Arguments; }) {
+      static_assert(kNever<F>, "hyrax: an action is a function whose arguments have types, not auto");
+    } else if constexpr (std::tuple_size_v<typename SignatureOf<F>::Arguments> != N) {
+      static_assert(kNever<F>,
+                    "hyrax: an action has a name for each argument: see(NAME, FUNCTION, {\"vx_px_per_s\"})");
+    } else if constexpr (!SignatureOf<F>::kAreValues) {
+      static_assert(kNever<F>,
+                    "hyrax: an argument of an action is a double, float, bool, integer or enum, by value");
+    } else {
+      static_cast<Visitor&>(*this).template action<typename SignatureOf<F>::Arguments>(name, act, names);
+    }
+  }
+};
+
+class ActionDescriber : public SeeActions<ActionDescriber> {
+ public:
+  std::vector<ActionInfo> list = {};
+
+  template <class Arguments, class F>
+  void action(std::string_view name, F& /*act*/, std::span<const NameText> names) {
+    ActionInfo& info = list.emplace_back(ActionInfo{.name = std::string(name)});
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (info.arguments.push_back({.name = names[I].text,
+                                 .type = value_type<std::tuple_element_t<I, Arguments>>(),
+                                 .unit = unit_of(names[I].text),
+                                 .is_enum = std::is_enum_v<std::tuple_element_t<I, Arguments>>}),
+       ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<Arguments>>());
+  }
+};
+
+class ActionCaller : public SeeActions<ActionCaller> {
+ public:
+  ActionCaller(std::size_t wanted, std::span<const Word> given) : wanted_(wanted), given_(given) {}
+
+  template <class Arguments, class F>
+  void action(std::string_view /*name*/, F& act, std::span<const NameText> /*names*/) {
+    if (next_++ != wanted_) return;
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      Arguments arguments(value_of<std::tuple_element_t<I, Arguments>>(given_[I])...);
+      static_cast<void>(std::apply(act, arguments));
+    }
+    (std::make_index_sequence<std::tuple_size_v<Arguments>>());
+  }
+  void finish() const {
+    if (next_ <= wanted_) throw_list_changed("actions");
+  }
+
+ private:
+  std::size_t wanted_;
+  std::span<const Word> given_;
+  std::size_t next_ = 0;
+};
+
+/// Contacts and properties: conditions with names, or their values alone.
+class Conditions {
+ public:
+  Conditions() = default;
+  explicit Conditions(std::span<std::uint8_t> flags) : flags_(flags), reads_(true) {}
+  Conditions(const Conditions&) = delete;
+  Conditions& operator=(const Conditions&) = delete;
+
+  [[nodiscard]] std::vector<PropertyInfo>& list() { return list_; }
+
+  void add(std::string_view name, bool is_always, bool condition) {
+    if (!reads_) return list_.push_back({std::string(name), is_always});
+    if (next_ == flags_.size()) throw_list_changed("conditions");
+    flags_[next_++] = condition ? 1 : 0;
+  }
+  void finish() const {
+    if (next_ != flags_.size()) throw_list_changed("conditions");
+  }
+
+ private:
+  std::vector<PropertyInfo> list_ = {};
+  std::span<std::uint8_t> flags_ = {};
+  std::size_t next_ = 0;
+  bool reads_ = false;
+};
+struct ContactConditions : Conditions {
+  using Conditions::Conditions;
+  template <class T>
+  void operator()(std::string_view name, T&& condition) {
+    add(name, true, static_cast<bool>(condition));
+  }
+};
+struct PropertyConditions : Conditions {
+  using Conditions::Conditions;
+  template <class T>
+  void always(std::string_view name, T&& condition) {
+    add(name, true, static_cast<bool>(condition));
+  }
+  template <class T>
+  void sometimes(std::string_view name, T&& condition) {
+    add(name, false, static_cast<bool>(condition));
+  }
+};
+
+/// Takes any list, so that one that the visitors cannot pass is found.
+struct AnyVisitor {};
+
+// NOLINTBEGIN(bugprone-macro-parentheses): no type is in parentheses.
+#define HYRAX_LIST(name, Visitor)                          \
+  template <class C>                                       \
+  concept Has_##name = requires(C & core, Visitor & see) { \
+    core.name(see);                                        \
+  };                                                       \
+  template <class C>                                       \
+  inline constexpr bool kIsWrong_##name =                  \
+      !Has_##name<C> && (requires(C & core, AnyVisitor & see) { core.name(see); })
+// NOLINTEND(bugprone-macro-parentheses)
+HYRAX_LIST(state, Describer<false>);
+HYRAX_LIST(inputs, Describer<false>);
+HYRAX_LIST(parameters, Describer<false>);
+HYRAX_LIST(actions, ActionDescriber);
+HYRAX_LIST(contacts, ContactConditions);
+HYRAX_LIST(outputs, Describer<true>);
+HYRAX_LIST(properties, PropertyConditions);
+#undef HYRAX_LIST
+
+#define HYRAX_MISSPELT(wrong, right)                                          \
+  static_assert(!(requires(C & core, AnyVisitor & see) { core.wrong(see); }), \
+                "hyrax_core: the list " #wrong "(see) is named " #right)
+#define HYRAX_BY_REFERENCE(name)     \
+  static_assert(!kIsWrong_##name<C>, \
+                "hyrax_core: the list " #name " is template <class See> void " #name "(See&& see)")
+
+/// Refuses what is no core, each fault in a sentence.
+template <class C>
+[[nodiscard]] consteval bool is_core() {
+  if constexpr (std::is_same_v<C, hyrax_missing::hyrax_core>) {
+    static_assert(kNever<C>, "hyrax_core: the header has no global struct hyrax_core");
+    return false;
+  } else {
+    static_assert(std::is_default_constructible_v<C>, "hyrax_core: has no default constructor");
+    static_assert(std::is_copy_constructible_v<C>, "hyrax_core: is not copyable");
+    static_assert(
+        requires(C & core) { core.step(1.0); }, "hyrax_core: has no void step(double dt_s)");
+    static_assert(Has_state<C>, "hyrax_core: has no template <class See> void state(See&& see)");
+    HYRAX_MISSPELT(states, state);
+    HYRAX_MISSPELT(input, inputs);
+    HYRAX_MISSPELT(parameter, parameters);
+    HYRAX_MISSPELT(params, parameters);
+    HYRAX_MISSPELT(action, actions);
+    HYRAX_MISSPELT(contact, contacts);
+    HYRAX_MISSPELT(output, outputs);
+    HYRAX_MISSPELT(property, properties);
+    HYRAX_BY_REFERENCE(inputs);
+    HYRAX_BY_REFERENCE(parameters);
+    HYRAX_BY_REFERENCE(actions);
+    HYRAX_BY_REFERENCE(contacts);
+    HYRAX_BY_REFERENCE(outputs);
+    HYRAX_BY_REFERENCE(properties);
+    return std::is_default_constructible_v<C> && std::is_copy_constructible_v<C> && Has_state<C> &&
+           requires(C & core) {
+      core.step(1.0);
+    };
+  }
+}
+#undef HYRAX_MISSPELT
+#undef HYRAX_BY_REFERENCE
+
+/// What the core declares; its name is left out.
+template <class C>
+[[nodiscard]] Description describe() {
+  C core = C();
+  Description description;
+  Describer<false> state;
+  core.state(state);
+  description.state = std::move(state.list());
+  description.undeclared = std::move(state.undeclared_names());
+  if constexpr (Has_inputs<C>) {
+    Describer<false> inputs;
+    core.inputs(inputs);
+    description.inputs = std::move(inputs.list());
+  }
+  if constexpr (Has_parameters<C>) {
+    Describer<false> parameters;
+    core.parameters(parameters);
+    description.parameters = std::move(parameters.list());
+  }
+  if constexpr (Has_outputs<C>) {
+    Describer<true> outputs;
+    core.outputs(outputs);
+    description.outputs = std::move(outputs.list());
+  }
+  if constexpr (Has_actions<C>) {
+    ActionDescriber actions;
+    core.actions(actions);
+    description.actions = std::move(actions.list);
+  }
+  if constexpr (Has_contacts<C>) {
+    ContactConditions contacts;
+    core.contacts(contacts);
+    for (PropertyInfo& contact : contacts.list()) description.contacts.push_back(std::move(contact.name));
+  }
+  if constexpr (Has_properties<C>) {
+    PropertyConditions properties;
+    core.properties(properties);
+    description.properties = std::move(properties.list());
+  }
+  return description;
+}
+
+}  // namespace hyrax::see
+
+namespace hyrax {
+
+/// A body of the class Core.
+template <class Core>
+class DescribedBodyOf final : public DescribedBody {
+ public:
+  DescribedBodyOf() = default;
+
+  [[nodiscard]] static const Description& description() {
+    static const Description description = see::describe<Core>();
+    return description;
+  }
+
+  [[nodiscard]] std::unique_ptr<DescribedBody> copy() const override {
+    return std::unique_ptr<DescribedBody>(new DescribedBodyOf(core_));
+  }
+  void step(double dt_s) override { static_cast<void>(core_.step(dt_s)); }
+
+  void read(SettableList list, std::span<Word> words) override {
+    visit(list, [&](const ValueList& values) { return see::Reader<false>(values, words); });
+  }
+  void set(SettableList list, std::span<const std::optional<Word>> words) override {
+    visit(list, [&](const ValueList& values) { return see::Setter(values, words); });
+  }
+  void act(std::size_t action, std::span<const Word> arguments) override {
+    see::ActionCaller visitor(action, arguments);
+    if constexpr (see::Has_actions<Core>) core_.actions(visitor);
+    visitor.finish();
+  }
+  void contacts(std::span<std::uint8_t> flags) const override {
+    see::ContactConditions visitor(flags);
+    if constexpr (see::Has_contacts<Core>) core_.contacts(visitor);
+    visitor.finish();
+  }
+  void outputs(std::span<Word> words) const override {
+    see::Reader<true> visitor(description_.outputs, words);
+    if constexpr (see::Has_outputs<Core>) core_.outputs(visitor);
+    visitor.finish();
+  }
+  void properties(std::span<std::uint8_t> flags) const override {
+    see::PropertyConditions visitor(flags);
+    if constexpr (see::Has_properties<Core>) core_.properties(visitor);
+    visitor.finish();
+  }
+
+ private:
+  explicit DescribedBodyOf(const Core& core) : core_(core) {}
+
+  template <class MakeVisitor>
+  void visit(SettableList list, const MakeVisitor& make_visitor) {
+    if (list == SettableList::state) {
+      auto visitor = make_visitor(description_.state);
+      core_.state(visitor);
+      visitor.finish();
+    } else if (list == SettableList::inputs) {
+      auto visitor = make_visitor(description_.inputs);
+      if constexpr (see::Has_inputs<Core>) core_.inputs(visitor);
+      visitor.finish();
+    } else {
+      auto visitor = make_visitor(description_.parameters);
+      if constexpr (see::Has_parameters<Core>) core_.parameters(visitor);
+      visitor.finish();
+    }
+  }
+
+  const Description& description_ = description();
+  mutable Core core_ = Core();  // Its lists need not be const.
+};
+
+/// A core of the class Core. ERRORS: what its constructor, getters and conditions throw.
+template <class Core>
+[[nodiscard]] DescribedCore described_core_of(std::string_view name, const CoreRecord& record) {
+  DescribedCore core;
+  if constexpr (see::is_core<Core>()) {
+    core.description = DescribedBodyOf<Core>::description();
+    core.description.core = name;
+    core.record = record;
+    core.make = []() -> std::unique_ptr<DescribedBody> { return std::make_unique<DescribedBodyOf<Core>>(); };
+  }
+  return core;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,45 @@
+// Particles in a vector: their number is the same in every row, until an action changes it.
+#pragma once
+
+#include <vector>
+
+struct grain {
+  double x = 0, y = 0, vy = 0;
+  bool lies = false;
+};
+
+struct hyrax_core {
+  std::vector<grain> grains = {{10, 0, 0, false}, {20, 5, 0, false}, {30, 9, -20, false}};
+  std::vector<bool> seen = {false, false, false};
+
+  void step(double dt_s) {
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      grain& g = grains[i];
+      if (g.lies) continue;
+      g.vy += 100 * dt_s;
+      g.y += g.vy * dt_s;
+      if (g.y > 50) g.y = 50, g.lies = true, seen[i] = true;
+    }
+  }
+  template <class See>
+  void state(See&& see) {
+    see("grains", grains, [](auto& part, grain& g) {
+      part("x_px", g.x);
+      part("y_px", g.y);
+      part("vy_px_per_s", g.vy);
+      part("lies", g.lies);
+    });
+    see("seen", seen);
+  }
+  template <class See>
+  void actions(See&& see) {
+    see("spawn", [&] {
+      grains.push_back({40, 0, 0, false});
+      seen.push_back(false);
+    });
+  }
+  template <class See>
+  void contacts(See&& see) const {
+    see("first_lies", grains[0].lies);
+  }
+};

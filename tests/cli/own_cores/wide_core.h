@@ -1,0 +1,17 @@
+// 500 values.
+#pragma once
+
+#include <array>
+
+struct hyrax_core {
+  std::array<std::array<double, 2>, 250> cells = {};
+
+  void step(double dt_s) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      for (double& value : cells[i]) value += dt_s * static_cast<double>(i);
+  }
+  template <class See>
+  void state(See&& see) {
+    see("cells_px", cells);
+  }
+};

@@ -1,0 +1,370 @@
+"""Cores that describe themselves, each held to a loop of its own, in a project that uses the package."""
+
+import csv
+import math
+import os
+import shutil
+import unittest
+
+import numpy as np
+
+import program
+from installed_package import InstalledPackage
+from process import run, succeed
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE
+
+PROJECT = SOURCE / "tests/cli/own_cores"
+DT = 1.0 / 60.0
+CTEST_FAILED = 8
+
+
+def scenario(steps=300, **changes):
+    return {"format": "hyrax-scenario/1", "name": "one", "clock": {"rate_hz": 60}, "steps": steps, **changes}
+
+
+BALLS = scenario(600, start={"a.vx_px_per_s": 420.5}, inputs={"width_px": 700}, parameters={"restitution": 0.75}, events=[
+    {"step": 200, "strike": {"vx_px_per_s": -90, "vy_px_per_s": 600}}, {"step": 300, "hold": {}}, {"step": 310, "set": {"height_px": 500}},
+    {"step": 320, "go": {}}, {"step": 400, "hitch": {"dt_s": 0.05}}, {"step": 500, "stop": {}}])
+
+
+def balls():
+    """State, contacts and output of each row."""
+    a, b = [100.0, 100.0, 420.5, 40.0], [300.0, 110.0, 0.0, 0.0]
+    width, height, radius, restitution = 700.0, 600.0, 20.0, 0.75
+    rail = meet = 0
+    for frame in range(601):
+        distance = math.sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]))
+        yield (*a, *b, rail, meet, distance)
+        dt, rail, meet = 0.05 if frame == 400 else DT, 0, 0
+        if frame == 200:
+            a[2:] = -90.0, 600.0
+        if frame == 310:
+            height = 500.0
+        if frame == 500:
+            a[2:] = b[2:] = 0.0, 0.0
+        if 300 <= frame < 320:
+            continue
+        for p in (a, b):
+            p[0] += p[2] * dt
+            p[1] += p[3] * dt
+            for axis, size in ((0, width), (1, height)):
+                if (p[axis] < radius and p[axis + 2] < 0) or (p[axis] > size - radius and p[axis + 2] > 0):
+                    p[axis + 2], rail = -p[axis + 2], 1
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        d = math.sqrt(dx * dx + dy * dy)
+        if 0 < d < 2 * radius:
+            nx, ny = dx / d, dy / d
+            closing = (a[2] - b[2]) * nx + (a[3] - b[3]) * ny
+            if closing > 0:
+                j, meet = 0.5 * (1 + restitution) * closing, 1
+                a[2], a[3], b[2], b[3] = a[2] - j * nx, a[3] - j * ny, b[2] + j * nx, b[3] + j * ny
+
+
+PET = scenario(parameters={"gravity_px_per_s2": 1000}, start={"pose": "fly", "bounces": 7}, events=[
+    {"at_s": 2.0, "fling": {"vx_px_per_s": -300, "vy_px_per_s": -700}}])
+
+
+def pet():
+    x, y, vx, vy, spin, bounces, pose, floor = 200.0, 100.0, 150.0, 0.0, 3.0, 7, 1, 0
+    for frame in range(301):
+        yield x, y, vx, vy, spin, bounces, pose, floor
+        if frame == 120:
+            vx, vy = -300.0, -700.0
+        vy += 1000.0 * DT
+        x += vx * DT
+        y += vy * DT
+        vx += spin * DT
+        spin *= 0.99
+        floor = int(y > 500.0)
+        pose = 2 if floor else 1
+        if floor:
+            y, vy, spin, bounces = 500.0, -vy * 0.6, -spin, bounces + 1
+
+
+CAR = scenario(inputs={"throttle": 1}, events=[{"step": 60, "set": {"steer": 0.5}}, {"step": 180, "set": {"gear": -1, "steer": 0}}])
+
+
+def car():
+    x, y, hx, hy, speed, gear, steer = 400.0, 300.0, 1.0, 0.0, 0.0, 1, 0.0
+    for frame in range(301):
+        yield x, y, hx, hy, speed, gear
+        if frame == 60:
+            steer = 0.5
+        if frame == 180:
+            gear, steer = -1, 0.0
+        speed += 1.0 * 120 * gear * DT
+        speed -= 0.4 * speed * DT
+        turn, old = steer * DT, hx
+        hx -= turn * hy
+        hy += turn * old
+        x += hx * speed * DT
+        y += hy * speed * DT
+        if gear == 1 and speed > 90:
+            gear = 2
+
+
+MOVES = [math.sin(frame / 20) > 0 and 1 or -0.25 for frame in range(120)]
+PLATFORM = scenario(120, inputs={"move": MOVES}, events=[{"step": frame, "set": {"jump": True}} for frame in (10, 20, 90)])
+
+
+def platform():
+    f = np.float32
+    x, y, vy, px, ground, jump, dt = f(40), f(0), f(0), f(50), 1, False, f(DT)
+    for frame in range(121):
+        yield float(x), float(y), float(vy), float(px), ground, ground if frame else 0
+        if frame == 120:
+            return
+        move = f(MOVES[frame])
+        jump |= frame in (10, 20, 90)
+        px = px + move * f(200) * dt
+        if jump and ground:
+            vy = f(-700)
+        jump = False
+        vy = vy + f(1800) * dt
+        y = y + vy * dt
+        ground = int(y >= 0)
+        if ground:
+            y, vy, x = f(0), f(0), x + move * f(200) * dt
+
+
+FIXED = scenario(start={"big": 2**64 - 3, "low": -2**62 - 1, "ticks": 254})
+
+
+def fixed():
+    x, v, ticks, s, big, low, up = 10 << 16, 3 << 16, 254, -3, 2**64 - 3, -2**62 - 1, 1
+    for _ in range(301):
+        yield x, v, ticks, s, big, low, up
+        x += (v * int(DT * 65536.0)) >> 16
+        if not 8 << 16 <= x <= 12 << 16:
+            v, up = -v, 1 - up
+        ticks, big, s = (ticks + 1) % 256, (big + 1) % 2**64, s + 1
+        low += ticks
+        if s == 5:
+            s = -5
+
+
+SAND = scenario(start={"grains.1.y_px": 20.5, "grains.2.x_px": 31}, steps=120)
+
+
+def sand():
+    grains, seen = [[10.0, 0.0, 0.0, 0], [20.0, 20.5, 0.0, 0], [31.0, 9.0, -20.0, 0]], [0, 0, 0]
+    for row in range(121):
+        yield (*(number for grain in grains for number in grain), *seen, grains[0][3] if row else 0)
+        for i, grain in enumerate(grains):
+            if not grain[3]:
+                grain[2] += 100.0 * DT
+                grain[1] += grain[2] * DT
+                if grain[1] > 50:
+                    grain[1], grain[3], seen[i] = 50.0, 1, 1
+
+
+CLOCKWORK = scenario(clock={"rate_hz": 100, "jitter": {"kind": "missed_frames", "probability": 0.0, "seed": 1}})
+
+
+def clockwork():
+    angle, speed, left, h = 0.25, 0.0, 0.0, 1.0 / 240
+    for _ in range(301):
+        yield angle, speed, left
+        left += 1.0 / 100
+        while left >= h:
+            speed -= 30 * angle * h
+            angle += speed * h
+            left -= h
+
+
+LINKED = scenario()
+
+
+def linked():
+    x, speed = 1.0, 2.0
+    for _ in range(301):
+        yield x, speed
+        speed -= x * DT
+        x += speed * DT
+
+
+WIDE = scenario(50)
+
+
+def wide():
+    cells = [0.0] * 500
+    for _ in range(51):
+        yield tuple(cells)
+        cells = [value + DT * float(i // 2) for i, value in enumerate(cells)]
+
+
+LOOPS = {"balls": (BALLS, balls), "pet": (PET, pet), "car": (CAR, car), "platform": (PLATFORM, platform), "fixed": (FIXED, fixed),
+         "sand": (SAND, sand), "clockwork": (CLOCKWORK, clockwork), "linked": (LINKED, linked), "wide": (WIDE, wide)}
+
+# What the check of the description says of each fault.
+FAULTS = {
+    "forgotten": "the state is not complete: set from row 1, x_px differs at row 2; a member that changes is not declared",
+    "timer": "the state is not complete: set from row 256, x_px differs at row 301; a member that changes is not declared",
+    "rounding": "the setter of x_px does not give back what its getter gave at row 1",
+    "static": "a second run is not the same: x_px differs at row 1",
+    "first_run": "a second run is not the same: its state hash differs",
+    "pointer": "a copy does not go on as its original: copied at row 0, x_px differs at row 1",
+    "step_throws": "out of fuel",
+    "property_throws": "lost",
+    "nan": "x_px",
+}
+
+# Members of struct hyrax_core, and the sentence of what does not compile in it.
+STEP = "void step(double) {}"
+STATE = "template <class See> void state(See&& see) { see(\"x\", x); }"
+REFUSED = {
+    STATE: "hyrax_core: has no void step(double dt_s)",
+    STEP: "hyrax_core: has no template <class See> void state(See&& see)",
+    STEP + STATE + "std::unique_ptr<int> p;": "hyrax_core: is not copyable",
+    STEP + STATE + "template <class See> void input(See&& see) { see(\"y\", x); }": "hyrax_core: the list input(see) is named inputs",
+    STEP + STATE + "template <class See> void property(See&&) {}": "hyrax_core: the list property(see) is named properties",
+    STEP + STATE + "template <class See> void inputs(See see) { see(\"y\", x); }": "hyrax_core: the list inputs is template <class See> void",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", k); }": "hyrax: a const member cannot be set",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", x + 1); }": "hyrax: a temporary cannot be set",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", s); }": "hyrax: a string is no value",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", o); }": "hyrax: a value is a double, float, bool, integer or enum",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", u); }": "hyrax: a value is a double, float, bool, integer or enum",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", [&] { return x; }); }": "hyrax: a getter needs a setter",
+    STEP + STATE + "template <class See> void actions(See&& see) { see(\"a\", [&](double b) { x = b; }); }":
+        "hyrax: an action has a name for each argument",
+    STEP + STATE + "template <class See> void actions(See&& see) { see(\"a\", [&](double b) { x = b; }, {\"b\", \"c\"}); }":
+        "hyrax: an action has a name for each argument",
+    STEP + STATE + "template <class See> void actions(See&& see) { see(\"a\", [&](double& b) { b = x; }, {\"b\"}); }":
+        "hyrax: an argument of an action is a double, float, bool, integer or enum, by value",
+    STEP + "bool b; template <class See> void state(See&& see) { see(\"b\", b, {\"no\", \"yes\"}); }": "hyrax: names are of the values of an enum or integer",
+}
+HEADER = """#include <memory>
+#include <optional>
+#include <string>
+struct unknown { double x = 0; };
+struct hyrax_core { double x = 0; const double k = 1; std::string s; std::optional<double> o; unknown u;
+%s };
+"""
+
+
+class OwnCores(InstalledPackage):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.project = cls.root / "cores"
+        shutil.copytree(PROJECT, cls.project)
+        for core, (document, _) in LOOPS.items():
+            path = cls.project / core / "scenarios/one.json"
+            path.parent.mkdir(parents=True)
+            path.write_text(program.json.dumps(document), encoding="utf-8")
+        outcome = cls.configure(cls.project, "-DCMAKE_BUILD_TYPE=Quick", "-DCMAKE_CXX_FLAGS_QUICK=-O0")
+        assert outcome.exit_code == 0, outcome
+        cls.warning = " ".join(outcome.err.split())
+        succeed("cmake", "--build", cls.project / "build")
+
+    def use(self, core):
+        program.PROGRAM = self.project / f"build/{core}-sim"
+
+    def tearDown(self):
+        program.PROGRAM = self.project / "build/pet-sim"
+
+    def rows(self, document):
+        """Of a run as CSV: the columns, and the numbers of each row after step, t_s, dt_s."""
+        self.write("one.json", document)
+        self.expect(AGREED, "run", "one.json", "-o", "one.csv")
+        with open(self.folder / "one.csv", encoding="utf-8") as file:
+            columns, *rows = csv.reader(file)
+        return columns[3:], [tuple(float(text) if "." in text or "e" in text else int(text) for text in row[3:]) for row in rows]
+
+    def test_each_core_is_its_plain_loop(self):
+        for core, (document, loop) in LOOPS.items():
+            with self.subTest(core):
+                self.use(core)
+                _, rows = self.rows(document)
+                expected = list(loop())
+                self.assertEqual(len(rows), len(expected))
+                for step, (row, wanted) in enumerate(zip(rows, expected)):
+                    # A float is written as short as it is one.
+                    self.assertEqual([np.float32(number) if core == "platform" else number for number in row], list(wanted), step)
+
+    def test_the_table_has_every_way_to_move(self):
+        """The control of the loops: what they are about happens in them."""
+        self.assertGreater(sum(row[-3] for row in balls()), 2)
+        self.assertGreater(sum(row[-2] for row in balls()), 1)
+        self.assertGreater(list(pet())[-1][5], 9)
+        self.assertEqual({row[5] for row in car()}, {-1, 1, 2})
+        self.assertEqual({row[4] for row in platform()}, {0, 1})
+        self.assertEqual({row[-1] for row in sand()}, {0, 1})
+
+    def test_faults_of_a_description_are_found(self):
+        self.use("faulty")
+        self.write("none.json", scenario(400))
+        self.expect(AGREED, "run", "none.json", "-o", "none.h5")
+        for fault, sentence in FAULTS.items():
+            with self.subTest(fault):
+                self.write("fault.json", scenario(400, parameters={"fault": fault}))
+                outcome = self.expect(DISAGREED, "run", "fault.json", "-o", "fault.h5")
+                self.assertIn(sentence, outcome.out + outcome.err)
+
+    def test_a_range_whose_length_changes_is_refused_with_its_row(self):
+        self.use("sand")
+        self.write("spawn.json", scenario(20, events=[{"step": 9, "spawn": {}}]))
+        outcome = self.expect(DISAGREED, "run", "spawn.json", "-o", "spawn.h5")
+        text = outcome.out + outcome.err
+        self.assertIn("grains: has 4 elements, not the 3 of its description", text)
+        self.assertRegex(text, r"\b10\b")
+
+    def test_what_cannot_be_declared_is_left_out_of_the_check(self):
+        self.use("random")
+        self.write("one.json", scenario(400))
+        self.expect(AGREED, "run", "one.json", "-o", "one.h5")
+
+    def test_names_that_cannot_be_are_told_at_once(self):
+        self.use("names")
+        self.write("one.json", scenario(4))
+        outcome = self.expect(BAD_INPUT, "run", "one.json")
+        for fault in ("'x_px': duplicate name", "'t': the name is reserved", "'Speed': a name is parts",
+                      "'limited': the default is outside the limits", "contact 'x_px': duplicate name", "action 'hold': the name is reserved"):
+            self.assertIn(fault, outcome.err)
+        self.expect(AGREED, "--help")
+        self.expect(AGREED, "--version")
+
+    def test_an_empty_library_warns_with_the_command_to_write_one(self):
+        self.assertIn("no scenario file, *.json, in", self.warning)
+        self.assertIn("faulty-sim new NAME", self.warning)
+        self.assertNotIn("pet-sim new NAME", self.warning)
+        listed = run("ctest", "--test-dir", self.project / "build", "-N").out
+        self.assertIn(" pet.one\n", listed)
+        self.assertIn(" linked.accepted_core\n", listed)
+        self.assertNotIn(" faulty.", listed)
+
+    def test_a_library_that_is_blessed_passes_until_its_core_changes(self):
+        for core in LOOPS:
+            self.use(core)
+            self.expect(AGREED, "bless", self.project / core / "scenarios", "--reason", "the first results")
+        tests = self.ctest(self.project, 0)
+        self.assertEqual(tests, {f"{core}.{name}": True for core in LOOPS for name in ("one", "unreferenced_golden")})
+        header = self.project / "engine.h"
+        text = header.read_text(encoding="utf-8")
+        for start, exit_code in (("m_x = 1.5", CTEST_FAILED), ("m_x = 1", 0)):
+            header.write_text(text.replace("m_x = 1", start), encoding="utf-8")
+            succeed("cmake", "--build", self.project / "build", "--target", "linked-sim")
+            self.assertEqual(self.ctest(self.project, exit_code), {**tests, "linked.one": exit_code == 0})
+
+    def test_wrong_arguments_are_refused(self):
+        self.write("refused/a.h", "")
+        for arguments, says in (("scenarios CORE a.h PHYSICS a.h", "PHYSICS and CORE: a core is one of the two"),
+                                ("scenarios LINK engine", "LINK needs CORE"), ("scenarios CORE none.h", "CORE: no such file")):
+            self.expect_refused(arguments, says, language="CXX")
+
+    def test_what_does_not_compile_says_why_in_its_first_error(self):
+        compilers = {os.path.realpath(shutil.which(name)) for name in (os.environ["HYRAX_CXX"], "g++", "clang++") if shutil.which(name)}
+        source = self.package / "share/hyrax/source"
+        for compiler in sorted(compilers):
+            for members, sentence in {**REFUSED, None: "hyrax_core: the header has no global struct hyrax_core"}.items():
+                with self.subTest(compiler=compiler, sentence=sentence):
+                    path = self.write("bad.h", HEADER % members if members else "struct another_core {};\n")
+                    outcome = run(compiler, "-std=c++20", "-fsyntax-only", f"-I{source}", f'-DHYRAX_DESCRIBED_HEADER="{self.folder / "bad.h"}"',
+                                  '-DHYRAX_DESCRIBED_NAME="bad"', source / "sim/described/built_described_core.cpp")
+                    self.assertNotEqual(outcome.exit_code, 0)
+                    first = next(line for line in outcome.err.splitlines() if "error" in line)
+                    self.assertIn(sentence, first.replace('\\"', '"'), path)
+
+
+if __name__ == "__main__":
+    unittest.main()

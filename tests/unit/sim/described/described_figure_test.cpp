@@ -1,0 +1,93 @@
+// The picture of a run as data: paths, values by unit, marks, thinning.
+#include <gtest/gtest.h>
+
+#include "sim/described/described_figure.h"
+#include "tests/unit/sim/described/core_for_test.h"
+
+namespace hyrax {
+namespace {
+
+struct Glider {
+  double x = 0.0, y = 5.0, speed = 60.0, width = 300.0, height = 200.0;
+  int count = 0;
+  bool is_far = false;
+
+  void step(double dt_s) {
+    x += speed * dt_s;
+    is_far = x > 30.0;
+    ++count;
+  }
+  template <class See>
+  void state(See&& see) {
+    see("kite.x_px", x);
+    see("kite.y_px", y);
+    see("speed_px_per_s", speed);
+    see("count", count);
+  }
+  template <class See>
+  void inputs(See&& see) {
+    see("width_px", width);
+    see("height_px", height);
+  }
+  template <class See>
+  void actions(See&& see) {
+    see("turn", [&] { speed = -speed; });
+  }
+  template <class See>
+  void contacts(See&& see) const {
+    see("far", is_far);
+  }
+  template <class See>
+  void outputs(See&& see) const {
+    see("twice_px_per_s", 2.0 * speed);
+  }
+};
+
+std::vector<Plot> plots_of(std::int64_t steps, std::vector<DescribedEvent> events) {
+  const DescribedCore core = core_for_test<Glider>();
+  DescribedScenario scenario = scenario_for_test(steps);
+  scenario.inputs = {{0, word_of(400.0)}};
+  scenario.events = std::move(events);
+  DescribedPicture picture(core.description, scenario);
+  DescribedSink* const sink = &picture;
+  static_cast<void>(play(core, scenario, {&sink, 1}));
+  return std::get<std::vector<Plot>>(picture.figure("").body);
+}
+
+TEST(DescribedPicture, HasAPathInItsFrameValuesByUnitAndMarks) {
+  const std::vector<Plot> plots =
+      plots_of(60, {event_for_test(45, Act{0, {}}), event_for_test(50, SetValues{{}, {{1, word_of(6.0)}}})});
+  ASSERT_EQ(plots.size(), 3u);  // The path, values without a unit, speeds.
+  const Plot& path = plots[0];
+  ASSERT_EQ(path.series.size(), 3u);
+  EXPECT_EQ(path.series[0].x, (std::vector{0.0, 400.0, 400.0, 0.0, 0.0}));
+  EXPECT_EQ(path.series[0].y, (std::vector{0.0, 0.0, 200.0, 200.0, 0.0}));
+  EXPECT_EQ(path.series[1].name, "kite");
+  ASSERT_EQ(path.series[1].x.size(), 61u);
+  EXPECT_EQ(path.series[1].x[30], 30.0 / 60.0 * 60.0);
+  EXPECT_EQ(path.series[1].y[51], 6.0);
+  ASSERT_EQ(path.series[2].x.size(), 1u) << "a contact once, at its first row";
+  EXPECT_GT(path.series[2].x[0], 30.0);
+  EXPECT_EQ(plots[1].series[0].name, "count");
+  EXPECT_EQ(plots[1].series[0].y[60], 60.0);
+  EXPECT_EQ(plots[2].y.label, "px/s");
+  ASSERT_EQ(plots[2].series.size(), 2u);
+  EXPECT_EQ(plots[2].series[1].name, "twice_px_per_s");
+  EXPECT_EQ(plots[2].series[1].y[60], -120.0);
+  ASSERT_EQ(plots[2].marks.size(), 2u);
+  EXPECT_EQ(plots[2].marks[0].text, "turn");
+  EXPECT_NEAR(plots[2].marks[0].at, 46.0 / 60.0, 1e-9);
+  EXPECT_EQ(plots[2].marks[1].text, "set");
+}
+
+TEST(DescribedPicture, OfALongRunHasRowsAtEvenDistances) {
+  const std::vector<Plot> plots = plots_of(30'000, {});
+  const std::vector<double>& t_s = plots[1].series[0].x;
+  EXPECT_LE(t_s.size(), DescribedPicture::kPointsMax);
+  EXPECT_GT(t_s.size(), DescribedPicture::kPointsMax / 3);
+  EXPECT_NEAR(t_s[1] - t_s[0], t_s.back() - t_s[t_s.size() - 2], 1e-9);
+  EXPECT_GT(t_s.back(), 499.0);
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,35 @@
+// Every study, in its smallest form, of cores with other constants than the paper's.
+#include <gtest/gtest.h>
+
+#include "sim/core/listing_core.h"
+#include "sim/study/study.h"
+#include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/study/clocks.h"
+#include "tools/files/scenario_reader.h"
+
+namespace hyrax {
+namespace {
+
+// All rules hold; what a scenario expects of the paper's constants is left out.
+TEST(OtherConstants, EveryStudyFollowsThem) {
+  for (const Constants& constants :
+       {Constants{980.0, 0.9, 0.9995, 0.7, 8.0}, {500.0, 1.0, 1.0, 0.8, 5.0}, {9.81, 0.3, 0.99, 1.0, 0.01}}) {
+    Core core = listing_core(constants);
+    core.name = "mine/1";
+    for (const Study& study : studies()) {
+      StudyRequest request{.core = core, .is_quick = true, .machine = "m", .now_ns = steady_ns};
+      if (study.name == "needs") request.scenarios = {{"fling.json", fling_at(60.0, 600)}};
+      if (study.name == "hard-cases")
+        for (const std::string& path : scenario_files())
+          if (path.find("/hard/") != std::string::npos) {
+            request.scenarios.push_back({path, load_scenario(path)});
+            request.scenarios.back().scenario.expect.reset();
+          }
+      EXPECT_EQ(study.run(request).verdict.broken, std::vector<std::string>{})
+          << study.name << ", gravity " << constants.gravity_px_per_s2;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,235 @@
+// The program of a core that describes itself: its commands, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <filesystem>
+#include <fstream>
+
+#include "sim/described/see.h"
+#include "tests/unit/tools/store/temp_folder.h"
+#include "tools/described/program.h"
+#include "tools/files/text_file.h"
+#include "tools/own_core/new_core.h.in"
+
+namespace hyrax {
+namespace {
+
+struct Outcome {
+  int exit_code = 0;
+  std::string out = {};
+  std::string err = {};
+};
+
+template <class Core>
+DescribedCore core_of() {
+  return described_core_of<Core>("toy", {});
+}
+
+// In a folder of its own.
+class DescribedProgram : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::current_path(folder_.at("")); }
+  void TearDown() override { std::filesystem::current_path(before_); }
+
+  template <class Core = hyrax_core>
+  static Outcome run(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "toy-sim");
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    Outcome outcome;
+    outcome.exit_code = run_described_program(core_of<Core>, static_cast<int>(words.size()), words.data());
+    outcome.out = testing::internal::GetCapturedStdout();
+    outcome.err = testing::internal::GetCapturedStderr();
+    return outcome;
+  }
+
+ private:
+  const std::filesystem::path before_ = std::filesystem::current_path();
+  const TempFolder folder_;
+};
+
+TEST_F(DescribedProgram, NewWritesAScenarioWithTheCoresValues) {
+  EXPECT_EQ(run({"new", "first"}).exit_code, 0);
+  EXPECT_EQ(read_text_file("first.json"), R"({
+  "$schema": "scenario.schema.json",
+  "format": "hyrax-scenario/1",
+  "name": "first",
+  "description": "What happens, and why it is worth testing.",
+  "core": "toy",
+  "inputs": { "width_px": 800, "height_px": 600 },
+  "start": { "x_px": 100, "y_px": 100, "vx_px_per_s": 300, "vy_px_per_s": 0 },
+  "clock": { "rate_hz": 60 },
+  "steps": 600,
+  "record": { "every": 1 },
+  "expect": { "finite": true }
+}
+)");
+  const Outcome validated = run({"validate", "first.json"});
+  EXPECT_EQ(validated.out, "first.json: good, 600 steps\n");
+  const Outcome again = run({"new", "first"});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_EQ(again.err, "first.json: exists; `--force` replaces it\n");
+  EXPECT_EQ(run({"new", "first", "--force"}).exit_code, 0);
+}
+
+TEST_F(DescribedProgram, InfoPrintsEveryListAndWhatTheCheckFinds) {
+  const std::string out = run({"info"}).out;
+  EXPECT_EQ(out.substr(out.find("state: ")),
+            R"(state: x_px (px), y_px (px), vx_px_per_s (px/s), vy_px_per_s (px/s)
+inputs: width_px (px), height_px (px)
+parameters: gravity_px_per_s2 (px/s^2)
+outputs: none
+actions: fling(vx_px_per_s, vy_px_per_s)
+contacts: floor
+properties: always "no ball on the floor is below it"
+undeclared: none
+positions: x_px with y_px
+check of 600 frames at 60 Hz: complete, as far as they show
+)");
+  EXPECT_NE(run({"info", "--json"}).out.find(R"("parameters": [)"), std::string::npos);
+}
+
+struct Forgetful {  // Of what goes on it declares a part.
+  double angle = 0.0, speed = 1.0;
+  void step(double dt_s) { angle += speed * dt_s, speed *= 0.9; }
+  template <class See>
+  void state(See&& see) {
+    see("angle_rad", angle);
+  }
+};
+struct Explosive {
+  double x = 1.0;
+  void step(double /*dt_s*/) { x *= 1e300; }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+  }
+};
+struct Low {
+  double y = 0.0;
+  void step(double dt_s) { y += dt_s; }
+  template <class See>
+  void state(See&& see) {
+    see("y_px", y, {0.0, 1.0});
+  }
+  template <class See>
+  void properties(See&& see) const {
+    see.always("y stays below 2 px", y < 2.0);
+  }
+};
+struct Fussy {
+  double y = 0.0;
+  void step(double dt_s) {
+    if (dt_s > 0.02) throw std::runtime_error("a frame is too long");
+  }
+  template <class See>
+  void state(See&& see) {
+    see("y_px", y);
+  }
+};
+
+TEST_F(DescribedProgram, InfoSaysWhatIsWrong) {
+  const std::string forgetful = run<Forgetful>({"info"}).out;
+  EXPECT_NE(forgetful.find("inputs: none\n"), std::string::npos);
+  EXPECT_NE(forgetful.find("positions: nothing in px"), std::string::npos);
+  EXPECT_NE(forgetful.find("60 Hz: the state is not complete: set from row 1, angle_rad differs at row 2"),
+            std::string::npos)
+      << forgetful;
+  EXPECT_NE(run<Explosive>({"info"}).out.find("60 Hz: ends at row 2: x_px is not finite"), std::string::npos);
+}
+
+TEST_F(DescribedProgram, FuzzFindsEachKindOfFault) {
+  EXPECT_EQ(run({"fuzz", "--runs", "100"}).out.substr(0, 18), "seed 1\n100 runs in");
+  const auto found = [](const Outcome& fuzzed) {
+    EXPECT_EQ(fuzzed.exit_code, 1) << fuzzed.out;
+    const std::size_t at = fuzzed.out.find("breaks a rule: ");
+    return at == std::string::npos ? fuzzed.out : fuzzed.out.substr(at + 15, 40);
+  };
+  EXPECT_TRUE(found(run<Forgetful>({"fuzz", "--runs", "20"})).starts_with("complete: the state is not"));
+  EXPECT_TRUE(found(run<Explosive>({"fuzz", "--runs", "20"})).starts_with("finite: x_px is not finite"));
+  EXPECT_TRUE(found(run<Low>({"fuzz", "--runs", "20"})).starts_with("always: \"y stays below 2 px\""));
+  EXPECT_TRUE(found(run<Fussy>({"fuzz", "--runs", "20"})).starts_with("throws: a frame is too long"));
+  const Outcome allowed = run<Fussy>({"fuzz", "--runs", "20", "--without", "throws"});
+  EXPECT_EQ(allowed.exit_code, 0) << allowed.out;
+}
+
+struct Rounding {
+  double y = 0.0;
+  void step(double dt_s) {
+    y += dt_s;
+    if (y > 0.1) std::fesetround(FE_UPWARD);
+  }
+  template <class See>
+  void state(See&& see) {
+    see("y_px", y);
+  }
+};
+
+TEST_F(DescribedProgram, ACoreThatChangesHowTheProcessorRoundsIsExitCode5) {
+  const Outcome info = run<Rounding>({"info"});
+  EXPECT_EQ(info.exit_code, 5);
+  EXPECT_NE(info.out.find("60 Hz: ends at row 7: the core changes how the processor calculates (rounding or "
+                          "flush-to-zero); remove what sets it from the core\n"),
+            std::string::npos)
+      << info.out;
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+TEST_F(DescribedProgram, WhatFuzzWritesIsGoodAndFailsAgain) {
+  const Outcome found = run<Low>({"fuzz", "--runs", "20", "-o", "found"});
+  const std::size_t at = found.out.find("written: ");
+  ASSERT_NE(at, std::string::npos);
+  const std::string path = found.out.substr(at + 9, found.out.find('\n', at) - at - 9);
+  EXPECT_EQ(run<Low>({"validate", path}).exit_code, 0);
+  // Runs of a part are those of the whole.
+  const bool is_odd = (path.at(path.size() - 6) - '0') % 2 == 1;
+  EXPECT_EQ(run<Low>({"fuzz", "--runs", "20", "--part", is_odd ? "1/2" : "0/2", "-o", "again"}).exit_code, 1);
+  EXPECT_TRUE(std::filesystem::exists("again/" + path.substr(6)));
+  EXPECT_NE(read_text_file(path).find("breaks always: \\\"y stays below 2 px\\\""), std::string::npos);
+}
+
+TEST_F(DescribedProgram, CommandsThatItHasNotSayWhatToUse) {
+  EXPECT_EQ(run({"drift", "first.json"}).err,
+            "toy-sim drift: needs the paper's step; toy describes itself: use diff, and run at several frame "
+            "rates\n");
+  for (const char* const command : {"drift", "study", "sweep", "report", "shrink"})
+    EXPECT_EQ(run({command}).exit_code, 2) << command;
+}
+
+struct Misnamed {
+  double x = 0.0, y = 0.0;
+  void step(double /*dt_s*/) {}
+  template <class See>
+  void state(See&& see) {
+    see("X", x);
+    see("dt", y);
+  }
+};
+struct Unmade {
+  Unmade() { throw std::runtime_error("no table"); }
+  void step(double /*dt_s*/) {}
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+  }
+  double x = 0.0;
+};
+
+TEST_F(DescribedProgram, ACoreThatCannotBeUsedRunsNoCommand) {
+  const Outcome misnamed = run<Misnamed>({"validate", "first.json"});
+  EXPECT_EQ(misnamed.exit_code, 2);
+  EXPECT_EQ(misnamed.err,
+            "toy-sim: the core toy: state 'X': a name is parts [a-z][a-z0-9_]* joined by dots\n"
+            "toy-sim: the core toy: state 'dt': the name is reserved\n");
+  EXPECT_EQ(run<Misnamed>({"info"}).exit_code, 2);
+  EXPECT_EQ(run<Misnamed>({"--help"}).exit_code, 0);
+  EXPECT_EQ(run<Misnamed>({"--version"}).exit_code, 0);
+  const Outcome unmade = run<Unmade>({"info"});
+  EXPECT_EQ(unmade.exit_code, 2);
+  EXPECT_EQ(unmade.err, "toy-sim: the core throws while it is made: no table\n");
+}
+
+}  // namespace
+}  // namespace hyrax

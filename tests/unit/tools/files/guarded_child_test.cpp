@@ -1,0 +1,65 @@
+// Work in a child process: its result, or how it ended.
+#include "tools/files/guarded_child.h"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+
+#include <unistd.h>
+
+#include "tests/unit/tools/files/refusal.h"
+
+namespace hyrax {
+namespace {
+
+// "result R", "signal N", "late", "exit".
+std::string end_of(const std::function<std::string()>& work, const ChildLimits& limits = {}) {
+  const WorkEnd end = in_child("here", limits, work);
+  if (end.result) return "result " + *end.result;
+  if (end.is_timed_out()) return "late";
+  return end.signal == 0 ? "exit" : "signal " + std::to_string(end.signal);
+}
+
+TEST(GuardedChild, GivesItsResultHoweverLongOrEmpty) {
+  int here = 1;
+  EXPECT_EQ(end_of([&] { return std::to_string(++here); }), "result 2");
+  EXPECT_EQ(here, 1);
+  EXPECT_EQ(end_of([] { return std::string(); }), "result ");
+  const std::string more_than_a_pipe_holds(300'000, 'a');
+  EXPECT_EQ(end_of([&] { return more_than_a_pipe_holds; }), "result " + more_than_a_pipe_holds);
+}
+
+TEST(GuardedChild, TellsACrashAnExitAndAnExceptionApart) {
+  EXPECT_EQ(end_of([]() -> std::string { std::raise(SIGSEGV), std::abort(); }), "signal 11");
+  EXPECT_EQ(end_of([]() -> std::string { std::_Exit(0); }), "exit");
+  EXPECT_EQ(end_of([]() -> std::string { throw std::logic_error("not caught"); }), "signal 6");
+}
+
+TEST(GuardedChild, IsEndedByItsLimits) {
+  const auto wait = []() -> std::string {
+    while (true) pause();
+  };
+  const auto work = []() -> std::string {
+    while (true) static_cast<void>(getppid());
+  };
+  EXPECT_EQ(end_of(wait, {.wall_s = 0.01}), "late");
+  EXPECT_EQ(end_of(work, {.wall_s = 2e-7}), "late") << "too short for the timer is not none";
+  EXPECT_EQ(end_of(work, {.processor_s = 1}), "late");
+}
+
+TEST(GuardedChild, MayBeginItsTimeAgain) {
+  const auto twice = [] {
+    for (int part = 0; part < 8; ++part) {
+      limit_wall_time(0.4);
+      usleep(100'000);
+    }
+    return std::string("done");
+  };
+  EXPECT_EQ(end_of(twice, {.wall_s = 0.4}), "result done");
+}
+
+}  // namespace
+}  // namespace hyrax

@@ -1,0 +1,35 @@
+// The smallest scenario of which a run still says the same.
+#pragma once
+
+#include <string>
+
+#include "sim/core/core.h"
+#include "sim/scenario/scenario.h"
+#include "sim/search/invariant.h"
+#include "sim/search/shrink.h"
+
+namespace hyrax {
+
+struct RunLimits {
+  double search_s = 60.0;
+  double run_s = 10.0;  ///< A run that takes longer does not end.
+};
+
+struct ShrunkRun {
+  std::string kept;  ///< As "final_x_px is above its range", "signal 11 (SIGSEGV)".
+  Shrunk shrunk;
+};
+
+/// Keeps the first of these that a run of the scenario says: the signal that ends it, or that it does not
+/// end; the value that becomes non-finite; a rule of `expect` that is broken, and on which side; a broken
+/// invariant; other bits than those of the accepted core. Works in a child process, and gives each run one of
+/// its own if one ends it. Shows progress.
+/// @param path of the scenario, to whose library the accepted core belongs.
+/// ERRORS: Failure(bad_input) "PATH: nothing to keep: ...".
+[[nodiscard]] ShrunkRun shrink_run(const Core& core, const std::string& path, const Scenario& scenario,
+                                   const RunLimits& limits);
+
+/// The smallest scenario that breaks the same invariant, by a core whose runs end; shows progress.
+[[nodiscard]] Shrunk shrink_broken(const Core& core, const Scenario& scenario, Invariant invariant);
+
+}  // namespace hyrax

@@ -1,0 +1,155 @@
+#include "tools/described/core_verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "sim/described/scripted_body.h"
+#include "tools/described/stored_description.h"
+#include "tools/described/value_json.h"
+#include "tools/files/path.h"
+#include "tools/files/summary_text.h"
+#include "tools/files/table_text.h"
+#include "tools/files/text_file.h"
+
+namespace hyrax {
+namespace {
+
+std::string header_name(const DescribedCore& core) {
+  const FileName name = file_name(core.record.path);
+  return std::string(name.stem) + std::string(name.extension);
+}
+
+// REQUIRES: the same names and types.
+void add_defaults(const Description& before, const Description& now, DescribedCoreVerdict& verdict) {
+  for (const SettableList list : {SettableList::parameters, SettableList::state}) {
+    const std::vector<ValueInfo>& values = list_of(now, list).values;
+    for (std::size_t place = 0; place < values.size(); ++place) {
+      const ValueInfo &from = list_of(before, list).values[place], &to = values[place];
+      if (from.initial == to.initial) continue;
+      DescribedChange& change = verdict.changes.emplace_back();
+      change.kind = HeaderChangeKind::constant;
+      change.detail =
+          fmt::format("{} {} -> {}", to.name, value_text(to, from.initial), value_text(to, to.initial));
+      change.from = {from.name, number_of(from.type, from.initial)};
+      change.to = {to.name, number_of(to.type, to.initial)};
+      change.file = "description.json";
+      change.of_default = {list, place, from.initial};
+    }
+  }
+}
+
+// With the default set, unless the scenario sets that value itself.
+DescribedScenario with_default(DescribedScenario scenario, const DefaultChange& change) {
+  std::vector<GivenValue>& given =
+      change.list == SettableList::parameters ? scenario.parameters : scenario.start;
+  const auto at = std::ranges::lower_bound(given, change.place, {}, &GivenValue::first);
+  if (at == given.end() || at->first != change.place) given.insert(at, {change.place, change.before});
+  return scenario;
+}
+
+void compare(const DescribedCore& core, const AcceptedCore& accepted, DescribedCoreVerdict& verdict) {
+  const AcceptedCore program = program_core(core);
+  if (accepted.model != program.model) {
+    verdict.why = fmt::format("the accepted core does not describe itself (found {})", accepted.model);
+    verdict.exit_code = ExitCode::bad_input;
+    return;
+  }
+  const bool is_same_description = accepted.description == program.description;
+  verdict.status = accepted.has_same_files(program) && is_same_description ? "accepted" : "changed";
+  for (HeaderChange& change : core_changes(accepted, program, verdict.header_path))
+    verdict.changes.push_back({std::move(change)});
+  if (is_same_description) return;
+  const Description before =
+      parse_description(accepted.description, core.description.core,
+                        accepted_core_folder(verdict.golden_folder) + "/description.json");
+  const std::string difference = description_difference(before, core.description);
+  if (difference.empty()) return add_defaults(before, core.description, verdict);
+  HeaderChange& change = verdict.changes.emplace_back();
+  change.detail = difference;
+  change.file = "description.json";
+}
+
+}  // namespace
+
+AcceptedCore program_core(const DescribedCore& core) {
+  AcceptedCore accepted = core_of(kDescribedModel, core.record);
+  accepted.header_name = header_name(core);
+  accepted.description = to_text(description_json(core.description), 3) + "\n";
+  if (accepted.why_incomplete.empty()) accepted.why_incomplete = "the core describes itself";
+  return accepted;
+}
+
+std::string DescribedCoreVerdict::sentence() const {
+  std::string of_description;  // Which has no lines.
+  for (const DescribedChange& change : changes)
+    if (change.line == 0) of_description += (of_description.empty() ? "" : ", ") + change.detail;
+  if (!of_description.empty() || changes.empty()) return of_description;
+  return changes_sentence({changes.begin(), changes.end()}, header_path);
+}
+
+std::string DescribedCoreVerdict::text() const {
+  if (status == "accepted") return "";
+  if (status == "none") return fmt::format("core: {}\n", why);
+  std::string text = "core: changed\n";
+  if (changes.empty()) text += "  comments or layout only\n";
+  for (const DescribedChange& change : changes)
+    text +=
+        change.line > 0
+            ? fmt::format("  {}\n", change_text(change, header_path))
+            : fmt::format("  {}: {}{}\n", change.of_default ? "default" : "description", change.detail,
+                          change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
+  return text + fmt::format("  to accept it    {}\n", accept);
+}
+
+Json DescribedCoreVerdict::json() const {
+  Table table = changes_table({changes.begin(), changes.end()});
+  table.columns.push_back(
+      column_of("scenarios", "", "that it reproduces alone", changes, [](const DescribedChange& change) {
+        return change.scenarios ? static_cast<double>(*change.scenarios)
+                                : std::numeric_limits<double>::quiet_NaN();
+      }));
+  return Json::Object{
+      {"golden", golden_folder},   {"status", status}, {"why", why.empty() ? Json() : Json(why)},
+      {"paths", Json()},           {"paths_taken", 0}, {"changes", json_of(table)},
+      {"unnoticed", Json::Array()}};
+}
+
+void count_reproduced(const DescribedCore& core, const std::vector<const DescribedRun*>& runs,
+                      DescribedCoreVerdict& verdict) {
+  for (DescribedChange& change : verdict.changes) {
+    if (!change.of_default) continue;
+    change.scenarios = 0;
+    for (const DescribedRun* const run : runs) {
+      const DescribedScenario scenario = with_default(run->scenario, *change.of_default);
+      const std::string golden_hash = summary_state_hash(read_text_file(run->place->txt_path));
+      if (hex(play(core, scenario, {}).state_hash) == golden_hash) ++*change.scenarios;
+    }
+  }
+}
+
+DescribedCoreVerdict verdict_on_core(const DescribedCore& core, const std::string& golden_folder,
+                                     const std::vector<std::string>& scenarios,
+                                     const std::string& golden_option) {
+  DescribedCoreVerdict verdict{.golden_folder = golden_folder, .status = "none"};
+  verdict.header_path = std::string(core.record.path);
+  verdict.accept = core_commands(scenarios, golden_option).accept;
+  try {
+    if (const auto accepted = read_accepted_core(golden_folder))
+      compare(core, *accepted, verdict);
+    else
+      verdict.why = "no accepted core in " + accepted_core_folder(golden_folder) +
+                    "; to accept this program's: " + verdict.accept;
+  } catch (const Failure& failure) {
+    verdict.status = "none";
+    verdict.why = failure.what();
+    verdict.exit_code = failure.exit_code();
+    if (verdict.exit_code == ExitCode::disagreed)
+      verdict.why += ", or accept this program's core: " + verdict.accept;
+  }
+  return verdict;
+}
+
+}  // namespace hyrax

@@ -1,0 +1,60 @@
+// A core that describes itself against the accepted one of a golden folder.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/cause/header_change.h"
+#include "sim/described/described_core.h"
+#include "tools/app/core/accepted_core.h"
+#include "tools/described/judged_run.h"
+#include "tools/files/failure.h"
+#include "tools/files/json.h"
+
+namespace hyrax {
+
+/// This program's core, without a reason.
+[[nodiscard]] AcceptedCore program_core(const DescribedCore& core);
+
+/// Another default of a parameter or of the state.
+struct DefaultChange {
+  SettableList list = SettableList::parameters;
+  std::size_t place = 0;
+  Word before = 0;
+};
+
+struct DescribedChange : HeaderChange {
+  std::optional<DefaultChange> of_default = {};
+  std::optional<std::int64_t> scenarios = {};  ///< How many differing scenarios a default reproduces alone.
+};
+
+struct DescribedCoreVerdict {
+  std::string golden_folder;
+  std::string status;       ///< "none", "accepted" or "changed".
+  std::string why = {};     ///< Of none.
+  std::string accept = {};  ///< The command that accepts this program's core.
+  std::vector<DescribedChange> changes = {};
+  std::string header_path = {};
+  ExitCode exit_code = ExitCode::agreed;
+
+  /// "gravity 980 -> 1000"; empty: nothing changed.
+  [[nodiscard]] std::string sentence() const;
+  /// Complete lines; empty of an accepted one.
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] Json json() const;
+};
+
+/// These runs differ from their golden files: counts which of them each changed default gives alone, if it is
+/// set to what it was.
+void count_reproduced(const DescribedCore& core, const std::vector<const DescribedRun*>& runs,
+                      DescribedCoreVerdict& verdict);
+
+/// @param scenarios, golden_option as given, for the command that accepts.
+[[nodiscard]] DescribedCoreVerdict verdict_on_core(const DescribedCore& core,
+                                                   const std::string& golden_folder,
+                                                   const std::vector<std::string>& scenarios,
+                                                   const std::string& golden_option);
+
+}  // namespace hyrax

@@ -1,0 +1,92 @@
+#include "tools/described/program.h"
+
+#include <algorithm>
+#include <array>
+
+#include "sim/core/core.h"
+#include "tools/app/command_line/command_program.h"
+#include "tools/described/commands.h"
+#include "tools/described/controlled_body.h"
+
+namespace hyrax {
+namespace {
+
+// Commands of hyrax-sim that this program has not, and what to use instead. CORE stands for the core's name.
+struct Refusal {
+  std::string_view command;
+  std::string_view why;
+};
+constexpr std::array<Refusal, 5> kRefusals = {
+    {{"drift", "needs the paper's step; CORE describes itself: use diff, and run at several frame rates"},
+     {"study", "not for cores that describe themselves; CORE has run, check, bless, diff"},
+     {"sweep", "not for cores that describe themselves; use run with --set for each member"},
+     {"report", "not for cores that describe themselves; use run, whose CSV and HDF5 files have every row"},
+     {"shrink", "not for cores that describe themselves; use run with --set to make a scenario smaller"}}};
+
+std::string first_screen(const Description& description, const std::vector<Command>& commands) {
+  return fmt::format(
+             "hyrax-sim plays scenarios of the core {} bit for bit, and reports what changed.\n\n"
+             "  hyrax-sim new first\n"
+             "  hyrax-sim run first.json -o first.csv\n"
+             "  hyrax-sim check\n\n",
+             description.core) +
+         command_lists(commands, [](const Command& command) { return command.declare != nullptr; });
+}
+
+std::vector<Command> described_commands(const DescribedCore& core) {
+  std::vector<Command> commands = {
+      described_run_command(core),    described_check_command(core), described_bless_command(core),
+      described_diff_command(core),   described_new_command(core),   described_validate_command(core),
+      described_schema_command(core), described_fuzz_command(core),  described_info_command(core)};
+  for (const Refusal& refusal : kRefusals) commands.emplace_back().name = refusal.command;
+  return commands;
+}
+
+void require_good_core(const Description& description, const std::string& thrown) {
+  if (!thrown.empty()) refuse_input("hyrax-sim: the core throws while it is made: " + thrown);
+  std::string sentences;
+  for (const std::string& fault : faults_of(description))
+    sentences +=
+        fmt::format("{}hyrax-sim: the core {}: {}", sentences.empty() ? "" : "\n", description.core, fault);
+  if (!sentences.empty()) refuse_input(sentences);
+}
+
+void refuse_if_missing(const Description& description, const Command& command, const std::string& name) {
+  if (command.declare != nullptr) return;
+  const auto* const refusal = std::ranges::find(kRefusals, command.name, &Refusal::command);
+  std::string why(refusal->why);
+  const std::size_t at = why.find("CORE");
+  if (at != std::string::npos) why.replace(at, 4, description.core);
+  refuse_input(name + ": " + why);
+}
+
+}  // namespace
+
+int run_described_program(DescribedCore (*make_core)(), int argc, char** argv) {
+  bool has_changed = false;
+  DescribedCore core;
+  std::string thrown;
+  try {
+    core = controlled(make_core(), has_changed);
+  } catch (const std::exception& error) {
+    thrown = error.what();
+  } catch (...) {
+    thrown = "an exception that is no std::exception";
+  }
+  CommandProgram program;
+  program.commands = described_commands(core);
+  program.first_screen = first_screen(core.description, program.commands);
+  program.require = [&](const Command& command, const std::string& name) {
+    require_good_core(core.description, thrown);
+    refuse_if_missing(core.description, command, name);
+  };
+  // No command asks for the paper's.
+  program.act = [&](const CommandAct& act) {
+    const ExitCode exit_code = act(Core{});
+    return has_changed ? ExitCode::not_strict_ieee : exit_code;
+  };
+  program.is_own = true;
+  return run_commands(program, argc, argv);
+}
+
+}  // namespace hyrax

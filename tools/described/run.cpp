@@ -1,0 +1,378 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sim/described/described_figure.h"
+#include "sim/result/number_text.h"
+#include "tools/app/command_line/command_results.h"
+#include "tools/app/command_line/overrides.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/described/commands.h"
+#include "tools/described/judged_run.h"
+#include "tools/described/run_text.h"
+#include "tools/described/scenario_json.h"
+#include "tools/described/trajectory_file.h"
+#include "tools/files/atomic_file.h"
+#include "tools/files/path.h"
+#include "tools/files/printable.h"
+#include "tools/files/scenario_list.h"
+#include "tools/report/figure_svg.h"
+#include "tools/report/result_page.h"
+#include "tools/store/output_guard.h"
+#include "tools/store/trajectory_writer.h"
+
+namespace hyrax {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kValuesPrinted = 12;
+
+struct RunRequest {
+  std::vector<std::string> files;
+  std::string output;
+  std::vector<std::string> overrides;
+  std::string golden_folder;
+  std::string figure;
+  std::string page;
+  Printing printing;
+};
+
+// A scenario that was read, or why it was not.
+struct Candidate {
+  std::string path;
+  std::optional<DescribedScenario> scenario = {};
+  std::string output = {};
+  std::optional<Failure> failure = {};
+};
+
+bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
+  return request.output.empty() || scenarios > 1 || request.output.ends_with('/') ||
+         is_folder(request.output);
+}
+
+void place_outputs(const RunRequest& request, const std::vector<std::string>& paths,
+                   std::vector<Candidate>& candidates) {
+  const bool is_to_stdout = request.output == kStandardOutput || request.output == "/dev/stdout";
+  if (is_to_stdout && (candidates.size() > 1 || request.printing.is_json))
+    refuse_input("hyrax-sim run: -o " + request.output + ": allowed for one scenario, without --json");
+  OutputGuard guard(paths, request.golden_folder);
+  for (Candidate& candidate : candidates) {
+    if (!candidate.scenario) continue;
+    candidate.output = is_to_stdout ? std::string(kStandardOutput) : request.output;
+    if (is_to_stdout) continue;
+    if (writes_into_folder(request, candidates.size()))
+      candidate.output = (fs::path(request.output) / (candidate.scenario->name + ".h5")).string();
+    guard.admit("hyrax-sim run: -o of " + candidate.path, candidate.output, {".h5", ".csv"});
+  }
+  for (const auto& [option, file, suffix] :
+       {std::tuple("--figure", request.figure, ".svg"), {"--report", request.page, ".html"}}) {
+    if (file.empty()) continue;
+    if (candidates.size() > 1 || is_to_stdout)
+      refuse_input(fmt::format("hyrax-sim run: {} {}: allowed for one scenario, whose rows go to a file",
+                               option, file));
+    guard.admit_file(fmt::format("hyrax-sim run: {}", option), file, {suffix});
+  }
+}
+
+// ERRORS: Failure(disagreed) for a run without rows.
+void require_rows(const DescribedRun& run) {
+  const std::optional<EarlyEnd>& end = run.contents.summary.early_end;
+  if (end && end->step == 0 && !end->is_non_finite)
+    throw Failure(ExitCode::disagreed, run.path + ": row 0: " + end->what + "; nothing written");
+}
+
+// Plays into the file, and judges. `steps` is less than the scenario's if a first try found that the run ends
+// there.
+DescribedRun play_into(const DescribedCore& core, const RunRequest& request, const Candidate& candidate,
+                       std::int64_t steps, std::optional<DescribedPicture>& picture) {
+  const DescribedScenario& scenario = *candidate.scenario;
+  JudgeOptions options{.golden_folder = request.golden_folder, .compares = request.overrides.empty()};
+  if (!request.figure.empty() || !request.page.empty())
+    options.also = {&picture.emplace(core.description, scenario)};
+  if (candidate.output == kStandardOutput || file_name(candidate.output).extension == ".csv") {
+    DescribedCsv csv(candidate.output, core.description, steps, scenario.record_every);
+    options.also.push_back(&csv);
+    DescribedRun run = judge_run(core, candidate.path, scenario, options);
+    require_rows(run);
+    if (run.contents.summary.steps != steps && candidate.output != kStandardOutput)
+      return play_into(core, request, candidate, run.contents.summary.steps, picture);
+    csv.finish();
+    return run;
+  }
+  AtomicFile target(candidate.output);
+  DescribedWriter writer(target.part_path(), candidate.output, core.description, steps,
+                         scenario.record_every);
+  options.also.push_back(&writer);
+  DescribedRun run = judge_run(core, candidate.path, scenario, options);
+  require_rows(run);
+  if (run.contents.summary.steps != steps)
+    return play_into(core, request, candidate, run.contents.summary.steps, picture);
+  writer.finish({.description = core.description,
+                 .scenario = scenario,
+                 .steps = steps,
+                 .state_hash = run.contents.state_hash(),
+                 .core = core.record.checksum()},
+                run.contents.contacts_total());
+  target.commit();
+  return run;
+}
+
+const char* status_of(const DescribedRun& run) {
+  if (!run.holds()) return "disagreed";
+  const bool is_missing = run.not_compared.empty() && !run.has_golden;
+  return run.comparison || (!run.expectations.empty() && !is_missing) ? "agreed" : "played";
+}
+
+// What of the description the run exercised, and what it did not.
+struct Coverage {
+  std::vector<std::string> exercised;
+  std::vector<std::string> never;
+};
+Coverage coverage_of(const Description& description, const DescribedSummary& summary) {
+  Coverage coverage;
+  const auto add = [&](bool is_exercised, const std::string& name) {
+    (is_exercised ? coverage.exercised : coverage.never).push_back(name);
+  };
+  for (std::size_t index = 0; index < description.contacts.size(); ++index)
+    add(summary.contacts[index] > 0, description.contacts[index]);
+  for (std::size_t index = 0; index < description.actions.size(); ++index)
+    add(summary.actions_done[index] != 0, description.actions[index].name);
+  for (std::size_t index = 0; index < description.inputs.values.size(); ++index)
+    add(summary.inputs_set[index] != 0, description.inputs.values[index].name);
+  for (std::size_t index = 0; index < description.properties.size(); ++index)
+    if (!description.properties[index].is_always)
+      add(summary.properties[index].holds, description.properties[index].name);
+  return coverage;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+void print_properties(const Description& description, const DescribedSummary& summary) {
+  for (std::size_t index = 0; index < description.properties.size(); ++index) {
+    const PropertyInfo& property = description.properties[index];
+    const PropertyOutcome& outcome = summary.properties[index];
+    const std::string where =
+        outcome.step ? fmt::format("step {} ({:.6g} s)", *outcome.step, outcome.t_s) : "";
+    if (property.is_always)
+      print_text("  always         {}: {}{}\n", property.name,
+                 VerdictWord{outcome.holds ? "holds" : "DOES NOT HOLD", outcome.holds},
+                 outcome.holds ? "" : " at " + where);
+    else
+      print_text("  sometimes      {}: {}\n", property.name,
+                 outcome.holds ? "shown at " + where : "not shown");
+  }
+}
+
+void print_run(const DescribedCore& core, const RunRequest& request, const Candidate& candidate,
+               const DescribedRun& run) {
+  const Description& description = core.description;
+  const DescribedSummary& summary = run.contents.summary;
+  const DescribedScenario& scenario = run.scenario;
+  if (candidate.output == kStandardOutput) return print_error(scenario.name + ": " + status_of(run));
+  if (request.printing.is_quiet()) {
+    const std::string sentence = run.holds() ? "" : ": " + run.sentence();
+    print_text("{}: {}{}; written: {}\n", scenario.name, VerdictWord{status_of(run), run.holds()}, sentence,
+               candidate.output);
+    return;
+  }
+  for (const std::string& fault : run.faults)
+    print_text("{}: {}\n", VerdictWord{"DOES NOT HOLD", false}, printable(fault));
+  print_text("{}{}: {}, {:.6g} s\n", scenario.name,
+             scenario.description ? " (" + printable(*scenario.description) + ")" : "",
+             plain_counted(summary.steps, "step"), summary.simulated_s);
+  for (const auto& [value, word] : scenario.parameters) {
+    const ValueInfo& parameter = description.parameters.values[value];
+    if (word != parameter.initial)
+      print_text("  with           {} {}, not the core's own {}\n", parameter.name,
+                 value_text(parameter, word), value_text(parameter, parameter.initial));
+  }
+  print_text("  contacts       {}\n  end            {}\n", contacts_text(description, summary),
+             state_text(description, summary.final,
+                        request.printing.is_verbose() ? summary.final.size() : kValuesPrinted));
+  if (summary.at_rest_since_s)
+    print_text("  settled        since {:.6g} s\n", *summary.at_rest_since_s);
+  else
+    print_text("  not settled    {}\n", why_not_settled(description, summary));
+  print_properties(description, summary);
+  const Coverage coverage = coverage_of(description, summary);
+  print_text("  exercised      {}\n  never          {}\n", joined(coverage.exercised),
+             joined(coverage.never));
+  if (!run.not_compared.empty()) print_text("  not compared   {}\n", run.not_compared);
+  const std::vector<Expectation> broken = run.broken();
+  if (!run.expectations.empty())
+    print_text("  expect         {} of {} hold\n", run.expectations.size() - broken.size(),
+               run.expectations.size());
+  for (const Expectation& expectation : request.printing.is_verbose() ? run.expectations : broken)
+    print_text("    {}: {}\n",
+               expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
+               expectation_text(expectation));
+  if (run.comparison && run.comparison->agrees())
+    print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.place->h5_path);
+  else if (run.comparison)
+    print_text("  golden         {} from {}\n{}", VerdictWord{"DIFFERS", false}, run.place->h5_path,
+               run.comparison->fault.empty() ? comparison_text(*run.comparison)
+                                             : "  " + run.comparison->fault + "\n");
+  else if (run.not_compared.empty())
+    print_text("  golden         missing: {}{}\n", run.place->h5_path,
+               run.holds() ? "; to create it: " + bless_command_for({run.path}, request.golden_folder) : "");
+  print_text("  state hash     {}\n  written        {} ({})\n", run.contents.state_hash(), candidate.output,
+             plain_counted(TrajectoryWriter::row_count(summary.steps, scenario.record_every), "row"));
+}
+
+Json run_json(const DescribedCore& core, const Candidate& candidate, const DescribedRun& run) {
+  const Description& description = core.description;
+  const DescribedSummary& summary = run.contents.summary;
+  Json::Object contacts, final;
+  Json::Array properties;
+  for (std::size_t index = 0; index < description.contacts.size(); ++index)
+    contacts.emplace_back(description.contacts[index], summary.contacts[index]);
+  for (std::size_t index = 0; index < summary.final.size(); ++index)
+    final.emplace_back(description.state.values[index].name,
+                       value_json(description.state.values[index], summary.final[index]));
+  for (std::size_t index = 0; index < description.properties.size(); ++index)
+    properties.push_back(
+        Json::Object{{"name", description.properties[index].name},
+                     {"kind", description.properties[index].is_always ? "always" : "sometimes"},
+                     {"holds", summary.properties[index].holds},
+                     {"step", or_null(summary.properties[index].step)}});
+  Json golden;
+  if (run.not_compared.empty()) {
+    const char* const status = !run.comparison            ? "missing"
+                               : run.comparison->agrees() ? "agreed"
+                                                          : "disagreed";
+    Json::Object object{{"file", run.place->h5_path}, {"status", status}};
+    if (run.comparison && !run.comparison->agrees())
+      std::ranges::move(comparison_json(*run.comparison), std::back_inserter(object));
+    golden = std::move(object);
+  }
+  const Coverage coverage = coverage_of(description, summary);
+  const auto list = [](const std::vector<std::string>& names) {
+    return Json::Array(names.begin(), names.end());
+  };
+  Json::Object object{{"scenario", run.path},
+                      {"status", status_of(run)},
+                      {"steps", summary.steps},
+                      {"simulated_s", summary.simulated_s},
+                      {"contacts", std::move(contacts)},
+                      {"final", std::move(final)},
+                      {"at_rest_since_s", or_null(summary.at_rest_since_s)},
+                      {"periodic_from_step", Json()},
+                      {"state_hash", run.contents.state_hash()},
+                      {"output", candidate.output},
+                      {"expect", list_of(run.expectations, expectation_json)},
+                      {"golden", std::move(golden)},
+                      {"properties", std::move(properties)},
+                      {"faults", list(run.faults)},
+                      {"exercised", list(coverage.exercised)},
+                      {"never_touched", list(coverage.never)}};
+  if (summary.early_end && summary.early_end->is_non_finite)
+    object.emplace_back("non_finite_step", summary.early_end->step);
+  return object;
+}
+
+// "agreed: 600 steps, 10 s; rail 4; ends at ...".
+void draw(const DescribedCore& core, const RunRequest& request, const DescribedRun& run,
+          const DescribedPicture& picture) {
+  const DescribedSummary& summary = run.contents.summary;
+  const std::string found = fmt::format("{}: {}, {:.6g} s", status_of(run),
+                                        plain_counted(summary.steps, "step"), summary.simulated_s);
+  const Figure figure = picture.figure(found);
+  const auto print_written = [&](const std::string& path) {
+    if (!request.printing.is_json)
+      print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", path);
+  };
+  if (!request.figure.empty()) {
+    draw_figure(request.figure, figure);
+    print_written(request.figure);
+  }
+  if (request.page.empty()) return;
+  ShownResult shown{.title = run.scenario.name,
+                    .subtitle = run.scenario.description.value_or(""),
+                    .tables = {picture.rows()},
+                    .figures = {figure}};
+  shown.verdict.text = {
+      "Contacts: " + contacts_text(core.description, summary),
+      "End: " + state_text(core.description, summary.final, summary.final.size()),
+      "The page replays cores of the paper's interface; of " + core.description.core + " it shows the rows."};
+  shown.verdict.broken = run.faults;
+  for (const Expectation& expectation : run.broken())
+    shown.verdict.broken.push_back(expectation_text(expectation));
+  shown.origin = {
+      {"core", core.description.core}, {"file", run.path}, {"state hash", run.contents.state_hash()}};
+  std::vector<std::string> command = {"run", as_argument(run.path)};
+  for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
+  command.insert(command.end(), {"--report", request.page});
+  write_result_page(request.page, program_command(command), {shown});
+  print_written(request.page);
+}
+
+ExitCode run(const DescribedCore& core, RunRequest& request) {
+  const std::vector<Override> overrides = overrides_of("hyrax-sim run", request.overrides);
+  const std::vector<std::string> paths = list_scenarios(request.files);
+  constexpr std::size_t kPrintedInFullMax = 3;
+  if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
+    request.printing.detail = Printing::Detail::verdict;
+  std::vector<Candidate> candidates;
+  for (const std::string& path : paths) {
+    Candidate& candidate = candidates.emplace_back(Candidate{.path = path});
+    candidate.failure = failure_of(
+        path, [&] { candidate.scenario = load_described_scenario(core.description, path, overrides); });
+  }
+  place_outputs(request, paths, candidates);
+  const bool has_scenario =
+      std::ranges::any_of(candidates, [](const Candidate& each) { return each.scenario.has_value(); });
+  if (has_scenario && !request.output.empty() && writes_into_folder(request, candidates.size()))
+    make_folder(request.output, "cannot be created");
+  CommandResults results;
+  for (const Candidate& candidate : candidates)
+    results.attempt(candidate.path, [&] {
+      if (candidate.failure) throw *candidate.failure;
+      std::optional<DescribedPicture> picture;
+      const DescribedRun run = play_into(core, request, candidate, step_count(*candidate.scenario), picture);
+      if (!run.holds()) results.add(ExitCode::disagreed);
+      if (request.printing.is_json)
+        results.add(run_json(core, candidate, run));
+      else
+        print_run(core, request, candidate, run);
+      if (picture) draw(core, request, run, *picture);
+    });
+  if (request.printing.is_json) print_json(results.take_json("runs"), 3);
+  return results.exit_code();
+}
+
+void declare(Options& options, RunRequest& request) {
+  options.files(
+      request.files,
+      {"SCENARIO", "",
+       "scenario files, or folders of them; - for standard input; of more than three, a line each (all: -v)"},
+      1, -1);
+  options.text(request.output, {"-o,--output", "FILE or DIR",
+                                "FILE.h5, FILE.csv, - for CSV on standard output, or a folder (default: "
+                                "NAME.h5 in the current folder)"});
+  options.texts(request.overrides,
+                {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
+  options.text(request.golden_folder,
+               {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+  options.text(request.figure, {"--figure", "FILE.svg", "draw the paths and values of one scenario"});
+  options.text(request.page, {"--report", "FILE.html", "write them as a page, with the rows; one scenario"});
+  options.printing(request.printing, "print every value of the state, and expectations that hold");
+}
+
+}  // namespace
+
+Command described_run_command(const DescribedCore& core) {
+  return {.name = "run",
+          .summary = "play scenarios, write their trajectories and compare them with golden files",
+          .example = "hyrax-sim run scenarios/first.json --set /clock/rate_hz=144 -o first.csv",
+          .is_common = true,
+          .declare =
+              with_request<RunRequest>(declare, [&core](RunRequest& request) { return run(core, request); })};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,33 @@
+// Runs of a core that describes itself, and how two differ, as text and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/described/described_comparison.h"
+#include "tools/files/json.h"
+
+namespace hyrax {
+
+/// "rail 3, floor 0"; "none" of a core without contacts.
+[[nodiscard]] std::string contacts_text(const Description& description, const DescribedSummary& summary);
+
+/// REQUIRES: the run has not settled.
+[[nodiscard]] std::string why_not_settled(const Description& description, const DescribedSummary& summary);
+
+/// "a.x_px 12.5 px, mood calm", of at most so many values, then "and 3 more".
+[[nodiscard]] std::string state_text(const Description& description, const std::vector<Word>& state,
+                                     std::size_t values_max);
+
+/// Why a run does not hold, whatever it is compared with: its early end, and each `always` that is broken.
+[[nodiscard]] std::vector<std::string> faults_of_run(const Description& description,
+                                                     const DescribedSummary& summary);
+
+/// What a user of the program would see. One line.
+[[nodiscard]] std::string comparison_sentence(const DescribedComparison& comparison);
+/// Complete lines, indented by two.
+[[nodiscard]] std::string comparison_text(const DescribedComparison& comparison);
+/// {"class", "max_px", "max", "contacts_moved", "first_divergence"}
+[[nodiscard]] Json::Object comparison_json(const DescribedComparison& comparison);
+
+}  // namespace hyrax

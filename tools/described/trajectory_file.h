@@ -1,0 +1,120 @@
+// Files `hyrax-trajectory/1` of a core that describes itself, and comma-separated values.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/described/described_comparison.h"
+#include "tools/store/csv_file.h"
+#include "tools/store/hdf5.h"
+#include "tools/store/trajectory_file.h"
+
+namespace hyrax {
+
+class ValueTable;
+
+/// The attributes of `/`.
+struct DescribedHead {
+  Description description = {};
+  DescribedScenario scenario = {};
+  std::int64_t steps = 0;
+  std::string state_hash = {};  ///< 32 hex digits.
+  std::string core = {};        ///< CoreRecord::checksum of the core; empty: the file does not say.
+};
+
+/// Writes every K-th row and the last one, and all contacts. ERRORS: every call may throw
+/// Failure(cannot_access) "PATH: cannot be written: REASON".
+class DescribedWriter : public DescribedSink {
+ public:
+  /// @param part_path that is written; `path` is named in messages. The description must outlive this.
+  /// @param steps of the run.
+  DescribedWriter(const std::string& part_path, const std::string& path, const Description& description,
+                  std::int64_t steps, std::int64_t every);
+  ~DescribedWriter() override;
+
+  void row(const DescribedRow& row) override;
+  void contact(const DescribedContact& contact) override { contacts_.push_back(contact); }
+
+  /// @param contacts_total of the run, with those that are not recorded.
+  /// @param blocks of a golden file that does not hold every row; else none.
+  void finish(const DescribedHead& head, std::int64_t contacts_total,
+              const std::vector<DescribedBlock>& blocks = {});
+
+ private:
+  void require(bool is_written) const;
+
+  std::string path_;
+  const Description& description_;
+  std::int64_t steps_;
+  std::int64_t every_;
+  h5::Handle file_;
+  std::unique_ptr<ValueTable> rows_;
+  std::vector<DescribedContact> contacts_;
+};
+
+/// "step,t_s,dt_s", state, contacts, outputs by name; every K-th row and the last one. Bools, and values with
+/// names, are numbers. ERRORS: as CsvFile's.
+class DescribedCsv : public DescribedSink {
+ public:
+  DescribedCsv(const std::string& path, const Description& description, std::int64_t steps,
+               std::int64_t every);
+
+  void row(const DescribedRow& row) override;
+  void finish() { file_.finish(); }
+
+ private:
+  const Description& description_;
+  std::int64_t steps_;
+  std::int64_t every_;
+  CsvFile file_;
+};
+
+/// ERRORS: as TrajectoryFile's; Failure(bad_input), too, for a file of another core, with the program that
+/// reads it.
+class DescribedFile {
+ public:
+  /// Opens a file of any origin, after reading it in a child process. REQUIRES: as read_isolated.
+  [[nodiscard]] static DescribedFile open(const std::string& path, const std::string& core);
+
+  [[nodiscard]] const DescribedHead& head() const { return head_; }
+  /// The number of recorded rows.
+  [[nodiscard]] std::int64_t row_count() const { return step_.length(); }
+  /// From the first; refers to this.
+  [[nodiscard]] DescribedRowBatches rows() const;
+  [[nodiscard]] std::vector<DescribedContact> contacts() const;
+  [[nodiscard]] std::int64_t contacts_total() const;
+  /// Of a golden file that does not hold every row; else none.
+  [[nodiscard]] std::vector<DescribedBlock> blocks() const;
+
+ private:
+  // A dataset of values of a type that only the file knows.
+  struct ValueColumn {
+    std::int64_t length = 0;
+    std::function<void(std::int64_t first, std::int64_t count, std::vector<Word>& words)> read;
+  };
+  enum class Parsing { off, on };
+  DescribedFile(const std::string& path, const std::string& core, Parsing parsing);
+
+  [[nodiscard]] DescribedHead read_head(const std::string& core, Parsing parsing) const;
+  [[nodiscard]] std::string text(const char* attribute) const;
+  [[nodiscard]] ValueColumn column(const std::string& dataset, const ValueInfo& value) const;
+  /// All of it. @param length that it must have.
+  [[nodiscard]] std::vector<Word> words(const std::string& dataset, const ValueInfo& value,
+                                        std::size_t length) const;
+  void read_all() const;
+  [[noreturn]] void refuse(const std::string& sentence) const;
+
+  std::string path_;
+  h5::Handle file_;
+  DescribedHead head_;
+  NumberColumn<std::int64_t> step_;
+  NumberColumn<double> t_;
+  NumberColumn<double> dt_;
+  std::vector<ValueColumn> state_;
+  std::vector<ValueColumn> flags_;
+};
+
+}  // namespace hyrax

@@ -1,0 +1,175 @@
+#include "tools/described/value_json.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tools/files/unknown_word.h"
+
+namespace hyrax {
+namespace {
+
+// The double whose shortest text is that of the float: 0.1, not 0.10000000149011612.
+double shortest_double(float value) {
+  char text[32];
+  const auto written = std::to_chars(text, text + sizeof text, value);
+  double nearest = static_cast<double>(value);
+  std::from_chars(text, written.ptr, nearest);
+  return nearest;
+}
+
+template <class T>
+std::array<Word, 2> range_of_type() {
+  return {word_of(std::numeric_limits<T>::lowest()), word_of(std::numeric_limits<T>::max())};
+}
+
+// The word of a number of the document, if the type can hold it.
+std::optional<Word> exact_word(const Json& json, ValueType type) {
+  const std::array<Word, 2> range = range_of(type);
+  if (is_floating(type)) {
+    const double value = json.number();
+    const double rounded =
+        type == ValueType::float32 ? static_cast<double>(static_cast<float>(value)) : value;
+    return std::isfinite(rounded) ? std::optional(word_of(rounded)) : std::nullopt;
+  }
+  if (!json.is_whole()) return std::nullopt;
+  const bool is_negative = json.number() < 0.0;
+  Word bits = 0;
+  if (const auto* const negative = json.get<std::int64_t>())
+    bits = static_cast<Word>(*negative);
+  else if (const auto* const positive = json.get<std::uint64_t>())
+    bits = *positive;
+  else if (const double value = *json.get<double>(); value >= -0x1p63 && value < 0x1p64)
+    bits = is_negative ? static_cast<Word>(static_cast<std::int64_t>(value)) : static_cast<Word>(value);
+  else
+    return std::nullopt;
+  if (is_negative != (is_signed_integer(type) && static_cast<std::int64_t>(bits) < 0)) return std::nullopt;
+  return is_less(type, bits, range[0]) || is_less(type, range[1], bits) ? std::nullopt : std::optional(bits);
+}
+
+// A text as the document would have it, without names.
+std::string number_text(ValueType type, Word word) {
+  return to_text(value_json({.name = {}, .type = type}, word));
+}
+
+std::optional<Word> read_name(const JsonPlace& here, const ValueInfo& value) {
+  const auto name = *here.text();
+  for (std::size_t number = 0; number < value.names.size(); ++number)
+    if (value.names[number] == name) return number;
+  here.wrong(unknown_word("value", name, {value.names.begin(), value.names.end()}));
+  return std::nullopt;
+}
+
+Json list_json(const ValueList& list, bool has_defaults) {
+  return list_of(list.values, [&](const ValueInfo& value) {
+    Json::Object object{{"name", value.name},
+                        {"type", name_of(value.type)},
+                        {"unit", value.unit.empty() ? Json() : Json(value.unit)}};
+    if (has_defaults) object.emplace_back("default", value_json(value, value.initial));
+    Json limits;
+    if (value.limits)
+      limits = Json::Array{value_json(value, (*value.limits)[0]), value_json(value, (*value.limits)[1])};
+    object.emplace_back("limits", std::move(limits));
+    object.emplace_back(
+        "names", value.names.empty() ? Json() : Json(Json::Array(value.names.begin(), value.names.end())));
+    return object;
+  });
+}
+
+Json action_json(const ActionInfo& action) {
+  const auto argument_json = [](const ValueInfo& argument) {
+    return Json::Object{{"name", argument.name},
+                        {"type", name_of(argument.type)},
+                        {"unit", argument.unit.empty() ? Json() : Json(argument.unit)}};
+  };
+  return Json::Object{{"name", action.name}, {"arguments", list_of(action.arguments, argument_json)}};
+}
+
+}  // namespace
+
+std::array<Word, 2> range_of(ValueType type) {
+  switch (type) {
+    case ValueType::int8:
+      return range_of_type<std::int8_t>();
+    case ValueType::int16:
+      return range_of_type<std::int16_t>();
+    case ValueType::int32:
+      return range_of_type<std::int32_t>();
+    case ValueType::int64:
+      return range_of_type<std::int64_t>();
+    case ValueType::uint8:
+      return range_of_type<std::uint8_t>();
+    case ValueType::uint16:
+      return range_of_type<std::uint16_t>();
+    case ValueType::uint32:
+      return range_of_type<std::uint32_t>();
+    case ValueType::uint64:
+      return range_of_type<std::uint64_t>();
+    case ValueType::float32:
+      return range_of_type<float>();
+    case ValueType::float64:
+    case ValueType::boolean:
+      break;
+  }
+  return range_of_type<double>();
+}
+
+std::array<Word, 2> file_limits(const ValueInfo& value) {
+  if (!value.names.empty()) return {0, value.names.size() - 1};
+  return value.limits.value_or(range_of(value.type));
+}
+
+Json value_json(const ValueInfo& value, Word word) {
+  if (word < value.names.size()) return value.names[word];
+  if (value.type == ValueType::boolean) return word != 0;
+  if (value.type == ValueType::float32) return shortest_double(value_of<float>(word));
+  if (value.type == ValueType::float64) return std::bit_cast<double>(word);
+  if (is_signed_integer(value.type) && static_cast<std::int64_t>(word) < 0)
+    return static_cast<std::int64_t>(word);
+  return word;
+}
+
+std::string value_text(const ValueInfo& value, Word word) {
+  const Json json = value_json(value, word);
+  const auto* const text = json.get<std::string>();
+  return text != nullptr ? *text : to_text(json);
+}
+
+std::optional<Word> read_value(const JsonPlace& here, const ValueInfo& value, bool is_limited) {
+  if (!here.is_there()) return std::nullopt;
+  if (value.type == ValueType::boolean) {
+    const auto truth = here.boolean();
+    return truth ? std::optional(word_of(*truth)) : std::nullopt;
+  }
+  if (!value.names.empty() && here.json()->get<std::string>() != nullptr) return read_name(here, value);
+  const std::array<Word, 2> limits = is_limited ? file_limits(value) : range_of(value.type);
+  const auto word = here.json()->is_number() ? exact_word(*here.json(), value.type) : std::nullopt;
+  if (word && !is_less(value.type, *word, limits[0]) && !is_less(value.type, limits[1], *word)) return word;
+  if (limits == range_of(ValueType::float64) && here.json()->is_number())
+    return here.breaks_rule("number is too large");
+  std::string rule = is_floating(value.type) ? "must be a number" : "must be a whole number";
+  if (limits != range_of(ValueType::float64))
+    rule += " " + number_text(value.type, limits[0]) + " .. " + number_text(value.type, limits[1]);
+  if (!value.names.empty())
+    rule += ", or one of " + listed(std::vector<std::string_view>(value.names.begin(), value.names.end()));
+  return here.breaks_rule(rule);
+}
+
+Json description_json(const Description& description) {
+  return Json::Object{
+      {"state", list_json(description.state, true)},
+      {"inputs", list_json(description.inputs, true)},
+      {"parameters", list_json(description.parameters, true)},
+      {"outputs", list_json(description.outputs, false)},
+      {"actions", list_of(description.actions, action_json)},
+      {"contacts", list_of(description.contacts,
+                           [](const std::string& name) {
+                             return Json::Object{{"name", name}};
+                           })},
+      {"properties", list_of(description.properties, [](const PropertyInfo& property) {
+         return Json::Object{{"name", property.name}, {"kind", property.is_always ? "always" : "sometimes"}};
+       })}};
+}
+
+}  // namespace hyrax

@@ -1,0 +1,41 @@
+// Work that may crash, or not end: done in a child process, so that it cannot harm this one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace hyrax {
+
+/// What a child process may use; nothing: as much as this one.
+struct ChildLimits {
+  std::optional<double> wall_s = {};
+  std::optional<std::uint64_t> processor_s = {};
+  std::optional<std::uint64_t> memory_bytes = {};  ///< More than is in use already.
+  bool is_silent = true;                           ///< What it prints on standard error is dropped.
+};
+
+struct WorkEnd {
+  /// What the work returned. Nothing: it ended its process, or a signal did.
+  std::optional<std::string> result;
+  int signal = 0;
+
+  /// Whether a limit of time was the reason.
+  [[nodiscard]] bool is_timed_out() const;
+};
+
+/// Does the work in a copy of this process, which ends with it or before it. Costs a fork: some milliseconds.
+/// The copy has no ignored or blocked signals: what crashes ends it, whoever started this program.
+/// @param what begins the messages.
+/// REQUIRES: this process has no other thread, since the copy would wait forever for a lock that one holds;
+/// the work throws nothing (it ends the copy by a signal).
+/// ERRORS: Failure(cannot_access) if there is no child process, or its exit status is unknown, as in a
+/// process that ignores SIGCHLD.
+[[nodiscard]] WorkEnd in_child(const std::string& what, const ChildLimits& limits,
+                               const std::function<std::string()>& work);
+
+/// In the work: from now on it may take so long, whatever its limit was.
+void limit_wall_time(double limit_s);
+
+}  // namespace hyrax

@@ -1,0 +1,54 @@
+#include "tools/store/build_facts.h"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <xxhash.h>
+
+#include "sim/physics/strict_arithmetic.h"
+#include "tools/files/build_info.h"
+
+namespace hyrax {
+namespace {
+
+// With the instruction sets of this machine.
+std::string processor() {
+#if defined(__x86_64__)
+  std::string text = "x86-64";
+  if (__builtin_cpu_supports("avx2")) text += ", avx2";
+  if (__builtin_cpu_supports("fma")) text += ", fma (not used: it would change bits)";
+  if (__builtin_cpu_supports("avx512f")) text += ", avx512f";
+  return text;
+#else
+  return std::string(build_info().target);
+#endif
+}
+
+std::string hdf5_version() {
+  unsigned major = 0;
+  unsigned minor = 0;
+  unsigned release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("{}.{}.{}", major, minor, release);
+}
+
+}  // namespace
+
+Json::Object build_facts() {
+  const BuildInfo build = build_info();
+  return {{"version", build.version},
+          {"compiler", build.compiler},
+          {"flags", build.flags},
+          {"target", build.target},
+          {"instruction_set", build.instruction_set},
+          {"processor", processor()}};
+}
+
+Json::Object library_facts() {
+  const auto fault = arithmetic_fault();
+  return {{"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
+          {"hdf5", hdf5_version()},
+          {"xxhash", fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
+          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
+}
+
+}  // namespace hyrax
