@@ -12,7 +12,8 @@ import tempfile
 import unittest
 
 import result
-from process import run, succeed
+from matrix import again_after_signal
+from process import Outcome, run, succeed
 from result import processor_features
 from rows import BUILDS, CONTROLS, HERE, MASKED, PROJECT, THIS_BUILD, Needs, Row
 
@@ -51,6 +52,15 @@ class Matrix(unittest.TestCase):
         self.assertEqual(table.count("FAILED: exit code 0, 0 of "), must.count("agrees"))
         self.assertEqual(table.count("NOT REFUSED: exit code 0"), must.count("starts"))
         self.assertEqual(errors.count("BAD: "), len(THIS_BUILD) + 1)
+
+
+class AgainAfterSignal(unittest.TestCase):
+    """A second start in node."""
+
+    def test_it_is_made_after_a_signal_and_only_once(self):
+        for codes, expected in (([0], 0), ([1, 0], 1), ([-11, 0], 0), ([-11, -11, 0], -11)):
+            outcomes = iter([Outcome(code, b"", b"") for code in codes])
+            self.assertEqual(again_after_signal(lambda outcomes=outcomes: next(outcomes)).exit_code, expected, codes)
 
 
 class Rows(unittest.TestCase):
