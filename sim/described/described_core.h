@@ -25,6 +25,16 @@ struct RangeLengthChanged : std::runtime_error {
                            std::to_string(length_before) + " of its description") {}
 };
 
+/// Rows as they are made, one after another: in each list the values of a row behind those of the row before.
+struct MadeRows {
+  std::vector<double> dt_s = {};
+  std::vector<Word> state = {};
+  std::vector<Word> outputs = {};
+  std::vector<std::uint8_t> contacts = {};    ///< 0 or 1,
+  std::vector<std::uint8_t> properties = {};  ///< and whether each holds, or is shown.
+  std::size_t count = 0;                      ///< Complete rows.
+};
+
 /// One core, as it goes on. ERRORS of all functions: what the core's own code throws; those that pass over a
 /// list of values: RangeLengthChanged.
 class DescribedBody {
@@ -37,6 +47,12 @@ class DescribedBody {
   /// By the core's copy constructor.
   [[nodiscard]] virtual std::unique_ptr<DescribedBody> copy() const = 0;
   virtual void step(double dt_s) = 0;
+  /// Steps once for each dt; behind each step calls `after_step`, if there is one, and adds a row. What
+  /// throws leaves the rows before. REQUIRES, of both: room for the rows.
+  virtual void play(std::span<const double> dt_s, const std::function<void()>& after_step,
+                    MadeRows& rows) = 0;
+  /// Adds a row without a step. @param has_contacts whether its contacts are read; else they are 0.
+  virtual void add_row(bool has_contacts, MadeRows& rows) = 0;
   /// Puts all values of a list there, in declared order. REQUIRES: as many as the list has.
   virtual void read(SettableList list, std::span<Word> words) = 0;
   /// Sets the given values in declared order, others not. REQUIRES: as many as the list has; words of the
@@ -44,11 +60,8 @@ class DescribedBody {
   virtual void set(SettableList list, std::span<const std::optional<Word>> words) = 0;
   /// REQUIRES: an action of the description; a word for each argument.
   virtual void act(std::size_t action, std::span<const Word> arguments) = 0;
-  /// 0 or 1 for each contact. REQUIRES, of all three: as many as the description has.
+  /// 0 or 1 for each contact. REQUIRES: as many as the description has.
   virtual void contacts(std::span<std::uint8_t> flags) const = 0;
-  virtual void outputs(std::span<Word> words) const = 0;
-  /// 0 or 1: whether each property holds, or is shown.
-  virtual void properties(std::span<std::uint8_t> flags) const = 0;
 };
 
 struct DescribedCore {

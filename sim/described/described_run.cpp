@@ -1,6 +1,7 @@
 #include "sim/described/described_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -10,11 +11,13 @@
 namespace hyrax {
 namespace {
 
+// Made and passed on at once: few enough to stay in the cache.
+constexpr std::size_t kRowsAtOnce = 64;
 // A row is hashed with others at once.
 constexpr std::size_t kHashedBytes = std::size_t{1} << 16;
 
-std::size_t packed_bytes(const DescribedRow& row) {
-  return (1 + row.state.size()) * sizeof(Word) + (row.contacts.size() + 7) / 8;
+std::size_t packed_bytes(std::size_t values, std::size_t contacts) {
+  return (1 + values) * sizeof(Word) + (contacts + 7) / 8;
 }
 
 // Takes the row by value: what is written could be a part of it for all that the compiler knows.
@@ -36,11 +39,11 @@ class DescribedPlayer {
  public:
   DescribedPlayer(const FrameScript& script, std::span<DescribedSink* const> sinks)
       : script_(script), description_(script.core.description), sinks_(sinks) {
-    row_.state.resize(description_.state.values.size());
-    row_.outputs.resize(description_.outputs.values.size());
-    row_.contacts.resize(description_.contacts.size());
-    row_.properties.resize(description_.properties.size());
-    summary_.final = row_.state;
+    rows_.state.resize(kRowsAtOnce * width_);
+    rows_.outputs.resize(kRowsAtOnce * description_.outputs.values.size());
+    rows_.contacts.resize(kRowsAtOnce * description_.contacts.size());
+    rows_.properties.resize(kRowsAtOnce * description_.properties.size());
+    summary_.final.resize(width_);
     summary_.contacts.resize(description_.contacts.size());
     open_contacts_.resize(description_.contacts.size());
     for (const PropertyInfo& property : description_.properties)
@@ -53,18 +56,15 @@ class DescribedPlayer {
   }
 
   DescribedSummary play() {
-    while (next_row_ <= script_.steps && !summary_.early_end && make_row()) pass_row_on();
+    while (next_row_ <= script_.steps && !summary_.early_end) {
+      make_rows();
+      pass_rows_on();
+    }
     finish();
     return std::move(summary_);
   }
 
  private:
-  struct Row {
-    std::vector<Word> state = {};
-    std::vector<Word> outputs = {};
-    std::vector<std::uint8_t> contacts = {};
-    std::vector<std::uint8_t> properties = {};
-  };
   struct OpenContact {
     DescribedContact contact = {};
     bool is_open = false;
@@ -76,61 +76,90 @@ class DescribedPlayer {
     double anchor = 0.0;
   };
 
-  /// All that calls the core: whether there is a further row.
-  bool make_row() {
+  /// All that calls the core. The first row of a block is made alone, as its keyframe has the inputs of it.
+  void make_rows() {
+    const bool begins_block = rows_in_block_ == 0;
+    rows_.count = 0;
     const std::optional<std::string> thrown = thrown_by([&] {
-      if (!body_)
+      if (!body_) {
         body_.emplace(script_);
-      else
-        body_->play_frame();
-      DescribedBody& body = body_->body();
-      body.read(SettableList::state, row_.state);
-      if (!row_.outputs.empty()) body.outputs(row_.outputs);
-      body_->contacts(row_.contacts);
-      if (!row_.properties.empty()) body.properties(row_.properties);
-      if (rows_in_block_ == 0) {
-        block_.keyframe.inputs.resize(description_.inputs.values.size());
-        body.read(SettableList::inputs, block_.keyframe.inputs);
+        rows_.dt_s.assign(1, 0.0);
+        body_->body().add_row(false, rows_);
+      } else {
+        body_->play_frames(
+            static_cast<std::int64_t>(begins_block ? 1 : std::min(kRowsAtOnce, kBlockRows - rows_in_block_)),
+            rows_);
       }
+      if (!begins_block) return;
+      block_.keyframe.inputs.resize(description_.inputs.values.size());
+      body_->body().read(SettableList::inputs, block_.keyframe.inputs);
     });
-    if (thrown) summary_.early_end = {next_row_, *thrown, false};
-    return !thrown;
+    if (!thrown) return;
+    if (begins_block) rows_.count = 0;
+    summary_.early_end = {next_row_ + static_cast<std::int64_t>(rows_.count), *thrown, false};
   }
 
-  void pass_row_on() {
-    if (next_row_ > 0) timeline_.play(body_->dt_s());
-    const DescribedRow row = {.step = next_row_,
-                              .t_s = timeline_.time_s(),
-                              .dt_s = body_->dt_s(),
-                              .state = row_.state,
-                              .outputs = row_.outputs,
-                              .contacts = row_.contacts};
-    hash(row);
-    for (DescribedSink* sink : sinks_) sink->row(row);
-    follow_contacts(row);
-    follow_properties(row);
-    follow_rest(row);
-    for (const std::size_t place : floating_)
-      if (!is_finite(row.state[place]) && !summary_.early_end)
-        summary_.early_end = {row.step, description_.state.values[place].name + " is not finite", true};
-    std::swap(summary_.final, row_.state);
-    summary_.steps = next_row_++;
-    summary_.simulated_s = row.t_s;
+  void pass_rows_on() {
+    end_at_first_non_finite();
+    if (rows_.count == 0) return;
+    for (std::size_t place = 0; place < rows_.count; ++place) {
+      if (next_row_ > 0 || place > 0) timeline_.play(rows_.dt_s[place]);
+      times_s_[place] = timeline_.time_s();
+    }
+    hash_rows();
+    for (DescribedSink* sink : sinks_)
+      for (std::size_t place = 0; place < rows_.count; ++place) sink->row(row(place));
+    follow_contacts();
+    follow_properties();
+    follow_rest();
+    next_row_ += static_cast<std::int64_t>(rows_.count);
+    const std::span<const Word> last = row(rows_.count - 1).state;
+    summary_.final.assign(last.begin(), last.end());
+    summary_.steps = next_row_ - 1;
+    summary_.simulated_s = times_s_[rows_.count - 1];
   }
 
-  void hash(const DescribedRow& row) {
+  /// One of those that were made. REQUIRES: place < rows_.count.
+  DescribedRow row(std::size_t place) const {
+    const auto part = [&](const auto& list, std::size_t width) {
+      return std::span(list).subspan(place * width, width);
+    };
+    return {.step = next_row_ + static_cast<std::int64_t>(place),
+            .t_s = times_s_[place],
+            .dt_s = rows_.dt_s[place],
+            .state = part(rows_.state, width_),
+            .outputs = part(rows_.outputs, description_.outputs.values.size()),
+            .contacts = part(rows_.contacts, open_contacts_.size())};
+  }
+
+  void end_at_first_non_finite() {
+    // Of most rows no word at all has the exponent of what is not finite.
+    const auto words = std::span(rows_.state).first(rows_.count * width_);
+    if (std::count_if(words.begin(), words.end(), [](Word word) { return !is_finite(word); }) == 0) return;
+    for (std::size_t place = 0; place < rows_.count; ++place)
+      for (const std::size_t value : floating_) {
+        if (is_finite(rows_.state[place * width_ + value])) continue;
+        summary_.early_end = {next_row_ + static_cast<std::int64_t>(place),
+                              description_.state.values[value].name + " is not finite", true};
+        rows_.count = place + 1;
+        return;
+      }
+  }
+
+  void hash_rows() {
     if (rows_in_block_ == 0) {
-      block_.keyframe.step = row.step;
+      const DescribedRow first = row(0);
+      block_.keyframe.step = first.step;
       block_.keyframe.timeline = timeline_;
-      block_.keyframe.state.assign(row.state.begin(), row.state.end());
+      block_.keyframe.state.assign(first.state.begin(), first.state.end());
       block_.keyframe.is_held = body_->is_held();
     }
-    const std::size_t size = packed_bytes(row);
-    bytes_.resize(kHashedBytes + size);
-    pack(row, bytes_.data() + packed_);
-    packed_ += size;
+    std::byte* at = bytes_.data() + packed_;
+    for (std::size_t place = 0; place < rows_.count; ++place, at += row_bytes_) pack(row(place), at);
+    packed_ += rows_.count * row_bytes_;
     if (packed_ > kHashedBytes) hash_packed();
-    if (++rows_in_block_ == kBlockRows) close_block();
+    rows_in_block_ += rows_.count;
+    if (rows_in_block_ == kBlockRows) close_block();
   }
 
   void hash_packed() {
@@ -145,17 +174,21 @@ class DescribedPlayer {
     for (DescribedSink* sink : sinks_) sink->block(block_);
   }
 
-  void follow_contacts(const DescribedRow& row) {
-    for (std::size_t place = 0; place < open_contacts_.size(); ++place) {
-      OpenContact& open = open_contacts_[place];
-      const bool is_on = row.contacts[place] != 0;
-      if (is_on && !open.is_open) {
-        ++summary_.contacts[place];
-        open = {{place, row.step, row.step, row.t_s}, true, contacts_begun_++ < kContactsRecordedMax};
-      }
-      if (is_on) open.contact.last_step = row.step;
-      if (!is_on) end_contact(open);
+  void follow_contacts() {
+    if (open_contacts_.empty()) return;
+    for (std::size_t place = 0; place < rows_.count; ++place)
+      for (std::size_t contact = 0; contact < open_contacts_.size(); ++contact)
+        follow_contact(contact, row(place));
+  }
+  void follow_contact(std::size_t contact, const DescribedRow& row) {
+    OpenContact& open = open_contacts_[contact];
+    const bool is_on = row.contacts[contact] != 0;
+    if (is_on && !open.is_open) {
+      ++summary_.contacts[contact];
+      open = {{contact, row.step, row.step, row.t_s}, true, contacts_begun_++ < kContactsRecordedMax};
     }
+    if (is_on) open.contact.last_step = row.step;
+    if (!is_on) end_contact(open);
   }
   void end_contact(OpenContact& open) {
     if (open.is_open && open.is_passed_on)
@@ -163,26 +196,29 @@ class DescribedPlayer {
     open.is_open = false;
   }
 
-  void follow_properties(const DescribedRow& row) {
-    for (std::size_t place = 0; place < row_.properties.size(); ++place) {
-      PropertyOutcome& outcome = summary_.properties[place];
-      const bool holds = row_.properties[place] != 0;
+  void follow_properties() {
+    const std::size_t properties = summary_.properties.size();
+    for (std::size_t flag = 0; flag < rows_.count * properties; ++flag) {
+      PropertyOutcome& outcome = summary_.properties[flag % properties];
+      const bool holds = rows_.properties[flag] != 0;
       if (outcome.step || holds == outcome.holds) continue;
-      outcome = {holds, row.step, row.t_s};
+      const std::size_t place = flag / properties;
+      outcome = {holds, next_row_ + static_cast<std::int64_t>(place), times_s_[place]};
     }
   }
 
-  void follow_rest(const DescribedRow& row) {
-    const auto number = [&](const Anchored& position) {
-      return number_of(position.type, row.state[position.place]);
-    };
+  void follow_rest() {
     constexpr double kRestRadius_px = 0.5;
-    if (row.step > 0 && std::none_of(positions_.begin(), positions_.end(), [&](const Anchored& position) {
-          return std::fabs(number(position) - position.anchor) > kRestRadius_px;
-        }))
-      return;
-    for (Anchored& position : positions_) position.anchor = number(position);
-    anchor_t_s_ = row.t_s;
+    for (std::size_t place = 0; place < rows_.count; ++place) {
+      const Word* const state = rows_.state.data() + place * width_;
+      const auto is_away = [state](const Anchored& position) {
+        return std::fabs(number_of(position.type, state[position.place]) - position.anchor) > kRestRadius_px;
+      };
+      if ((next_row_ > 0 || place > 0) && std::none_of(positions_.begin(), positions_.end(), is_away))
+        continue;
+      for (Anchored& position : positions_) position.anchor = number_of(position.type, state[position.place]);
+      anchor_t_s_ = times_s_[place];
+    }
   }
 
   void finish() {
@@ -212,14 +248,18 @@ class DescribedPlayer {
   std::span<DescribedSink* const> sinks_;
   std::optional<ScriptedBody> body_ = {};
   std::int64_t next_row_ = 0;
-  Row row_ = {};
+  const std::size_t width_ = description_.state.values.size();
+  MadeRows rows_ = {};
+  std::array<double, kRowsAtOnce> times_s_ = {};
   Timeline timeline_ = {};
   std::vector<std::size_t> floating_ = {};
   std::vector<Anchored> positions_ = {};  // All values in px.
   double anchor_t_s_ = 0.0;
   std::vector<OpenContact> open_contacts_ = {};
   std::int64_t contacts_begun_ = 0;
-  std::vector<std::byte> bytes_ = {};  // Of rows that are not hashed yet, as many as packed_.
+  const std::size_t row_bytes_ = packed_bytes(width_, description_.contacts.size());
+  std::vector<std::byte> bytes_ =  // Of rows that are not hashed yet, as many as packed_.
+      std::vector<std::byte>(kHashedBytes + kRowsAtOnce * row_bytes_);
   std::size_t packed_ = 0;
   ByteHash block_hash_ = {};
   StateHash hash_ = {};
@@ -237,7 +277,7 @@ DescribedSummary play(const DescribedCore& core, const DescribedScenario& scenar
 
 void pack_row(const DescribedRow& row, std::vector<std::byte>& bytes) {
   const std::size_t begin = bytes.size();
-  bytes.resize(begin + packed_bytes(row));
+  bytes.resize(begin + packed_bytes(row.state.size(), row.contacts.size()));
   pack(row, bytes.data() + begin);
 }
 

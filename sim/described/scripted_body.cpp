@@ -37,6 +37,30 @@ ScriptedBody::ScriptedBody(const ScriptedBody& other, std::unique_ptr<DescribedB
       is_held_(other.is_held_) {}
 
 void ScriptedBody::play_frame() {
+  begin_frame();
+  if (!is_held_) body_->step(dt_s_);
+  ++row_;
+}
+
+void ScriptedBody::play_frames(std::int64_t rows_max, MadeRows& rows) {
+  begin_frame();
+  rows.count = 0;
+  rows.dt_s.assign(1, dt_s_);
+  std::int64_t end = row_ + 1;
+  if (is_held_) {
+    body_->add_row(false, rows);
+  } else {
+    if (script_.scenario.input_arrays.empty()) {
+      end = std::min(script_.steps, row_ + rows_max);
+      if (next_event_ < script_.event_frames.size()) end = std::min(end, script_.event_frames[next_event_]);
+    }
+    for (std::int64_t frame = row_ + 1; frame < end; ++frame) rows.dt_s.push_back(script_.clock.dt_s(frame));
+    body_->play(rows.dt_s, {}, rows);
+  }
+  row_ = end;
+}
+
+void ScriptedBody::begin_frame() {
   dt_s_ = script_.clock.dt_s(row_);
   was_changed_ = false;
   not_held_.reset();
@@ -44,8 +68,6 @@ void ScriptedBody::play_frame() {
   for (; next_event_ < script_.event_frames.size() && script_.event_frames[next_event_] == row_;
        ++next_event_)
     apply(script_.scenario.events[next_event_].action);
-  if (!is_held_) body_->step(dt_s_);
-  ++row_;
 }
 
 void ScriptedBody::apply(const DescribedAction& action) {

@@ -64,6 +64,9 @@ class ScriptedBody {
 
   /// Goes on to the next row. REQUIRES: row() < script.steps.
   void play_frame();
+  /// Goes on by at least a row, at most `rows_max`, up to the next event, and writes them. REQUIRES: row() <
+  /// script.steps; room for the rows.
+  void play_frames(std::int64_t rows_max, MadeRows& rows);
 
   [[nodiscard]] DescribedBody& body() const { return *body_; }
   [[nodiscard]] std::int64_t row() const { return row_; }
@@ -83,6 +86,7 @@ class ScriptedBody {
  private:
   void set(SettableList list, const std::vector<GivenValue>& given);
   void set_inputs(const std::vector<GivenValue>& given, std::int64_t frame);
+  void begin_frame();
   void apply(const DescribedAction& action);
 
   const FrameScript& script_;

@@ -625,6 +625,36 @@ class DescribedBodyOf final : public DescribedBody {
     return std::unique_ptr<DescribedBody>(new DescribedBodyOf(core_));
   }
   void step(double dt_s) override { static_cast<void>(core_.step(dt_s)); }
+  void play(std::span<const double> dt_s, const std::function<void()>& after_step, MadeRows& rows) override {
+    for (const double frame_dt_s : dt_s) {
+      step(frame_dt_s);
+      if (after_step) after_step();
+      add_row(true, rows);
+    }
+  }
+  void add_row(bool has_contacts, MadeRows& rows) override {
+    const auto row_of = [&rows](auto& list, std::size_t width) {
+      return std::span(list).subspan(rows.count * width, width);
+    };
+    read(SettableList::state, row_of(rows.state, description_.state.values.size()));
+    if constexpr (see::Has_outputs<Core>) {
+      see::Reader<true> visitor(description_.outputs,
+                                row_of(rows.outputs, description_.outputs.values.size()));
+      core_.outputs(visitor);
+      visitor.finish();
+    }
+    const std::span<std::uint8_t> flags = row_of(rows.contacts, description_.contacts.size());
+    if (has_contacts)
+      contacts(flags);
+    else
+      std::fill(flags.begin(), flags.end(), std::uint8_t{0});
+    if constexpr (see::Has_properties<Core>) {
+      see::PropertyConditions visitor(row_of(rows.properties, description_.properties.size()));
+      core_.properties(visitor);
+      visitor.finish();
+    }
+    ++rows.count;
+  }
 
   void read(SettableList list, std::span<Word> words) override {
     visit(list, [&](const ValueList& values) { return see::Reader<false>(values, words); });
@@ -640,16 +670,6 @@ class DescribedBodyOf final : public DescribedBody {
   void contacts(std::span<std::uint8_t> flags) const override {
     see::ContactConditions visitor(flags);
     if constexpr (see::Has_contacts<Core>) core_.contacts(visitor);
-    visitor.finish();
-  }
-  void outputs(std::span<Word> words) const override {
-    see::Reader<true> visitor(description_.outputs, words);
-    if constexpr (see::Has_outputs<Core>) core_.outputs(visitor);
-    visitor.finish();
-  }
-  void properties(std::span<std::uint8_t> flags) const override {
-    see::PropertyConditions visitor(flags);
-    if constexpr (see::Has_properties<Core>) core_.properties(visitor);
     visitor.finish();
   }
 

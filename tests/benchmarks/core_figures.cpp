@@ -6,7 +6,6 @@
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
-#include "sim/scenario/split_mix64.h"
 #include "tests/benchmarks/figure.h"
 #include "tests/benchmarks/naive_step.h"
 #include "tools/store/trajectory_parts.h"
@@ -17,13 +16,8 @@ namespace {
 constexpr int kRounds = 15;
 
 std::vector<State> random_throws(std::size_t count) {
-  const auto draw = [](std::size_t k, double low, double high) {
-    return low + (high - low) * split_mix64_unit(2026, k);
-  };
   std::vector<State> throws;
-  for (std::size_t index = 0; index < count; ++index)
-    throws.push_back({draw(4 * index, 0, 1792), draw(4 * index + 1, 0, 952), draw(4 * index + 2, -2000, 2000),
-                      draw(4 * index + 3, -2000, 2000)});
+  for (std::size_t index = 0; index < count; ++index) throws.push_back(random_throw(index));
   return throws;
 }
 

@@ -34,6 +34,8 @@ enum class Goal { at_least, at_most };
 
 /// Stepping, replay, hash and rows, in this process.
 [[nodiscard]] std::vector<Figure> core_figures();
+/// A core that describes itself, in this process.
+[[nodiscard]] std::vector<Figure> described_figures();
 /// Measuring against the reference, in this process.
 [[nodiscard]] std::vector<Figure> drift_figures();
 /// Many members of a sweep at once, in this process, on one thread.

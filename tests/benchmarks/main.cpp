@@ -36,6 +36,7 @@ int main(int argc, char** argv) try {
   fmt::print("{}, {} threads; {}, {}\nmedian (quartiles), goal\n", processor(),
              std::thread::hardware_concurrency(), build.compiler, build.flags);
   for (const auto& figure : hyrax::bench::core_figures()) print(figure);
+  for (const auto& figure : hyrax::bench::described_figures()) print(figure);
   for (const auto& figure : hyrax::bench::drift_figures()) print(figure);
   for (const auto& figure : hyrax::bench::ensemble_figures()) print(figure);
   for (const auto& figure : hyrax::bench::program_figures(program, scenarios)) print(figure);

@@ -4,6 +4,7 @@
 #include "sim/motion/state.h"
 #include "sim/physics/physics.h"
 #include "sim/scenario/scenario.h"
+#include "sim/scenario/split_mix64.h"
 #include "tests/benchmarks/stopwatch.h"
 
 namespace hyrax::bench {
@@ -14,6 +15,14 @@ inline constexpr Size kDesktop{1920, 1080};
 
 [[nodiscard]] inline physics body_at(const State& start) {
   return {start.x_px, start.y_px, start.vx_px_per_s, start.vy_px_per_s};
+}
+
+/// One of the throws that figures play: anywhere on the desktop, up to 2,000 px/s along x and y.
+[[nodiscard]] inline State random_throw(std::size_t index) {
+  const auto draw = [index](std::size_t place, double low, double high) {
+    return low + (high - low) * split_mix64_unit(2026, 4 * index + place);
+  };
+  return {draw(0, 0, 1792), draw(1, 0, 952), draw(2, -2000, 2000), draw(3, -2000, 2000)};
 }
 
 void naive_step(physics& body, double dt_s, Size window);

@@ -20,6 +20,12 @@ class ControlledBody final : public DescribedBody {
     body_->step(dt_s);
     look();
   }
+  void play(std::span<const double> dt_s, const std::function<void()>& /*after_step*/,
+            MadeRows& rows) override {
+    body_->play(
+        dt_s, [this] { look(); }, rows);
+  }
+  void add_row(bool has_contacts, MadeRows& rows) override { body_->add_row(has_contacts, rows); }
   void read(SettableList list, std::span<Word> words) override { body_->read(list, words); }
   void set(SettableList list, std::span<const std::optional<Word>> words) override {
     body_->set(list, words);
@@ -30,8 +36,6 @@ class ControlledBody final : public DescribedBody {
     look();
   }
   void contacts(std::span<std::uint8_t> flags) const override { body_->contacts(flags); }
-  void outputs(std::span<Word> words) const override { body_->outputs(words); }
-  void properties(std::span<std::uint8_t> flags) const override { body_->properties(flags); }
 
  private:
   void look() const {

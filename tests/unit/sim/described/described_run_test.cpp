@@ -278,6 +278,29 @@ TEST(DescribedRun, WhatACoreThrowsEndsTheRun) {
   EXPECT_EQ(first.rows.size(), 1U);
 }
 
+// Goes on behind a row that ends the run, and throws there.
+struct Overflowing {
+  double x = 1e308;
+  int frame = 0;
+  void step(double /*dt_s*/) {
+    if (++frame == 100) x *= 10.0;
+    if (frame == 102) throw std::runtime_error("too late");
+  }
+  template <class See>
+  void state(See&& see) {
+    see("x", x);
+    see("frame", frame);
+  }
+};
+TEST(DescribedRun, ARowThatIsNotFiniteEndsTheRunWhateverItsStepsDoBehindIt) {
+  RowsForTest rows;
+  const DescribedSummary summary = play_for_test(core_for_test<Overflowing>(), scenario_for_test(200), rows);
+  ASSERT_TRUE(summary.early_end);
+  EXPECT_EQ(summary.early_end->step, 100);
+  EXPECT_EQ(summary.early_end->what, "x is not finite");
+  EXPECT_EQ(rows.rows.size(), 101U);
+}
+
 struct Changeable {
   std::vector<double> xs{1.0, 2.0};
   void step(double /*dt_s*/) { xs.pop_back(); }

@@ -155,17 +155,18 @@ TEST(See, ABodyIsReadSetCopiedAndActedOn) {
   body->read(SettableList::state, words);
   EXPECT_EQ(words.back(), word_of(1.25));
   EXPECT_EQ(words[12], word_of(FormPose::jump));
-  std::vector<Word> outputs(8);
-  body->outputs(outputs);
-  EXPECT_EQ(outputs[0], word_of(0.5F));
-  std::vector<std::uint8_t> flags(2);
-  body->properties(flags);
-  EXPECT_EQ(flags, (std::vector<std::uint8_t>{1, 1}));
-  body->contacts(flags);
-  EXPECT_EQ(flags, (std::vector<std::uint8_t>{0, 1}));
+  MadeRows rows = {.state = std::vector<Word>(2 * words.size()),
+                   .outputs = std::vector<Word>(2 * 8),
+                   .contacts = std::vector<std::uint8_t>(2 * 2),
+                   .properties = std::vector<std::uint8_t>(2 * 2)};
+  body->add_row(true, rows);
   body->act(1, {});
-  body->properties(flags);
-  EXPECT_EQ(flags[0], 0);
+  body->add_row(false, rows);
+  EXPECT_EQ(rows.count, 2U);
+  EXPECT_EQ(rows.state[words.size() - 1], words.back());
+  EXPECT_EQ(rows.outputs[0], word_of(0.5F));
+  EXPECT_EQ(rows.contacts, (std::vector<std::uint8_t>{0, 1, 0, 0}));
+  EXPECT_EQ(rows.properties, (std::vector<std::uint8_t>{1, 1, 0, 1}));
 }
 
 struct GrowingCore {
