@@ -18,7 +18,7 @@ from program import PROGRAM
 SCHEMA, CMAKE, WALLS = "tools/files/scenario.schema.json", "tools/own_core/hyrax_add_scenarios.cmake", "sim/core/contact_stepper.h"
 RUNS, HEADER = "tools/report/page/runs.js", "sim/physics/physics.h"
 SPEED, COMPARISON = "sim/study/speed_error/speed_error_tables.cpp", "sim/compare/comparison.h"
-NEEDS, OPENED, BLESS = "sim/study/needs/needs_study.cpp", "tests/unit/tools/report/runs_test.mjs", "tools/hyrax-sim/bless.cpp"
+NEEDS, OPENED, BLESS = "sim/study/needs/needs_study.cpp", "tests/unit/tools/report/runs_test.mjs", "tools/app/library/blessing.cpp"
 # By document: a source, the document's words, and the source's. Their groups have the same text. Where the source's words are
 # left out, each group stands somewhere in the source.
 WORDS = {
@@ -83,8 +83,9 @@ WORDS = {
         (BLESS, r"allows \(default: `(\w+)`\); (new scenarios) and scenarios (whose own text changed) need no",
          r"default: (\w+)\); (new scenarios) and those (whose own text changed) need none"),
         (BLESS, r"for these folders \(default: `(\w+)`\); needs no reason", r"of the folders given \(default: (\w+)\)"),
-        (BLESS, r": a (range keeps its width) and its decimals, with the new value in its middle .*?\. A (boolean), an (error bound) or a (one-sided limit) that "
-         "does not hold is never changed", r"a (range keeps its width)\. (Boolean)s, (error bound)s and (one-sided limit)s never change")),
+        (BLESS, r": a (range keeps its width) and its decimals, with the new value in its middle .*?\. A (boolean), an error bound or a (one-sided limit) that "
+         "does not hold is never changed", r"a (range keeps its width)\. (Boolean)s, .* and (one-sided limit)s never change"),
+        ("tools/hyrax-sim/bless.cpp", "A boolean, an (error bound) or a one-sided limit that does not hold")),
     "tools/own_core/README.md": (
         (CMAKE, r"letters, digits, `(.)`, `(.)`, `(.)`\)", r"must be of letters, digits, (.), (.) and (.) \(found"),
         (CMAKE, r"have the label `CORE`, which is `(\w+)` for the shipped core", r"LABELS \${prefix}.*set\(prefix (\w+)\)"),
@@ -107,7 +108,7 @@ WORDS = {
         (WALLS, r"the velocity before the step \((after) its (inputs)\)", "before the state (after) the (inputs) of the frame"),
         ("tests/unit/tools/app/own_core.txt", r"`run` say `left, right (from the rows)`"),
         (WALLS, r"in a contact with the (ground) with (vy) = 0\.", r"set where the (ground) was met and (vy) is 0\."),
-        ("tools/app/bless/core_acceptance.cpp", r"and `bless` replaces it with `(--accept \w+)` only\.", r"(--accept \w+) replaces it")),
+        (BLESS, r"and `bless` replaces it with `(--accept \w+)` only\.", r"(--accept \w+) replaces it")),
     "tools/report/page/README.md": (
         (RUNS, r"`data-replay` \(`running`, then `agrees`, `differs` or `none`\)",
          r"worst = \{ agrees: 0, none: 1, differs: 2 \}.*replay = 'running'"), ("tools/report/page/verdict.js", r"golden file \(`(--against)`, or"),

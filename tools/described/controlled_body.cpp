@@ -10,7 +10,7 @@ namespace {
 
 class ControlledBody final : public DescribedBody {
  public:
-  ControlledBody(std::unique_ptr<DescribedBody> body, const ControlBits& bits, bool& has_changed)
+  ControlledBody(std::unique_ptr<DescribedBody> body, const ControlBits& bits, std::atomic<bool>& has_changed)
       : body_(std::move(body)), bits_(bits), has_changed_(has_changed) {}
 
   [[nodiscard]] std::unique_ptr<DescribedBody> copy() const override {
@@ -46,12 +46,12 @@ class ControlledBody final : public DescribedBody {
 
   std::unique_ptr<DescribedBody> body_;
   ControlBits bits_;
-  bool& has_changed_;
+  std::atomic<bool>& has_changed_;
 };
 
 }  // namespace
 
-DescribedCore controlled(DescribedCore core, bool& has_changed) {
+DescribedCore controlled(DescribedCore core, std::atomic<bool>& has_changed) {
   core.make = [make = std::move(core.make), bits = ControlBits(), &has_changed] {
     return std::make_unique<ControlledBody>(make(), bits, has_changed);
   };

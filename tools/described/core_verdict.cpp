@@ -124,7 +124,7 @@ void count_reproduced(const DescribedCore& core, const std::vector<const Describ
     change.scenarios = 0;
     for (const DescribedRun* const run : runs) {
       const DescribedScenario scenario = with_default(run->scenario, *change.of_default);
-      const std::string golden_hash = summary_state_hash(read_text_file(run->place->txt_path));
+      const std::string golden_hash = summary_state_hash(read_text_file(run->golden->txt_path));
       if (hex(play(core, scenario, {}).state_hash) == golden_hash) ++*change.scenarios;
     }
   }

@@ -210,13 +210,20 @@ GoldenContents play_for_golden(const DescribedCore& core, const DescribedScenari
   return play_and_keep(core, scenario, keeps_rows(core, step_count(scenario)), also);
 }
 
+bool is_proved_to_agree(const DescribedCore& core, const DescribedScenario& scenario,
+                        const GoldenContents& run, const GoldenPlace& place) {
+  const std::string text = read_text_file(place.txt_path);
+  return has_checksums(text, contents_checksum(core.description, scenario, run),
+                       file_checksum(place.h5_path)) &&
+         text.starts_with("scenario: " + scenario.name + "\n");
+}
+
 GoldenComparison compare_with_golden(const DescribedCore& core, const DescribedScenario& scenario,
                                      const GoldenContents& run, const GoldenPlace& place) {
   const std::string text = read_text_file(place.txt_path);
   const std::string file_sum = file_checksum(place.h5_path);
   GoldenComparison result;
-  result.is_proved = has_checksums(text, contents_checksum(core.description, scenario, run), file_sum) &&
-                     text.starts_with("scenario: " + scenario.name + "\n");
+  result.is_proved = is_proved_to_agree(core, scenario, run, place);
   if (result.is_proved) {
     static_cast<DescribedComparison&>(result) = no_difference(core.description);
     return result;

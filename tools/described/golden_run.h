@@ -46,6 +46,10 @@ struct GoldenComparison : DescribedComparison {
   std::string fault = {};  ///< Why the file is not as it was blessed, a sentence; then it never agrees.
 };
 
+/// By the checksums of the summary. REQUIRES: the golden file exists.
+[[nodiscard]] bool is_proved_to_agree(const DescribedCore& core, const DescribedScenario& scenario,
+                                      const GoldenContents& run, const GoldenPlace& place);
+
 /// REQUIRES: the golden file exists; as read_isolated.
 /// ERRORS: as DescribedFile's.
 [[nodiscard]] GoldenComparison compare_with_golden(const DescribedCore& core,

@@ -1,35 +1,31 @@
 #include "tools/described/judged_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <iterator>
 
 #include "tools/app/expect/judged_run.h"
+#include "tools/app/library/check_flow.h"
 #include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
-#include "tools/files/path.h"
 
 namespace hyrax {
-namespace {
 
-// Half a golden file is missing, too.
-bool is_judged_by_hash(const DescribedRun& run) {
-  const bool is_part_there = run.place && (is_there(run.place->h5_path) || is_there(run.place->txt_path));
-  return !is_part_there && run.scenario.expect && run.scenario.expect->state_hash;
+std::string DescribedRun::differences_text(bool) const {
+  if (!comparison) return "";
+  return comparison->fault.empty() ? comparison_text(*comparison) : "  " + comparison->fault + "\n";
 }
 
-}  // namespace
+Json::Object DescribedRun::differences_json() const {
+  return comparison_json(comparison ? *comparison : GoldenComparison());
+}
 
-std::vector<Expectation> DescribedRun::broken() const {
-  std::vector<Expectation> broken;
+void DescribedRun::judge(const Description& description) {
+  expects_hash = scenario.expect && scenario.expect->state_hash;
+  expectations = scenario.expect ? hyrax::judge(description, *scenario.expect, contents.summary)
+                                 : std::vector<Expectation>();
+  broken.clear();
   std::ranges::copy_if(expectations, std::back_inserter(broken), std::not_fn(&Expectation::holds));
-  return broken;
-}
-
-bool DescribedRun::holds() const {
-  return faults.empty() && std::ranges::all_of(expectations, &Expectation::holds) &&
-         (!comparison || comparison->agrees());
 }
 
 std::string DescribedRun::sentence() const {
@@ -39,52 +35,45 @@ std::string DescribedRun::sentence() const {
     if (!more.empty()) text.append(text.empty() ? "" : "; ").append(more);
   };
   for (const std::string& fault : faults) add(fault);
-  if (comparison && !comparison->agrees())
-    add(comparison->fault.empty() ? comparison_sentence(*comparison) : comparison->fault);
-  if (status == CheckStatus::missing) add(missing_golden_sentence(place));
-  add(broken_sentence(broken()));
+  if (differs()) add(comparison->fault.empty() ? comparison_sentence(*comparison) : comparison->fault);
+  if (status == CheckStatus::missing) add(missing_golden_sentence(golden));
+  add(broken_sentence(broken));
   return text;
 }
 
-DescribedRun judge_run(const DescribedCore& core, const std::string& path, const DescribedScenario& scenario,
-                       const JudgeOptions& options) {
-  DescribedRun run{.path = path, .scenario = scenario};
-  run.place = path == "-" ? std::nullopt : golden_place(path, options.golden_folder);
-  if (path == "-")
+void judge_run(const DescribedCore& core, DescribedRun& run, const JudgeOptions& options) {
+  const DescribedScenario& scenario = run.scenario;
+  run.golden = run.path == "-" ? std::nullopt : golden_place(run.path, options.golden_folder);
+  if (run.path == "-")
     run.not_compared = "standard input";
-  else if (!run.place)
+  else if (!run.golden)
     run.not_compared = "no folder `scenarios` above it; --golden DIR names one";
   else if (!options.compares)
     run.not_compared = "values were set";
-  run.has_golden = run.not_compared.empty() && has_golden_file(*run.place);
+  run.has_golden = run.not_compared.empty() && has_golden_file(*run.golden);
   run.contents = play_for_golden(core, scenario, options.also);
+  run.state_hash = run.contents.state_hash();
   run.faults = faults_of_run(core.description, run.contents.summary);
   if (auto fault = description_fault(core, scenario, kCheckedRowsMax, run.contents.summary.state_hash))
     run.faults.push_back(*std::move(fault));
-  if (scenario.expect) run.expectations = judge(core.description, *scenario.expect, run.contents.summary);
-  if (run.has_golden) run.comparison = compare_with_golden(core, scenario, run.contents, *run.place);
-  if (!run.has_golden && !is_judged_by_hash(run))
+  run.judge(core.description);
+  run.is_undecided = run.has_golden && !options.reads_golden &&
+                     !is_proved_to_agree(core, scenario, run.contents, *run.golden);
+  if (run.is_undecided) return;
+  if (run.has_golden) run.comparison = compare_with_golden(core, scenario, run.contents, *run.golden);
+  if (!run.has_golden && !is_judged_by_hash(run.expects_hash, run.golden))
     run.status = CheckStatus::missing;
   else if (!run.holds())
     run.status = CheckStatus::disagreed;
-  run.exit_code = exit_code_of(run.status);
-  return run;
 }
 
-DescribedRun judge_file(const DescribedCore& core, const std::string& path,
-                        const std::string& golden_folder) {
-  DescribedRun run{.path = path};
-  const auto start = std::chrono::steady_clock::now();
-  const auto failure = failure_of(path, [&] {
-    if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
-    run = judge_run(core, path, load_described_scenario(core.description, path),
-                    {.golden_folder = golden_folder});
+DescribedRun judge_file(const DescribedCore& core, const std::string& path, const JudgeOptions& options) {
+  DescribedRun run;
+  run.path = path;
+  judge_scenario(run, options.golden_folder, options.reads_golden, [&] {
+    run.scenario = load_described_scenario(core.description, path);
+    judge_run(core, run, options);
   });
-  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!failure) return run;
-  run.error = failure->what();
-  run.status = CheckStatus::failed;
-  run.exit_code = failure->exit_code();
   return run;
 }
 

@@ -63,7 +63,7 @@ void refuse_if_missing(const Description& description, const Command& command, c
 }  // namespace
 
 int run_described_program(DescribedCore (*make_core)(), int argc, char** argv) {
-  bool has_changed = false;
+  std::atomic<bool> has_changed = false;
   DescribedCore core;
   std::string thrown;
   try {

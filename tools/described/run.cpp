@@ -90,13 +90,16 @@ void require_rows(const DescribedRun& run) {
 DescribedRun play_into(const DescribedCore& core, const RunRequest& request, const Candidate& candidate,
                        std::int64_t steps, std::optional<DescribedPicture>& picture) {
   const DescribedScenario& scenario = *candidate.scenario;
+  DescribedRun run;
+  run.path = candidate.path;
+  run.scenario = scenario;
   JudgeOptions options{.golden_folder = request.golden_folder, .compares = request.overrides.empty()};
   if (!request.figure.empty() || !request.page.empty())
     options.also = {&picture.emplace(core.description, scenario)};
   if (candidate.output == kStandardOutput || file_name(candidate.output).extension == ".csv") {
     DescribedCsv csv(candidate.output, core.description, steps, scenario.record_every);
     options.also.push_back(&csv);
-    DescribedRun run = judge_run(core, candidate.path, scenario, options);
+    judge_run(core, run, options);
     require_rows(run);
     if (run.contents.summary.steps != steps && candidate.output != kStandardOutput)
       return play_into(core, request, candidate, run.contents.summary.steps, picture);
@@ -107,7 +110,7 @@ DescribedRun play_into(const DescribedCore& core, const RunRequest& request, con
   DescribedWriter writer(target.part_path(), candidate.output, core.description, steps,
                          scenario.record_every);
   options.also.push_back(&writer);
-  DescribedRun run = judge_run(core, candidate.path, scenario, options);
+  judge_run(core, run, options);
   require_rows(run);
   if (run.contents.summary.steps != steps)
     return play_into(core, request, candidate, run.contents.summary.steps, picture);
@@ -204,7 +207,7 @@ void print_run(const DescribedCore& core, const RunRequest& request, const Candi
   print_text("  exercised      {}\n  never          {}\n", joined(coverage.exercised),
              joined(coverage.never));
   if (!run.not_compared.empty()) print_text("  not compared   {}\n", run.not_compared);
-  const std::vector<Expectation> broken = run.broken();
+  const std::vector<Expectation> broken = run.broken;
   if (!run.expectations.empty())
     print_text("  expect         {} of {} hold\n", run.expectations.size() - broken.size(),
                run.expectations.size());
@@ -213,13 +216,13 @@ void print_run(const DescribedCore& core, const RunRequest& request, const Candi
                expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
                expectation_text(expectation));
   if (run.comparison && run.comparison->agrees())
-    print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.place->h5_path);
+    print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.golden->h5_path);
   else if (run.comparison)
-    print_text("  golden         {} from {}\n{}", VerdictWord{"DIFFERS", false}, run.place->h5_path,
+    print_text("  golden         {} from {}\n{}", VerdictWord{"DIFFERS", false}, run.golden->h5_path,
                run.comparison->fault.empty() ? comparison_text(*run.comparison)
                                              : "  " + run.comparison->fault + "\n");
   else if (run.not_compared.empty())
-    print_text("  golden         missing: {}{}\n", run.place->h5_path,
+    print_text("  golden         missing: {}{}\n", run.golden->h5_path,
                run.holds() ? "; to create it: " + bless_command_for({run.path}, request.golden_folder) : "");
   print_text("  state hash     {}\n  written        {} ({})\n", run.contents.state_hash(), candidate.output,
              plain_counted(TrajectoryWriter::row_count(summary.steps, scenario.record_every), "row"));
@@ -246,7 +249,7 @@ Json run_json(const DescribedCore& core, const Candidate& candidate, const Descr
     const char* const status = !run.comparison            ? "missing"
                                : run.comparison->agrees() ? "agreed"
                                                           : "disagreed";
-    Json::Object object{{"file", run.place->h5_path}, {"status", status}};
+    Json::Object object{{"file", run.golden->h5_path}, {"status", status}};
     if (run.comparison && !run.comparison->agrees())
       std::ranges::move(comparison_json(*run.comparison), std::back_inserter(object));
     golden = std::move(object);
@@ -301,7 +304,7 @@ void draw(const DescribedCore& core, const RunRequest& request, const DescribedR
       "End: " + state_text(core.description, summary.final, summary.final.size()),
       "The page replays cores of the paper's interface; of " + core.description.core + " it shows the rows."};
   shown.verdict.broken = run.faults;
-  for (const Expectation& expectation : run.broken())
+  for (const Expectation& expectation : run.broken)
     shown.verdict.broken.push_back(expectation_text(expectation));
   shown.origin = {
       {"core", core.description.core}, {"file", run.path}, {"state hash", run.contents.state_hash()}};

@@ -108,9 +108,8 @@ std::string missing_golden_sentence(const std::optional<GoldenPlace>& place) {
       .append(" is missing");
 }
 
-bool has_state_hash_only(const Scenario& scenario, const std::optional<GoldenPlace>& place) {
-  const bool has_part = place && (is_there(place->h5_path) || is_there(place->txt_path));
-  return !has_part && scenario.expect && scenario.expect->state_hash;
+bool is_judged_by_hash(bool expects_hash, const std::optional<GoldenPlace>& place) {
+  return expects_hash && !(place && (is_there(place->h5_path) || is_there(place->txt_path)));
 }
 
 }  // namespace hyrax

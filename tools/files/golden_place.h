@@ -4,8 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "sim/scenario/scenario.h"
-
 namespace hyrax {
 
 struct GoldenPlace {
@@ -40,8 +38,8 @@ struct GoldenPlace {
 /// Why a scenario without golden file has none: "no golden file at golden/a.h5: ...". For a terminal.
 [[nodiscard]] std::string missing_golden_sentence(const std::optional<GoldenPlace>& place);
 
-/// Whether the scenario is judged by its `expect.state_hash` instead of a golden file. Not if one part of a
+/// Whether a scenario is judged by its `expect.state_hash` instead of a golden file. Not if one part of a
 /// golden file exists: the other was removed after it was blessed.
-[[nodiscard]] bool has_state_hash_only(const Scenario& scenario, const std::optional<GoldenPlace>& place);
+[[nodiscard]] bool is_judged_by_hash(bool expects_hash, const std::optional<GoldenPlace>& place);
 
 }  // namespace hyrax

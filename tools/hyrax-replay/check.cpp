@@ -49,7 +49,7 @@ void judge_into(const Core& core, const Scenario& scenario, const std::string& g
   const bool has_golden = place && has_golden_file(*place);
   const RunSummary summary = play(core, scenario);
   verdict.sentence = non_finite_text(scenario, summary.final);
-  if (!has_golden && !has_state_hash_only(scenario, place)) {
+  if (!has_golden && !is_judged_by_hash(scenario.expect && scenario.expect->state_hash, place)) {
     verdict.status = CheckStatus::missing;
     add_sentence(verdict.sentence, missing_golden_sentence(place) +
                                        (verdict.sentence.empty() ? "; `hyrax-sim bless` creates it" : ""));

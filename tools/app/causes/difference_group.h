@@ -10,6 +10,7 @@
 #include "sim/compare/comparison.h"
 #include "tools/app/causes/core_check.h"
 #include "tools/app/golden/golden_pair.h"
+#include "tools/app/library/report_documents.h"
 #include "tools/files/json.h"
 
 namespace hyrax {
@@ -43,22 +44,10 @@ struct DifferenceGroup {
 /// Of one scenario of the group: its comparison_sentence, or where it becomes non-finite.
 [[nodiscard]] std::string scenario_consequence(const PairVerdict& scenario);
 
-/// What a report says of one thing, in whichever form it is made: a sentence, and lines below it.
-struct Paragraph {
-  std::string subject = {};    ///< "93 of 99 scenarios "; empty: there are only lines.
-  std::string verdict = {};    ///< "differ": red on a terminal.
-  std::string predicate = {};  ///< ": GRAVITY 1200 -> 1250; the accepted core gives all 93 golden files."
-  std::string lines = {};      ///< Complete, indented by two.
-  std::vector<const PairVerdict*> scenarios = {};  ///< That it is about, if any differ; the worst first.
-  [[nodiscard]] std::string sentence() const { return subject + verdict + predicate; }
-};
-
 /// Runs that become non-finite, what changed in the cores, the other groups: of each cause and consequence,
 /// and the three worst scenarios. @param checked scenarios.
 [[nodiscard]] std::vector<Paragraph> difference_paragraphs(const std::vector<DifferenceGroup>& groups,
                                                            const std::vector<const CoreVerdict*>& cores,
                                                            std::size_t checked);
-
-void print(const Paragraph& paragraph);
 
 }  // namespace hyrax

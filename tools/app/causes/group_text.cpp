@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "sim/result/number_text.h"
-#include "tools/app/command_line/print.h"
 #include "tools/app/comparison/comparison_text.h"
 #include "tools/files/printable.h"
 
@@ -72,8 +71,7 @@ Paragraph paragraph_of(const DifferenceGroup& group, std::size_t checked) {
   const std::size_t scenarios = group.scenarios.size();
   Paragraph paragraph{.subject = fmt::format("{} of {} ", scenarios, plain_counted(checked, "scenario")),
                       .verdict = scenarios == 1 ? "differs" : "differ",
-                      .lines = fmt::format("  {}\n{}", consequence_sentence(group), worst_text(group)),
-                      .scenarios = group.scenarios};
+                      .lines = fmt::format("  {}\n{}", consequence_sentence(group), worst_text(group))};
   std::string& predicate = paragraph.predicate;
   predicate = lead_of(group.cause.kind) + group.cause.detail;
   if (is_non_finite(group)) {
@@ -120,12 +118,6 @@ std::vector<Paragraph> difference_paragraphs(const std::vector<DifferenceGroup>&
   for (auto group = first_finite; group != groups.end(); ++group)
     paragraphs.push_back(paragraph_of(*group, checked));
   return paragraphs;
-}
-
-void print(const Paragraph& paragraph) {
-  if (!paragraph.subject.empty())
-    print_text("{}{}{}\n", paragraph.subject, VerdictWord{paragraph.verdict, false}, paragraph.predicate);
-  print_text("{}", paragraph.lines);
 }
 
 }  // namespace hyrax

@@ -1,6 +1,9 @@
-// The report of `check` as JSON and as Markdown.
+// The report of `check` as JSON, and its figures.
+#include <algorithm>
+
+#include "sim/compare/equal_times.h"
+#include "sim/compare/overlay.h"
 #include "tools/app/check/check_report.h"
-#include "tools/app/comparison/comparison_text.h"
 #include "tools/app/expect/judged_run.h"
 
 namespace hyrax {
@@ -14,34 +17,54 @@ Json entry_json(const CheckVerdict& verdict) {
   return entry;
 }
 
+constexpr std::size_t kPicturesMax = 3;  // Of so many causes.
+
+// The worst scenario of which both runs keep every row; nullptr: long runs keep none, nor does a golden file
+// of which the summary alone was changed.
+const PairVerdict* drawable(const DifferenceGroup& group) {
+  const auto found = std::ranges::find_if(group.scenarios, [](const PairVerdict* scenario) {
+    return scenario->runs && scenario->runs->golden.rows.size() > 0 && scenario->runs->fresh.rows.size() > 0;
+  });
+  return found == group.scenarios.end() ? nullptr : *found;
+}
+
+Figure figure_of(const PairVerdict& scenario) {
+  const StoredRun& golden = scenario.runs->golden;
+  const StoredRun& fresh = scenario.runs->fresh;
+  Overlay overlay;
+  const auto add = [&overlay](const Row& a, const Row& b) { overlay.add(a, b); };
+  if (scenario.comparison.distance.is_at_equal_times)
+    static_cast<void>(walk_equal_times({batches_of(golden.rows), golden.inputs},
+                                       {batches_of(fresh.rows), fresh.inputs}, add));
+  else
+    for (std::size_t row = 0; row < std::min(golden.rows.size(), fresh.rows.size()); ++row)
+      add(golden.rows.row(row), fresh.rows.row(row));
+  return overlay.figure({.title = scenario.path,
+                         .subtitle = scenario_consequence(scenario),
+                         .a = "golden file",
+                         .b = "this program",
+                         .window = fresh.scenario.window,
+                         .sprite = fresh.scenario.sprite});
+}
+
 }  // namespace
 
-Json::Object result_of(const PairVerdict& scenario, std::string_view status, bool is_compared) {
-  Json::Object entry = comparison_json(scenario.comparison);
-  if (!is_compared)
-    for (auto& [key, value] : entry) value = nullptr;
-  entry.insert(entry.begin(), {{"scenario", scenario.path}, {"status", status}});
-  return entry;
-}
-
 Json check_json(const CheckReport& report) {
-  return Json::Object{
-      {"checked", report.scenario_count()},
-      {"agreed", report.count(CheckStatus::agreed)},
-      {"disagreed", report.count(CheckStatus::disagreed)},
-      {"missing", report.count(CheckStatus::missing)},
-      {"failed", report.count(CheckStatus::failed)},
-      {"unreferenced", report.count(CheckStatus::unreferenced)},
-      {"results", list_of(report.verdicts, entry_json)},
-      {"cores", list_of(report.cores.verdicts(), [](const auto* core) { return core_json(*core); })},
-      {"groups", list_of(report.groups, group_json)}};
+  Json::Object document = counts_json(pointers_to(report.verdicts));
+  document.emplace_back("results", list_of(report.verdicts, entry_json));
+  document.emplace_back("cores",
+                        list_of(report.cores.verdicts(), [](const auto* core) { return core_json(*core); }));
+  document.emplace_back("groups", list_of(report.groups, group_json));
+  return document;
 }
 
-std::string check_markdown(const CheckReport& report) {
-  std::vector<ReportSection> sections;
-  for (const Paragraph& paragraph : report.paragraphs)
-    sections.push_back({paragraph.subject.empty() ? "" : paragraph.sentence(), paragraph.lines});
-  return markdown_text(report.entries, sections, report.counts);
+std::vector<Figure> check_figures(const CheckReport& report) {
+  std::vector<Figure> figures;
+  for (const DifferenceGroup& group : report.groups)
+    if (const PairVerdict* const scenario = drawable(group);
+        scenario != nullptr && figures.size() < kPicturesMax)
+      figures.push_back(figure_of(*scenario));
+  return figures;
 }
 
 }  // namespace hyrax

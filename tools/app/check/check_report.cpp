@@ -22,7 +22,8 @@ std::string names_text(const std::vector<const CheckVerdict*>& verdicts) {
 }
 
 std::vector<std::string> arguments_of(const CheckReport& report) {
-  return report.arguments.empty() ? std::vector<std::string>{"scenarios"} : report.arguments;
+  return report.selection.arguments.empty() ? std::vector<std::string>{"scenarios"}
+                                            : report.selection.arguments;
 }
 
 Paragraph line_of(const CheckVerdict& verdict) {
@@ -36,7 +37,7 @@ Paragraph paragraph_of(const CheckReport& report, const std::vector<const CheckV
   if (verdicts.size() == 1) return line_of(*verdicts.front());
   const CheckStatus status = verdicts.front()->status;
   const bool is_missing = status == CheckStatus::missing;
-  const std::string& folder = report.golden_folder;
+  const std::string& folder = report.selection.golden_option;
   const std::string why = !is_missing                           ? "no scenario"
                           : folder.empty() || is_folder(folder) ? "no golden file"
                                                                 : "no folder " + printable(folder);
@@ -93,9 +94,9 @@ std::string commands_text(const CheckReport& report) {
   const PairVerdict& worst = *report.groups.front().scenarios.front();
   const bool is_alone = report.groups.size() == 1 && report.groups.front().scenarios.size() == 1;
   std::vector<std::string> verbose = {"check", "--verbose"};
-  for (const std::string& argument : report.arguments) verbose.push_back(as_argument(argument));
-  if (!report.golden_folder.empty())
-    verbose.insert(verbose.end(), {"--golden", as_argument(report.golden_folder)});
+  for (const std::string& argument : report.selection.arguments) verbose.push_back(as_argument(argument));
+  if (!report.selection.golden_option.empty())
+    verbose.insert(verbose.end(), {"--golden", as_argument(report.selection.golden_option)});
   std::vector<const CheckVerdict*> blessed;
   for (const CheckVerdict& each : report.verdicts)
     if (each.status != CheckStatus::unreferenced && (!is_alone || &each == &worst)) blessed.push_back(&each);
@@ -106,17 +107,6 @@ std::string commands_text(const CheckReport& report) {
   if (std::ranges::any_of(report.groups, [](const auto& each) { return each.cause.detail == kNotRepeated; }))
     return text;
   return text + acceptance_text(is_alone ? std::vector{worst.path} : arguments_of(report), blessed);
-}
-
-std::string counts_of(const CheckReport& report) {
-  std::vector<CheckStatus> statuses;
-  std::int64_t folders_failed = 0;
-  for (const CheckVerdict& verdict : report.verdicts)
-    if (!verdict.is_scenario && verdict.status == CheckStatus::failed)
-      ++folders_failed;
-    else
-      statuses.push_back(verdict.status);
-  return counts_sentence(statuses, folders_failed);
 }
 
 ReportEntry entry_of(const CheckVerdict& verdict) {
@@ -163,14 +153,6 @@ void explain(CheckReport& report) {
       verdicts[static_cast<std::size_t>(&verdict_on(*scenario) - verdicts.data())].group = &group;
 }
 
-std::int64_t CheckReport::count(CheckStatus status) const {
-  return std::ranges::count(verdicts, status, &CheckVerdict::status);
-}
-
-std::int64_t CheckReport::scenario_count() const {
-  return std::ranges::count_if(verdicts, &CheckVerdict::is_scenario);
-}
-
 void put_into_words(CheckReport& report) {
   for (const DifferenceGroup& group : report.groups)
     for (const PairVerdict* const scenario : group.scenarios) {
@@ -180,8 +162,7 @@ void put_into_words(CheckReport& report) {
     }
   for (const CheckVerdict& verdict : report.verdicts)
     if (verdict.group == nullptr) report.entries.push_back(entry_of(verdict));
-  for (const Failure& failure : report.unlisted)
-    report.entries.push_back({failure.what(), "folder", failure.exit_code(), failure.what()});
+  add_counts(pointers_to(report.verdicts), report.selection, report);
   const std::vector<const CoreVerdict*> cores = report.cores.verdicts();
   for (const CoreVerdict* const core : cores) {
     if (core->exit_code == ExitCode::agreed) continue;
@@ -195,20 +176,13 @@ void put_into_words(CheckReport& report) {
   add_remarks(report);
   add_others(report);
   if (!report.groups.empty()) report.paragraphs.push_back({.lines = commands_text(report)});
-  report.counts = counts_of(report);
 }
 
-void print_check(const CheckReport& report, const Printing& printing) {
-  if (printing.is_verbose())
-    for (const CheckVerdict& verdict : report.verdicts)
-      print_text("{}: {}\n{}", printable(verdict.path),
-                 VerdictWord{name_of(verdict.status), verdict.status == CheckStatus::agreed},
-                 verdict_details(verdict, true));
-  for (Paragraph paragraph : report.paragraphs) {
-    if (printing.is_quiet()) paragraph.lines.clear();
-    print(paragraph);
-  }
-  print_text("{}\n", report.counts);
+void print_verdicts(const CheckReport& report) {
+  for (const CheckVerdict& verdict : report.verdicts)
+    print_text("{}: {}\n{}", printable(verdict.path),
+               VerdictWord{name_of(verdict.status), verdict.status == CheckStatus::agreed},
+               verdict_details(verdict, true));
 }
 
 }  // namespace hyrax

@@ -1,6 +1,7 @@
 // What `check` found as one value, and the forms in which it is reported.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,30 +9,31 @@
 #include "sim/core/core.h"
 #include "tools/app/causes/difference_group.h"
 #include "tools/app/check/check_verdict.h"
-#include "tools/app/command_line/print.h"
-#include "tools/app/library/report_documents.h"
-#include "tools/files/failure.h"
-#include "tools/files/json.h"
+#include "tools/app/library/check_flow.h"
 
 namespace hyrax {
 
 /// The verdicts, and the differing ones by cause; nothing is explained where all agree. What is reported of
 /// them: entries and paragraphs, of which every form but the JSON document is made. REQUIRES: no copies:
 /// verdicts, groups and paragraphs refer to each other.
-struct CheckReport {
-  std::vector<CheckVerdict> verdicts;
-  std::vector<Failure> unlisted;       ///< Folders whose scenarios are not among the verdicts.
-  std::vector<std::string> arguments;  ///< Scenarios and folders as given; none: the folder `scenarios`.
-  std::string golden_folder;           ///< As given; empty if it was not.
-  CoreChecks cores;                    ///< Of every golden folder that scenarios have.
-  std::vector<DifferenceGroup> groups{};
-  std::vector<ReportEntry> entries{};  ///< Of each cause the worst first; then by their paths.
-  std::vector<Paragraph> paragraphs{};
-  std::string counts{};  ///< "3 checked: 2 agreed, ...".
+struct CheckReport : CheckWords {
+  CheckReport(CheckSelection of, std::vector<CheckVerdict> on, const Core& core)
+      : selection(std::move(of)),
+        verdicts(std::move(on)),
+        cores(core, selection.arguments, selection.golden_option) {}
 
-  [[nodiscard]] std::int64_t count(CheckStatus status) const;
+  CheckSelection selection;
+  std::vector<CheckVerdict> verdicts;
+  CoreChecks cores;  ///< Of every golden folder that scenarios have.
+  std::vector<DifferenceGroup> groups{};
+
+  [[nodiscard]] std::int64_t count(CheckStatus status) const {
+    return std::ranges::count(verdicts, status, &CheckVerdict::status);
+  }
   /// Unreferenced golden files and folders are no scenarios.
-  [[nodiscard]] std::int64_t scenario_count() const;
+  [[nodiscard]] std::int64_t scenario_count() const {
+    return std::ranges::count_if(verdicts, &CheckVerdict::is_scenario);
+  }
 };
 
 /// Finds renamed scenarios, and groups the differing ones by cause. Then the cores are judged.
@@ -59,18 +61,11 @@ void put_into_words(CheckReport& report);
 [[nodiscard]] std::string acceptance_text(const std::vector<std::string>& paths,
                                           const std::vector<const CheckVerdict*>& verdicts);
 
-/// The paragraphs and the counts (verbose: every scenario first; quiet: the paragraphs' sentences only, why a
-/// scenario failed on standard error).
-void print_check(const CheckReport& report, const Printing& printing);
-
-/// {"scenario", "status", "class", "max_px", ...}: how a run differs from its golden file, the first members
-/// of an entry of "results" of check and bless. @param is_compared else there are no distances.
-[[nodiscard]] Json::Object result_of(const PairVerdict& scenario, std::string_view status, bool is_compared);
+/// Every scenario, with all that is known of it.
+void print_verdicts(const CheckReport& report);
 
 [[nodiscard]] Json check_json(const CheckReport& report);
-[[nodiscard]] std::string check_markdown(const CheckReport& report);
-/// Writes the page: with the paths of the worst scenario of each of the first causes, and a table of all
-/// entries that do not agree. ERRORS: as write_result_page's.
-void write_check_page(const CheckReport& report, const std::string& path, const std::string& command);
+/// The paths of the worst scenario of each of the first causes.
+[[nodiscard]] std::vector<Figure> check_figures(const CheckReport& report);
 
 }  // namespace hyrax

@@ -1,19 +1,16 @@
 #include "tools/app/check/check_verdict.h"
 
-#include <chrono>
-#include <new>
-
 #include "sim/cause/watched_core.h"
 #include "sim/study/reference_model.h"
 #include "sim/trace/step_program.h"
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"
+#include "tools/app/library/check_flow.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
-#include "tools/files/unreferenced_golden.h"
 
 namespace hyrax {
 namespace {
@@ -37,16 +34,11 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
   verdict.broken = broken_expectations(core, scenario, verdict.summary, reference_model(core));
   if (!has_golden) verdict.state_hash = hex(verdict.summary.state_hash);
   verdict.non_finite = non_finite_text(scenario, verdict.summary.final);
-  if (!has_golden && !has_state_hash_only(scenario, verdict.golden))
+  verdict.expects_hash = scenario.expect && scenario.expect->state_hash;
+  if (!has_golden && !is_judged_by_hash(verdict.expects_hash, verdict.golden))
     verdict.status = CheckStatus::missing;
   else if (!verdict.comparison.agrees || !verdict.broken.empty() || !verdict.non_finite.empty())
     verdict.status = CheckStatus::disagreed;
-}
-
-void fail(CheckVerdict& verdict, const Failure& failure) {
-  verdict.status = CheckStatus::failed;
-  verdict.error = failure.what();
-  verdict.exit_code = failure.exit_code();
 }
 
 // Empty for half a golden file, or one that cannot be read.
@@ -64,36 +56,16 @@ CheckVerdict check_scenario(const Core& core, const std::string& path, const Che
   CheckVerdict verdict;
   verdict.path = path;
   verdict.golden_option = options.golden_folder;
-  verdict.golden_folder = golden_folder_of(path, options.golden_folder);
-  const auto start = std::chrono::steady_clock::now();
-  const auto failure = failure_of(path, [&] {
-    if (path == "-") refuse_input("-: standard input has no golden file; name a scenario file");
-    try {
-      judge_into(core, load_scenario(path), options, verdict);
-      verdict.exit_code = exit_code_of(verdict.status);
-    } catch (const std::bad_alloc&) {
-      if (options.reads_golden) throw;
-      verdict.is_undecided = true;  // Alone it has more memory.
-    }
-  });
-  if (failure) fail(verdict, *failure);
-  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  judge_scenario(verdict, options.golden_folder, options.reads_golden,
+                 [&] { judge_into(core, load_scenario(path), options, verdict); });
   return verdict;
 }
 
-std::vector<CheckVerdict> unreferenced_verdicts(const std::vector<std::string>& arguments,
-                                                const std::string& golden_folder) {
-  std::vector<CheckVerdict> verdicts;
-  for (const UnreferencedGolden& golden : find_unreferenced(arguments, golden_folder)) {
-    CheckVerdict& verdict = verdicts.emplace_back();
-    verdict.path = golden.path;
-    verdict.is_scenario = false;
-    verdict.status = CheckStatus::unreferenced;
-    verdict.exit_code = exit_code_of(verdict.status);
-    verdict.state_hash = stored_state_hash({golden.path + ".h5", golden.path + ".txt"});
-    if (!golden.error.empty()) fail(verdict, Failure(ExitCode::cannot_access, golden.error));
-  }
-  return verdicts;
+CheckVerdict unreferenced_verdict(const UnreferencedGolden& golden) {
+  CheckVerdict verdict;
+  judge_unreferenced(verdict, golden);
+  verdict.state_hash = stored_state_hash({golden.path + ".h5", golden.path + ".txt"});
+  return verdict;
 }
 
 }  // namespace hyrax

@@ -7,6 +7,7 @@
 #include "sim/replay/replay.h"
 #include "sim/study/reference_model.h"
 #include "sim/trajectory/waypoints.h"
+#include "tools/app/comparison/comparison_text.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/drift/start_dependence.h"
@@ -148,6 +149,12 @@ bool has_core_constants(const Core& core, const StoredRun& kept) {
 }
 
 }  // namespace
+
+std::string PairVerdict::differences_text(bool lists_all) const {
+  return comparison_text(comparison, lists_all);
+}
+
+Json::Object PairVerdict::differences_json() const { return comparison_json(comparison); }
 
 std::string summary_of(const Core& core, const FreshRun& fresh, const std::string& reason,
                        const std::string& h5_checksum, const std::string& core_name) {

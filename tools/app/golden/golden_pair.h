@@ -7,9 +7,8 @@
 
 #include "sim/core/core.h"
 #include "sim/trajectory/stored_run.h"
+#include "tools/app/library/scenario_verdict.h"
 #include "tools/app/play/golden_run.h"
-#include "tools/files/failure.h"
-#include "tools/files/golden_place.h"
 
 namespace hyrax {
 
@@ -35,12 +34,10 @@ struct PairComparison : ComparedRun {
 };
 
 /// What a command found of a scenario and its golden pair, whatever it does with it.
-struct PairVerdict : PairComparison {
-  std::string path;  ///< Of the scenario as given.
-  std::optional<GoldenPlace> golden;
-  std::string golden_folder;  ///< Has the accepted core; empty: no scenario, or in no library.
-  std::string error;          ///< Of a failed one.
-  ExitCode exit_code = ExitCode::agreed;
+struct PairVerdict : PairComparison, ScenarioVerdict {
+  [[nodiscard]] bool differs() const override { return !comparison.agrees; }
+  [[nodiscard]] std::string differences_text(bool lists_all) const override;
+  [[nodiscard]] Json::Object differences_json() const override;
 };
 
 /// The one verdict on a golden pair, whichever command asks for it. The .h5 file is read only where the

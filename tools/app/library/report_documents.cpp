@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tools/app/command_line/print.h"
 #include "tools/files/printable.h"
 
 namespace hyrax {
@@ -81,6 +82,13 @@ std::string code_block(std::string_view lines) {
 }
 
 }  // namespace
+
+void print(const Paragraph& paragraph) {
+  if (!paragraph.subject.empty())
+    print_text("{}{}{}\n", paragraph.subject, VerdictWord{paragraph.verdict, paragraph.is_good},
+               paragraph.predicate);
+  print_text("{}", paragraph.lines);
+}
 
 std::string junit_text(const std::vector<ReportEntry>& entries) {
   double seconds = 0.0;

@@ -28,6 +28,18 @@ struct ReportEntry {
 /// does not agree.
 [[nodiscard]] std::string github_annotations(const std::vector<ReportEntry>& entries);
 
+/// What a report says of one thing, in whichever form it is made: a sentence, and lines below it.
+struct Paragraph {
+  std::string subject = {};    ///< "93 of 99 scenarios "; empty: there are only lines.
+  std::string verdict = {};    ///< "differ": red on a terminal.
+  std::string predicate = {};  ///< ": GRAVITY 1200 -> 1250; the accepted core gives all 93 golden files."
+  std::string lines = {};      ///< Complete, indented by two.
+  bool is_good = false;        ///< The verdict.
+  [[nodiscard]] std::string sentence() const { return subject + verdict + predicate; }
+};
+
+void print(const Paragraph& paragraph);
+
 struct ReportSection {
   std::string heading;  ///< Empty: there are only lines.
   std::string lines;    ///< Complete.

@@ -4,7 +4,8 @@
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/tools/store/temp_folder.h"
-#include "tools/app/bless/bless_report.h"
+#include "tools/app/bless/paper_blesser.h"
+#include "tools/app/play/golden_run.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
@@ -14,7 +15,7 @@ namespace hyrax {
 namespace {
 
 Blessing planned(const std::string& path) {
-  return plan_blessings(shipped_core(), {path}, {.reason = "another"}).at(0);
+  return plan_blessings(*blesser_of(shipped_core()), {path}, {.reason = "another"}).at(0);
 }
 
 TEST(Bless, WritesASummaryOfAnOlderLayoutAgainWithItsOwnReason) {
@@ -24,8 +25,8 @@ TEST(Bless, WritesASummaryOfAnOlderLayoutAgainWithItsOwnReason) {
   std::filesystem::create_directories(folder.at("scenarios"));
   write_text_file(path, to_text(to_json(scenario)));
   Blessing first = planned(path);
-  write(shipped_core(), first, {.reason = "its own"});
-  const auto& [h5_path, txt_path, is_reserved, golden_folder] = *first.golden;
+  write(*blesser_of(shipped_core()), first, "its own");
+  const auto& [h5_path, txt_path, is_reserved, golden_folder] = *first.verdict->golden;
   const std::string written = read_text_file(txt_path), rows = file_checksum(h5_path);
   EXPECT_EQ(planned(path).status, Blessing::Status::unchanged);
 
@@ -35,7 +36,7 @@ TEST(Bless, WritesASummaryOfAnOlderLayoutAgainWithItsOwnReason) {
   write_text_file(txt_path, older);
   Blessing again = planned(path);
   EXPECT_EQ(again.status, Blessing::Status::changed);
-  write(shipped_core(), again, {.reason = "another"});
+  write(*blesser_of(shipped_core()), again, "another");
   EXPECT_EQ(read_text_file(txt_path), written);
   EXPECT_EQ(file_checksum(h5_path), rows);
   EXPECT_NE(older, written);

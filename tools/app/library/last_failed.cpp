@@ -1,4 +1,4 @@
-#include "tools/app/check/check_verdict.h"
+#include "tools/app/library/check_flow.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -44,13 +44,13 @@ LastFailed::LastFailed() {
 
 bool LastFailed::contains(const std::string& path) const { return paths_.contains(absolute(path)); }
 
-void LastFailed::update(const std::vector<CheckVerdict>& verdicts, OutputGuard& guard) {
+void LastFailed::update(const std::vector<const ScenarioVerdict*>& verdicts, OutputGuard& guard) {
   const std::set<std::string> before = paths_;
-  for (const CheckVerdict& verdict : verdicts)
-    if (verdict.status == CheckStatus::agreed)
-      paths_.erase(absolute(verdict.path));
+  for (const ScenarioVerdict* const verdict : verdicts)
+    if (verdict->status == CheckStatus::agreed)
+      paths_.erase(absolute(verdict->path));
     else
-      paths_.insert(absolute(verdict.path));
+      paths_.insert(absolute(verdict->path));
   if (file_.empty() || paths_ == before) return;
   try {
     guard.admit("hyrax-sim check: cache", file_);

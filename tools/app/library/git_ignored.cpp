@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "tools/app/bless/bless_report.h"
 #include "tools/app/command_line/shell_command.h"
+#include "tools/app/library/blessing.h"
 
 namespace hyrax {
 namespace {
@@ -45,11 +45,11 @@ std::vector<std::string> git_ignored_sentences(const BlessReport& report) {
   std::map<std::string, std::vector<std::string>> written;  // By golden folder.
   for (const Blessing& blessing : report.blessings)
     if (blessing.writes_golden_file() && !blessing.has_failed())
-      for (const std::string& path : {blessing.golden->h5_path, blessing.golden->txt_path})
-        written[blessing.golden_folder].push_back(path);
+      for (const std::string& path : {blessing.verdict->golden->h5_path, blessing.verdict->golden->txt_path})
+        written[blessing.verdict->golden_folder].push_back(path);
   std::error_code error;
   for (const CoreAcceptance& core : report.cores)
-    if (core.is_accepted())
+    if (core.why_not.empty())
       for (const auto& entry :
            fs::recursive_directory_iterator(accepted_core_folder(core.golden_folder), error))
         if (entry.is_regular_file(error)) written[core.golden_folder].push_back(entry.path().string());

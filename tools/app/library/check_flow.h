@@ -1,0 +1,122 @@
+// `check` for any core: what it is asked for, which scenarios it plays, and the forms of its report.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/result/figure.h"
+#include "tools/app/command_line/command_results.h"
+#include "tools/app/command_line/options.h"
+#include "tools/app/core/accepted_core.h"
+#include "tools/app/library/report_documents.h"
+#include "tools/app/library/scenario_verdict.h"
+#include "tools/files/unreferenced_golden.h"
+#include "tools/store/output_guard.h"
+
+namespace hyrax {
+
+struct CheckRequest {
+  std::vector<std::string> files;
+  std::string golden_folder;
+  std::optional<std::int64_t> jobs;
+  std::string junit;
+  std::string annotate;
+  std::string summary;
+  std::string page;
+  std::string filter;
+  bool lists = false;
+  bool takes_last_failed = false;
+  bool judges_core_only = false;
+  std::string unnoticed_folder;        ///< Of a core whose step is traced,
+  std::optional<std::int64_t> flings;  ///< and of the paper's.
+  Printing printing;
+};
+/// All but --unnoticed, --flings and how it prints. @param shown what the page shows besides the report.
+void declare_check(Options& options, CheckRequest& request, const std::string& shown,
+                   const std::string& core_help);
+
+/// Which scenarios did not agree the last time: a file for each folder in which `check` is run, in
+/// $XDG_CACHE_HOME/hyrax-sim or ~/.cache/hyrax-sim. Without these folders, or where they cannot be read or
+/// written, nothing is recorded.
+class LastFailed {
+ public:
+  /// Reads what was recorded in the current folder.
+  LastFailed();
+
+  /// Whether the scenario, or golden file without one, did not agree.
+  [[nodiscard]] bool contains(const std::string& path) const;
+  /// Records the new verdicts; those of a folder that were not asked for this time are kept. Writes no file
+  /// in a golden folder.
+  void update(const std::vector<const ScenarioVerdict*>& verdicts, OutputGuard& guard);
+
+ private:
+  std::string file_;             // Empty: nothing is recorded.
+  std::set<std::string> paths_;  // Absolute.
+};
+
+struct CheckSelection {
+  std::vector<std::string> arguments;  ///< Scenarios and folders as given; none: the folder `scenarios`.
+  std::string golden_option;           ///< As given; empty if it was not.
+  std::vector<std::string> paths = {};
+  std::vector<UnreferencedGolden> unreferenced = {};
+  std::vector<Failure> unlisted = {};  ///< Folders whose scenarios are not among the paths.
+  bool has_failed_only = false;        ///< Only those that failed when the folder was last checked.
+};
+
+/// Sets default folders; of --core alone no scenario is selected.
+/// ERRORS: Failure(bad_input) for options that do not go together, and if there is nothing to report.
+[[nodiscard]] CheckSelection select(CheckRequest& request, const LastFailed& last_failed);
+/// Prints the paths.
+[[nodiscard]] ExitCode list(const CheckSelection& selection, const CheckRequest& request);
+/// Admits all files that are asked for.
+[[nodiscard]] OutputGuard guard_outputs(const CheckSelection& selection, const CheckRequest& request);
+
+/// The libraries that are played whole: their folder `scenarios` is an argument.
+[[nodiscard]] std::vector<Library> whole_libraries(const CheckRequest& request, bool has_failed_only);
+/// For --core. ERRORS: Failure(bad_input) without any.
+[[nodiscard]] std::vector<Library> required_libraries(const CheckRequest& request);
+
+/// Each worker checks the next scenario until none is left. Golden files are read, in a child process first,
+/// only after the workers have ended; and so are scenarios played again for which there was not enough
+/// memory.
+/// @param check whether scenario INDEX is decided; what it throws is not, if golden files were not read.
+/// @param before_reading is called when the workers have ended.
+void check_all(std::size_t scenarios, const std::optional<std::int64_t>& jobs,
+               const std::function<bool(std::size_t index, bool reads_golden)>& check,
+               const std::function<void()>& before_reading);
+
+/// Does the work of one scenario, whose verdict has its path; an error becomes part of the verdict.
+void judge_scenario(ScenarioVerdict& verdict, const std::string& golden_option, bool reads_golden,
+                    const std::function<void()>& work);
+void judge_unreferenced(ScenarioVerdict& verdict, const UnreferencedGolden& golden);
+
+template <class Verdict>
+[[nodiscard]] std::vector<const ScenarioVerdict*> pointers_to(const std::vector<Verdict>& verdicts) {
+  std::vector<const ScenarioVerdict*> pointers;
+  for (const Verdict& verdict : verdicts) pointers.push_back(&verdict);
+  return pointers;
+}
+
+/// What is reported, in whichever form.
+struct CheckWords {
+  std::vector<ReportEntry> entries{};
+  std::vector<Paragraph> paragraphs{};
+  std::string counts{};  ///< "3 checked: 2 agreed, ...".
+};
+/// Counts, and entries of the folders.
+void add_counts(const std::vector<const ScenarioVerdict*>& verdicts, const CheckSelection& selection,
+                CheckWords& words);
+/// {"checked", "agreed", "disagreed", "missing", "failed", "unreferenced"}: the head of the JSON document.
+[[nodiscard]] Json::Object counts_json(const std::vector<const ScenarioVerdict*>& verdicts);
+
+/// Prints the document, or the paragraphs and counts (quiet: the paragraphs' sentences only), and writes what
+/// is asked for. The page has a table of all entries that do not agree, and the figures.
+[[nodiscard]] CommandResults report_check(const CheckRequest& request, const CheckSelection& selection,
+                                          const CheckWords& words, const Json& document,
+                                          const std::vector<Figure>& figures = {});
+
+}  // namespace hyrax
