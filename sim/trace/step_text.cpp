@@ -326,19 +326,35 @@ class Reader {
 
 std::string step_text(const TracedStep& step) { return Writer(step).text(); }
 
-std::optional<TracedStep> read_step(std::string_view text) {
+namespace {
+
+// In order. Nothing: its checksum is another, or it is no text of a step.
+std::optional<TracedStep> step_in(std::string_view text) {
   const std::size_t end = text.rfind("checksum: ");
   if (text.size() > kTextBytesMax || end == std::string_view::npos) return std::nullopt;
   const std::string_view body = text.substr(0, end);
   if (text.substr(end) != checksum_line(body)) return std::nullopt;  // Before the work of reading it.
   Reader reader;
   if (!body.starts_with(kFirstLine) || !reader.read(body.substr(kFirstLine.size()))) return std::nullopt;
-  const TracedStep written = in_order(reader.step());
-  if (step_text(written) != text) return std::nullopt;
-  TracedStep step = canonical(written);
+  return in_order(reader.step());
+}
+
+std::optional<TracedStep> with_trees(TracedStep step) {
   for (const std::vector<StepPath>& paths : step.paths)
     if (!make_decision_tree(paths)) return std::nullopt;
   return step;
+}
+
+}  // namespace
+
+std::optional<TracedStep> read_step(std::string_view text) {
+  const std::optional<TracedStep> step = step_in(text);
+  return step && step_text(*step) == text ? with_trees(canonical(*step)) : std::nullopt;
+}
+
+std::optional<TracedStep> read_own_step(std::string_view text) {
+  const std::optional<TracedStep> step = step_in(text);
+  return step ? with_trees(canonical(*step)) : std::nullopt;
 }
 
 }  // namespace hyrax

@@ -28,4 +28,7 @@ namespace hyrax {
 /// edited by hand. The text may have comparisons that decide nothing, as earlier versions wrote them.
 [[nodiscard]] std::optional<TracedStep> read_step(std::string_view text);
 
+/// The same without writing it again to see whether it is the same text: for what this program wrote.
+[[nodiscard]] std::optional<TracedStep> read_own_step(std::string_view text);
+
 }  // namespace hyrax

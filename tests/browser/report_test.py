@@ -1,6 +1,7 @@
 """The report page in Chromium: it replays what hyrax-sim played, bit for bit, and shows where a file differs."""
 
 import json
+import pathlib
 import re
 
 import h5py
@@ -189,6 +190,23 @@ class ReportTest(browser.BrowserTest):
         self.assertEqual(page["attributes"]["replay"], "agrees")
         self.assertLess(first, ready / 2)
         self.assertNotEqual(before, after)
+
+    def test_of_a_core_that_is_not_its_own_it_plays_the_step_that_it_carries(self):
+        self.played("fling", program.fling())
+        task = self.report("fling")
+        page = pathlib.Path(task["file"]).read_text(encoding="utf-8")
+        step = (SOURCE / "golden/core/step.txt").read_text(encoding="utf-8")
+        tasks = []
+        for name, text in (("whole", step), ("damaged", step.replace("1200", "1201"))):
+            carrying = page.replace('"core_step": null', f'"core_step": {json.dumps(text)}')
+            self.assertNotEqual(carrying, page)
+            self.write(f"{name}.html", carrying)
+            tasks.append({**task, "file": str(self.folder / f"{name}.html"), "actions": [
+                ["evaluate", "document.getElementById('stage-note').textContent"], ["evaluate", "document.getElementById('mode-fling').disabled"]]})
+        whole, damaged = self.open(*tasks)
+        self.assertEqual((whole["attributes"]["replay"], *whole["values"]), ("agrees", "", False))
+        self.assertEqual((damaged["attributes"]["replay"], damaged["values"][1]), ("none", True))
+        self.assertIn("No replay: this browser calculates the step of the core", damaged["values"][0])
 
     def test_without_javascript_it_shows_name_verdict_and_path(self):
         self.played("golden", program.fling())

@@ -1,8 +1,11 @@
 #include <algorithm>
 
 #include "sim/core/core.h"
+#include "sim/core/traced_core.h"
 #include "sim/replay/fingerprint.h"
 #include "sim/scenario/schedule.h"
+#include "sim/study/reference_model.h"
+#include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
 #include "sim/trajectory/state_hash.h"
 #include "tools/app/comparison/comparison_text.h"
@@ -25,6 +28,7 @@ namespace {
 constexpr std::size_t kInputsShownMax = 5'000;
 constexpr std::size_t kContactsShownMax = 500;  // As many as the page draws.
 constexpr std::size_t kScenarioTextMax = 200'000;
+constexpr std::size_t kStepTextMax = 1'000'000;
 
 std::string base64(std::string_view bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -129,7 +133,20 @@ Json errors_json(const DriftSummary& summary) {
                       {"energy_drift_rel", value(summary.energy_drift_rel_max)}};
 }
 
-// Of a core that the page does not replay. NaN: not known.
+// A page has the shipped core, and plays another by the text of its step. Empty: it plays this one.
+std::string why_not_replayed(const Core& core) {
+  if (is_paper_model(core.name)) return "";
+  const std::string name(core.name);
+  if (core.record.step.empty())
+    return "the step of the core " + name + " is not complete (" + std::string(core.record.why_incomplete) +
+           ")";
+  if (core.record.step.size() > kStepTextMax)
+    return "the step of the core " + name + " is too long for a page";
+  const std::optional<TracedStep> step = read_step(core.record.step);
+  return step && traced_core(*step) ? "" : "a page cannot play the step of the core " + name;
+}
+
+// Of a core that a browser may not replay. NaN: not known.
 Json contacts_json(const std::vector<Contact>& contacts) {
   const std::span<const Contact> shown(contacts.data(), std::min(contacts.size(), kContactsShownMax));
   Json::Object object;
@@ -186,26 +203,28 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
   const FileHead& head = file.head();
   const ScenarioRun run = played(core, file);
   const Evidence evidence = evidence_of(core, file);
-  Json::Object data{{"file", file.path()},
-                    {"name", head.scenario.name},
-                    {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
-                    {"description", head.scenario.description.value_or("")},
-                    {"steps", head.steps},
-                    {"row_count", file.row_count()},
-                    {"state_hash", head.state_hash},
-                    {"physics", head.physics},
-                    {"constants", head.constants ? constants_json(*head.constants) : Json()},
-                    {"record", doubles_json(record_of(head.scenario))},
-                    {"rows", rows_json(evidence.rows)},
-                    {"blocks", blocks_json(evidence.blocks)},
-                    {"contacts", is_paper_model(core.name) ? Json() : contacts_json(file.contacts())},
-                    {"inputs", inputs_json(file.inputs())},
-                    {"result", run_json(core, run)},
-                    {"expect", list_of(run.expectations, expectation_line)},
-                    {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
-                    {"non_finite", non_finite_text(head.scenario, run.summary.final)},
-                    {"margin", run.drift ? margin_text(run.drift->margin) : ""},
-                    {"provenance", provenance_json(file.provenance())}};
+  Json::Object data{
+      {"file", file.path()},
+      {"name", head.scenario.name},
+      {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
+      {"description", head.scenario.description.value_or("")},
+      {"steps", head.steps},
+      {"row_count", file.row_count()},
+      {"state_hash", head.state_hash},
+      {"physics", head.physics},
+      {"constants", head.constants ? constants_json(*head.constants) : Json()},
+      {"model", head.constants ? constants_json(reference_model(head.physics, head.constants)) : Json()},
+      {"record", doubles_json(record_of(head.scenario))},
+      {"rows", rows_json(evidence.rows)},
+      {"blocks", blocks_json(evidence.blocks)},
+      {"contacts", is_paper_model(core.name) ? Json() : contacts_json(file.contacts())},
+      {"inputs", inputs_json(file.inputs())},
+      {"result", run_json(core, run)},
+      {"expect", list_of(run.expectations, expectation_line)},
+      {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
+      {"non_finite", non_finite_text(head.scenario, run.summary.final)},
+      {"margin", run.drift ? margin_text(run.drift->margin) : ""},
+      {"provenance", provenance_json(file.provenance())}};
   const std::string text = scenario_file_text(head.scenario);
   if (text.size() <= kScenarioTextMax) data.emplace_back("scenario_text", text);
   return data;
@@ -243,11 +262,15 @@ Json report_data(const Core& core, const ReportRequest& request) {
           "golden", golden_json(diff_trajectories(core, *against, file, {}, nullptr), request.against));
     runs.push_back(std::move(run));
   }
+  const std::string why_not = why_not_replayed(core);
   Json::Object data{
       {"format", "hyrax-report/1"},
       {"program", "hyrax-sim " + std::string(build_info().version)},
       {"core", core.name},
-      {"core_fingerprint", is_paper_model(core.name) ? Json(hex(fingerprint_of(core))) : Json()},
+      {"no_replay", why_not.empty() ? Json() : Json(why_not)},
+      {"core_fingerprint", why_not.empty() ? Json(hex(fingerprint_of(core))) : Json()},
+      {"core_step",
+       why_not.empty() && !is_paper_model(core.name) ? Json(std::string(core.record.step)) : Json()},
       {"command", request.command},
       {"runs", std::move(runs)}};
   if (against)

@@ -18,7 +18,7 @@ export class Core {
   }
 
   constructor(calls) {
-    this.calls = calls;
+    Object.assign(this, { calls, isMeasuring: true });
   }
 
   // Memory may have moved after any call that allocates: views are made anew.
@@ -37,6 +37,16 @@ export class Core {
   #text() {
     const text = new Uint8Array(this.calls.memory.buffer, this.calls.text(), this.calls.text_length());
     return String.fromCharCode(...text);
+  }
+
+  /** Plays by the step of a text from now on. Whether it can. */
+  useStep(text) {
+    return this.calls.use_step(this.#give(new TextEncoder().encode(text))) === 1;
+  }
+  /** @param constants of the model by which runs are measured; null: they are not. */
+  measureBy(constants) {
+    this.isMeasuring = constants !== null;
+    this.calls.measure_by(this.#give(constants ?? []));
   }
 
   /** 32 hex digits; a program with the same core has the same. */

@@ -25,6 +25,7 @@ export class Playground {
   /** `view` shows it: paint(), show(result) and its player. */
   constructor(core, view) {
     Object.assign(this, { core, view, painter: view.painter, size: sizesAt(view.sizes, 0) });
+    core.measureBy(view.run.model);
     const on = (place, event, listener) => place.addEventListener(event, listener, { signal: this.#keys.signal });
     for (const [name, listener] of [['pointerdown', this.#down], ['pointermove', this.#move], ['pointerup', this.#up], ['pointercancel', this.#up]])
       on(this.painter.canvas, name, listener.bind(this));

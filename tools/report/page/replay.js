@@ -24,6 +24,7 @@ async function playAll(core, steps, progress) {
  */
 export async function replay(core, run, progress) {
   const file = rowsOf(run);
+  core.measureBy(run.model);
   const steps = core.load(doubles(run.record), file, bytes(run.blocks));
   if (steps < 0) return { run, file, rows: file, outcome: 'none' };
   const begin = performance.now();
@@ -43,7 +44,7 @@ export function playedHere(core, record, { stateHash, constants, inputs = [] }) 
   core.playTo(core.load(record));
   const result = played(core), { check, rows } = result, last = rows.step.length - 1;
   return { ...result, milliseconds: performance.now() - begin, outcome: check.stateHash === stateHash ? 'agrees' : 'differs',
-    run: { name: 'fling', constants, steps: check.steps, row_count: last + 1, expect: null, inputs, errors: check.errors, non_finite: check.nonFinite,
+    run: { name: 'fling', constants, steps: check.steps, row_count: last + 1, expect: null, inputs, errors: core.isMeasuring ? check.errors : null, non_finite: check.nonFinite,
       result: { contacts: check.contacts, final: { x_px: rows.x[last], y_px: rows.y[last] }, at_rest_since_s: check.atRestSince } } };
 }
 

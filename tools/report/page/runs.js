@@ -193,11 +193,18 @@ class View {
   }
 }
 
-// The page's own core is the shipped one.
-const isOwnCore = report.core_fingerprint === null;
+// The page's own core is the shipped one; of another it plays the step that it carries.
+async function coreOfPage() {
+  if (report.no_replay) return { reason: report.no_replay };
+  const core = await Core.start().catch(() => null);
+  if (!core) return { reason: 'this browser runs no WebAssembly' };
+  if (report.core_step === null) core.requireSame(report.core_fingerprint, report.program);
+  else if (!core.useStep(report.core_step) || core.fingerprint() !== report.core_fingerprint)
+    return { reason: `this browser calculates the step of the core ${report.core} otherwise than ${report.program}` };
+  return { core };
+}
 
-async function replayed(core, run, share) {
-  const reason = isOwnCore ? `this page holds no copy of the core ${report.core}` : 'this browser runs no WebAssembly';
+async function replayed({ core, reason }, run, share) {
   if (!core) return { run, file: rowsOf(run), rows: rowsOf(run), contacts: contactsIn(run), outcome: 'none', reason };
   return replay(core, run, share);
 }
@@ -206,11 +213,10 @@ export async function showRuns() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
   element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
-  const core = isOwnCore ? null : await Core.start().catch(() => null);
-  if (core) core.requireSame(report.core_fingerprint, report.program);
+  const player = await coreOfPage(), { core } = player;
   const results = [];
   for (const run of report.runs)
-    results.push(await replayed(core, run, share => (element('verdict').firstChild.textContent = `Replaying ${run.name}: ${Math.floor(100 * share)} %`)));
+    results.push(await replayed(player, run, share => (element('verdict').firstChild.textContent = `Replaying ${run.name}: ${Math.floor(100 * share)} %`)));
 
   const worstResult = results.reduce((a, b) => (worst[b.outcome] > worst[a.outcome] ? b : a));
   const painter = new Painter(element('replay'), () => view?.paint());
@@ -225,7 +231,7 @@ export async function showRuns() {
   picker.addEventListener('change', () => open(Number(picker.value)));
   element('mode-replay').addEventListener('click', () => root.dataset.mode === 'fling' && open(Number(picker.value)));
   element('mode-fling').addEventListener('click', () => view.setMode('fling'));
-  element('mode-fling').disabled = core === null;
+  element('mode-fling').disabled = !core;
   addEventListener('hashchange', () => view.openLink());
   new ResizeObserver(() => view?.fit()).observe(document.querySelector('.columns'));
   followLook(() => view.repaint());

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "sim/core/shipped_core.h"
+#include "sim/core/traced_core.h"
 #include "sim/reference/drift_columns.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/replay/fingerprint.h"
+#include "sim/trace/step_text.h"
 #include "tools/hyrax/frame_player.h"
 #include "tools/hyrax/hand.h"
 #include "tools/hyrax/tape.h"
@@ -32,7 +34,7 @@ constexpr ScreenPoint kOrigin{};  // The window's corner.
 // The reader's own fling: a hand on the hyrax, frames of any length, and what a replay of them needs. Points
 // are in px of the window.
 struct Playground {
-  explicit Playground(const Keyframe& start) : player(shipped_core(), start), tape(start) {}
+  Playground(const Core& core, const Keyframe& start) : player(core, start), tape(start) {}
 
   void apply(const Action& action) {
     player.apply(action);
@@ -53,6 +55,8 @@ struct Page {
   std::vector<double> input;   // Written by the page.
   std::vector<double> output;  // Read by it.
   std::string text;
+  Core core = shipped_core();  // What all is played by.
+  std::optional<Model> model = Model();
   FileEvidence evidence;
   std::unique_ptr<ShownRun> run;
   std::optional<Playground> playground;
@@ -123,7 +127,21 @@ HYRAX_EXPORT(text) const char* text() { return page().text.data(); }
 HYRAX_EXPORT(text_length) std::int32_t text_length() { return static_cast<std::int32_t>(page().text.size()); }
 
 /// fingerprint_of the core as text.
-HYRAX_EXPORT(fingerprint) void fingerprint() { page().text = hex(fingerprint_of(shipped_core())); }
+HYRAX_EXPORT(fingerprint) void fingerprint() { page().text = hex(fingerprint_of(page().core)); }
+/// From now on the core is that of the step's text, whose bytes are in the input. 0: it cannot be played.
+HYRAX_EXPORT(use_step) std::int32_t use_step(std::int32_t count) {
+  std::string text;
+  for (const double byte : input(count)) text += static_cast<char>(byte);
+  const std::optional<TracedStep> step = read_own_step(text);
+  std::optional<Core> core = step ? traced_core(*step) : std::nullopt;
+  if (core) page().core = *std::move(core);
+  return core ? 1 : 0;
+}
+/// Runs are measured by the model of the five constants in the input, or, of none, not at all.
+HYRAX_EXPORT(measure_by) void measure_by(std::int32_t count) {
+  const auto n = input(count);
+  page().model = n.empty() ? std::nullopt : std::optional(Model(Constants{n[0], n[1], n[2], n[3], n[4]}));
+}
 
 /// The file's rows: step, t, dt, x, y, vx, vy, contact of each.
 HYRAX_EXPORT(expect_rows) void expect_rows(std::int32_t count) {
@@ -150,7 +168,8 @@ HYRAX_EXPORT(expect_blocks) void expect_blocks(std::int32_t count) {
 HYRAX_EXPORT(load) double load(std::int32_t count) {
   const auto scenario = scenario_of(input(count));
   if (!scenario) return -1.0;
-  page().run = std::make_unique<ShownRun>(shipped_core(), *scenario, std::exchange(page().evidence, {}));
+  page().run =
+      std::make_unique<ShownRun>(page().core, *scenario, page().model, std::exchange(page().evidence, {}));
   return static_cast<double>(page().run->replay.steps());
 }
 HYRAX_EXPORT(play_to) double play_to(double step) {
@@ -204,7 +223,7 @@ HYRAX_EXPORT(live_start) void live_start() {
   set_state(start.row, given.state);
   start.window = given.window;
   start.sprite = given.sprite;
-  page().playground.emplace(start);
+  page().playground.emplace(page().core, start);
 }
 /// REQUIRES: not held; ticks of a clock that does not go backwards.
 HYRAX_EXPORT(live_grab) void live_grab(std::int32_t x_px, std::int32_t y_px, double ticks) {
@@ -270,16 +289,16 @@ HYRAX_EXPORT(flight) void flight(double rate_hz, double duration_s) {
   if (rate_hz > 0.0) {
     const auto frames = static_cast<std::int64_t>(rate_hz * duration_s);
     ShownRows shown(frames);
-    static_cast<void>(replay(shipped_core(),
-                             scenario_from(start.state, start.window, start.sprite, rate_hz, frames), shown));
+    static_cast<void>(
+        replay(page().core, scenario_from(start.state, start.window, start.sprite, rate_hz, frames), shown));
     const Columns& columns = shown.columns();
     for (std::size_t row = 0; row < columns.size(); ++row)
       rows.insert(rows.end(), {columns.t_s[row], columns.x_px[row], columns.y_px[row]});
     return;
   }
   const Bounds bounds = start.bounds();
-  if (bounds.right_px < 0.0 || bounds.bottom_px < 0.0) return;  // There is none.
-  ExactFling fling;
+  if (!page().model || bounds.right_px < 0.0 || bounds.bottom_px < 0.0) return;  // There is none.
+  ExactFling fling{FixedLaws(*page().model)};
   fling.start(start.state, bounds);
   for (double row = 0.0; row <= kExactRowsPerSecond * duration_s; ++row) {
     const State state = fling.at(row / kExactRowsPerSecond);

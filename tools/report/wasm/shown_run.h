@@ -110,7 +110,9 @@ struct ShownDrift final : DriftSink {
     causes.push_back({contact.step, sum.now()});
   }
 
-  EnergyCauseSum sum{Model{}.gravity_px_per_s2};
+  explicit ShownDrift(double gravity_px_per_s2) : sum{gravity_px_per_s2} {}
+
+  EnergyCauseSum sum;
   std::vector<RowErrors> rows = {};
   std::vector<ImpactErrors> contacts = {};
   std::vector<CausePoint> causes = {};
@@ -120,11 +122,13 @@ struct ShownRun {
   /// Longer runs are not measured against the reference.
   static constexpr std::int64_t kStepsMeasuredMax = 200'000;
 
-  ShownRun(const Core& core, const Scenario& played, FileEvidence evidence)
+  /// @param model by which it is measured; nothing: it is not.
+  ShownRun(const Core& core, const Scenario& played, const std::optional<Model>& model, FileEvidence evidence)
       : scenario(played),
         shown(step_count(scenario)),
         check(std::move(evidence)),
-        replay(core, scenario, sinks()) {}
+        drift(model.value_or(Model()).gravity_px_per_s2),
+        replay(core, scenario, sinks(model)) {}
 
   /// Plays up to row `step`; returns the row reached, which is less if the state became non-finite.
   std::int64_t play_to(std::int64_t step) {
@@ -135,11 +139,11 @@ struct ShownRun {
     summary = replay.finish();
     if (meter) errors = meter->finish();
   }
-  [[nodiscard]] std::vector<RowSink*> sinks() {
+  [[nodiscard]] std::vector<RowSink*> sinks(const std::optional<Model>& model) {
     std::vector<RowSink*> all = {&shown, &check};
     const std::int64_t steps = step_count(scenario);
-    if (steps <= kStepsMeasuredMax)
-      all.push_back(&meter.emplace(scenario, inputs_of(scenario, steps), drift));
+    if (model && steps <= kStepsMeasuredMax)
+      all.push_back(&meter.emplace(scenario, inputs_of(scenario, steps), drift, nullptr, *model));
     return all;
   }
 

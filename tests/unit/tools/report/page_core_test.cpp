@@ -6,9 +6,12 @@
 #include <cmath>
 #include <map>
 
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/replay/fingerprint.h"
+#include "sim/trace/listing_step.h"
+#include "sim/trace/step_text.h"
 #include "tests/unit/sim/reference/test_run.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
@@ -25,6 +28,8 @@ std::int32_t output_count();
 const char* text();
 std::int32_t text_length();
 void fingerprint();
+std::int32_t use_step(std::int32_t count);
+void measure_by(std::int32_t count);
 void expect_rows(std::int32_t count);
 void expect_blocks(std::int32_t count);
 double load(std::int32_t count);
@@ -71,6 +76,11 @@ Numbers each(const std::vector<Record>& records, const auto& number) {
   return numbers;
 }
 
+std::string fingerprint_in_page() {
+  fingerprint();
+  return given_text();
+}
+
 struct PlayedInPage {
   explicit PlayedInPage(const Scenario& scenario) {
     steps = load(give(record_of(scenario)));
@@ -83,6 +93,36 @@ struct PlayedInPage {
   Numbers came_to;
   std::string hash;
 };
+
+// As hyrax-sim gives the step of a core of one's own.
+bool plays_by(const Constants& constants) {
+  const std::string step = step_text(canonical(listing_step(constants)));
+  return use_step(give(Numbers(step.begin(), step.end()))) == 1;
+}
+
+TEST(PageCore, PlaysAndMeasuresByTheStepThatItIsGiven) {
+  Constants moon = paper_constants();
+  moon.gravity_px_per_s2 = 200.0;
+  ASSERT_TRUE(plays_by(moon));
+  EXPECT_EQ(fingerprint_in_page(), hex(fingerprint_of(listing_core(moon))));
+  const Scenario scenario = fling_at(60.0, 300);
+  measure_by(
+      give({200.0, moon.restitution, moon.air_drag, moon.ground_friction, moon.rest_threshold_px_per_s}));
+  const PlayedInPage measured(scenario);
+  EXPECT_EQ(measured.hash, hex(replay(listing_core(moon), scenario).state_hash));
+  EXPECT_LT(measured.came_to[7], 1e-9);  // Its step is that of these laws.
+  measure_by(give({}));
+  EXPECT_TRUE(std::isnan(PlayedInPage(scenario).came_to[7]));
+  EXPECT_TRUE(columns(error_column).at("step").empty());
+  // What is no step changes nothing.
+  EXPECT_EQ(use_step(give({104.0, 121.0})), 0);
+  EXPECT_EQ(fingerprint_in_page(), hex(fingerprint_of(listing_core(moon))));
+  ASSERT_TRUE(plays_by(paper_constants()));
+  EXPECT_EQ(fingerprint_in_page(), hex(fingerprint_of(shipped_core())));
+  const Constants paper = paper_constants();
+  measure_by(give({paper.gravity_px_per_s2, paper.restitution, paper.air_drag, paper.ground_friction,
+                   paper.rest_threshold_px_per_s}));
+}
 
 TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
   Scenario scenario = fling_at(144.0, 700);
@@ -136,8 +176,7 @@ TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
 }
 
 TEST(PageCore, HasTheCoresFingerprintAndPlaysARecordAsFarAsAsked) {
-  fingerprint();
-  EXPECT_EQ(given_text(), hex(fingerprint_of(shipped_core())));
+  EXPECT_EQ(fingerprint_in_page(), hex(fingerprint_of(shipped_core())));
   EXPECT_EQ(load(give({1.0})), -1.0) << "no record";
   const Scenario scenario = fling_at(60.0, 600);
   EXPECT_EQ(load(give(record_of(scenario))), 600.0);
