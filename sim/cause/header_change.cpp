@@ -354,7 +354,11 @@ Table changes_table(const std::vector<HeaderChange>& changes) {
            column_of("detail", "", "what changed", changes, &HeaderChange::detail),
            column_of("file", "", "in which the line is", changes, &HeaderChange::file),
            column_of("line", "", "of what was removed, in the base", changes, &HeaderChange::line),
-           number("from", &HeaderChange::from), number("to", &HeaderChange::to)}};
+           number("from", &HeaderChange::from), number("to", &HeaderChange::to),
+           column_of("scenarios", "", "that it reproduces alone", changes, [](const HeaderChange& change) {
+             return change.scenarios ? static_cast<double>(*change.scenarios)
+                                     : std::numeric_limits<double>::quiet_NaN();
+           })}};
 }
 
 std::string changes_sentence(const std::vector<HeaderChange>& changes, std::string_view header) {

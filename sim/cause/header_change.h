@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,8 @@ struct HeaderChange {
   std::int64_t line = 0;    ///< From 1, in the current header; of what was removed, in the accepted one.
   HeaderConstant from, to;  ///< Of a constant.
   std::string file = {};    ///< In which `line` is; empty: not known.
+  std::optional<std::int64_t> scenarios =
+      {};  ///< How many differing scenarios it reproduces alone, if tried.
 };
 
 /// Statement by statement; comments, blanks and line ends are no change.
@@ -51,7 +54,7 @@ struct HeaderChange {
 /// "line 41   constant: GRAVITY 1200 -> 1250"; behind another file than `header` its path.
 [[nodiscard]] std::string change_text(const HeaderChange& change, std::string_view header = {});
 
-/// `changes`: kind, detail, file, line; from and to of a constant.
+/// `changes`: kind, detail, file, line; from and to of a constant; scenarios.
 [[nodiscard]] Table changes_table(const std::vector<HeaderChange>& changes);
 
 /// "GRAVITY 1200 -> 1250", "the core changed at lines 41 and 48, and at line 3 of pull.h", or both. REQUIRES:

@@ -97,7 +97,7 @@ STATED = (
     (DRIFT, "an impact also {} of the way", "sim/reference/drift.h", "kSolversApart_rel"), (DRIFT, "At {} Hz the last two", MODEL, "model_rate_hz"),
     (DRIFT, "up to {} frames of equal dt", "sim/reference/arc_solution.h", "kFramesMax"),
     ("tools/app/drift/drift_run.cpp", "tolerance of GSL (default: {})", "sim/reference/gsl_flight.h", "tolerance"),
-    ("tools/hyrax-sim/run.cpp", "of more than {}, a line each", "tools/hyrax-sim/run.cpp", "kPrintedInFullMax"),
+    ("tools/app/library/run_flow.cpp", "of more than {}, a line each", "tools/app/library/run_flow.cpp", "kPrintedInFullMax"),
     ("tools/hyrax-sim/check.cpp", "scenario of each of the first {} ", "tools/app/check/check_documents.cpp", "kPicturesMax"),
     (FILES, "complete, {} random flings", "tools/hyrax-sim/check.cpp", "kFlings"), (FILES, "random flings of {} s", FLINGS, "kFling_s"),
     (FILES, "more than {} px away) and how far", REST, "kStill_px"), (FILES, "displays of {} to {} Hz", FLINGS, ("kFlingRates_hz[] = {", "200.0, 240.0, ")),

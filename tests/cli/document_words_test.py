@@ -146,7 +146,7 @@ WORDS = {
         (COMPARISON, r"the classes `(\w+)`, `(\w+)`, `(\w+)`, `(\w+)` \(`bits` is gone\)", r'kNames = \{"(\w+)", "(\w+)", "(\w+)", "(\w+)"\}'),
         ("tools/report/drift_figure.cpp", r"`drift` draws one picture, `(-\w+)\.svg`", r'name \+ "(-\w+)\.svg"'),
         ("tools/app/drift/drift_result.cpp", r"`steps_astray` is called `(\w+)`", r'column_of_one\("(differing\w+)"'),
-        ("tools/hyrax-sim/run.cpp", r"; `run -o (FILE\.csv)`\.")),
+        ("tools/app/library/run_flow.cpp", r"; `run -o (FILE\.csv)`\.")),
     "sim/study/README.md": (
         ("sim/study/methods/cost.h", r"is \*cheaper\* only if (the 95 % interval of a / b, round by round, is below 1);"),
         ("sim/study/methods/cost.cpp", r"all costs are `(not measured: clock unsteady)`\."),

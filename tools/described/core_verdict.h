@@ -27,7 +27,6 @@ struct DefaultChange {
 
 struct DescribedChange : HeaderChange {
   std::optional<DefaultChange> of_default = {};
-  std::optional<std::int64_t> scenarios = {};  ///< How many differing scenarios a default reproduces alone.
 };
 
 struct DescribedCoreVerdict {

@@ -1,15 +1,12 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "sim/described/described_figure.h"
 #include "sim/result/number_text.h"
-#include "tools/app/command_line/command_results.h"
-#include "tools/app/command_line/overrides.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/expect/judged_run.h"
+#include "tools/app/library/run_flow.h"
 #include "tools/described/commands.h"
 #include "tools/described/judged_run.h"
 #include "tools/described/run_text.h"
@@ -18,65 +15,14 @@
 #include "tools/files/atomic_file.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
-#include "tools/files/scenario_list.h"
 #include "tools/report/figure_svg.h"
 #include "tools/report/result_page.h"
-#include "tools/store/output_guard.h"
 #include "tools/store/trajectory_writer.h"
 
 namespace hyrax {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t kValuesPrinted = 12;
-
-struct RunRequest {
-  std::vector<std::string> files;
-  std::string output;
-  std::vector<std::string> overrides;
-  std::string golden_folder;
-  std::string figure;
-  std::string page;
-  Printing printing;
-};
-
-// A scenario that was read, or why it was not.
-struct Candidate {
-  std::string path;
-  std::optional<DescribedScenario> scenario = {};
-  std::string output = {};
-  std::optional<Failure> failure = {};
-};
-
-bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
-  return request.output.empty() || scenarios > 1 || request.output.ends_with('/') ||
-         is_folder(request.output);
-}
-
-void place_outputs(const RunRequest& request, const std::vector<std::string>& paths,
-                   std::vector<Candidate>& candidates) {
-  const bool is_to_stdout = request.output == kStandardOutput || request.output == "/dev/stdout";
-  if (is_to_stdout && (candidates.size() > 1 || request.printing.is_json))
-    refuse_input("hyrax-sim run: -o " + request.output + ": allowed for one scenario, without --json");
-  OutputGuard guard(paths, request.golden_folder);
-  for (Candidate& candidate : candidates) {
-    if (!candidate.scenario) continue;
-    candidate.output = is_to_stdout ? std::string(kStandardOutput) : request.output;
-    if (is_to_stdout) continue;
-    if (writes_into_folder(request, candidates.size()))
-      candidate.output = (fs::path(request.output) / (candidate.scenario->name + ".h5")).string();
-    guard.admit("hyrax-sim run: -o of " + candidate.path, candidate.output, {".h5", ".csv"});
-  }
-  for (const auto& [option, file, suffix] :
-       {std::tuple("--figure", request.figure, ".svg"), {"--report", request.page, ".html"}}) {
-    if (file.empty()) continue;
-    if (candidates.size() > 1 || is_to_stdout)
-      refuse_input(fmt::format("hyrax-sim run: {} {}: allowed for one scenario, whose rows go to a file",
-                               option, file));
-    guard.admit_file(fmt::format("hyrax-sim run: {}", option), file, {suffix});
-  }
-}
 
 // ERRORS: Failure(disagreed) for a run without rows.
 void require_rows(const DescribedRun& run) {
@@ -87,33 +33,32 @@ void require_rows(const DescribedRun& run) {
 
 // Plays into the file, and judges. `steps` is less than the scenario's if a first try found that the run ends
 // there.
-DescribedRun play_into(const DescribedCore& core, const RunRequest& request, const Candidate& candidate,
-                       std::int64_t steps, std::optional<DescribedPicture>& picture) {
-  const DescribedScenario& scenario = *candidate.scenario;
+DescribedRun play_into(const DescribedCore& core, const RunRequest& request, const std::string& path,
+                       const DescribedScenario& scenario, const std::string& output, std::int64_t steps,
+                       std::optional<DescribedPicture>& picture) {
   DescribedRun run;
-  run.path = candidate.path;
+  run.path = path;
   run.scenario = scenario;
   JudgeOptions options{.golden_folder = request.golden_folder, .compares = request.overrides.empty()};
   if (!request.figure.empty() || !request.page.empty())
     options.also = {&picture.emplace(core.description, scenario)};
-  if (candidate.output == kStandardOutput || file_name(candidate.output).extension == ".csv") {
-    DescribedCsv csv(candidate.output, core.description, steps, scenario.record_every);
+  if (output == kStandardOutput || file_name(output).extension == ".csv") {
+    DescribedCsv csv(output, core.description, steps, scenario.record_every);
     options.also.push_back(&csv);
     judge_run(core, run, options);
     require_rows(run);
-    if (run.contents.summary.steps != steps && candidate.output != kStandardOutput)
-      return play_into(core, request, candidate, run.contents.summary.steps, picture);
+    if (run.contents.summary.steps != steps && output != kStandardOutput)
+      return play_into(core, request, path, scenario, output, run.contents.summary.steps, picture);
     csv.finish();
     return run;
   }
-  AtomicFile target(candidate.output);
-  DescribedWriter writer(target.part_path(), candidate.output, core.description, steps,
-                         scenario.record_every);
+  AtomicFile target(output);
+  DescribedWriter writer(target.part_path(), output, core.description, steps, scenario.record_every);
   options.also.push_back(&writer);
   judge_run(core, run, options);
   require_rows(run);
   if (run.contents.summary.steps != steps)
-    return play_into(core, request, candidate, run.contents.summary.steps, picture);
+    return play_into(core, request, path, scenario, output, run.contents.summary.steps, picture);
   writer.finish({.description = core.description,
                  .scenario = scenario,
                  .steps = steps,
@@ -152,10 +97,6 @@ Coverage coverage_of(const Description& description, const DescribedSummary& sum
   return coverage;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
-}
-
 void print_properties(const Description& description, const DescribedSummary& summary) {
   for (std::size_t index = 0; index < description.properties.size(); ++index) {
     const PropertyInfo& property = description.properties[index];
@@ -172,16 +113,16 @@ void print_properties(const Description& description, const DescribedSummary& su
   }
 }
 
-void print_run(const DescribedCore& core, const RunRequest& request, const Candidate& candidate,
+void print_run(const DescribedCore& core, const RunRequest& request, const std::string& output,
                const DescribedRun& run) {
   const Description& description = core.description;
   const DescribedSummary& summary = run.contents.summary;
   const DescribedScenario& scenario = run.scenario;
-  if (candidate.output == kStandardOutput) return print_error(scenario.name + ": " + status_of(run));
+  if (output == kStandardOutput) return print_error(scenario.name + ": " + status_of(run));
   if (request.printing.is_quiet()) {
     const std::string sentence = run.holds() ? "" : ": " + run.sentence();
     print_text("{}: {}{}; written: {}\n", scenario.name, VerdictWord{status_of(run), run.holds()}, sentence,
-               candidate.output);
+               output);
     return;
   }
   for (const std::string& fault : run.faults)
@@ -204,31 +145,23 @@ void print_run(const DescribedCore& core, const RunRequest& request, const Candi
     print_text("  not settled    {}\n", why_not_settled(description, summary));
   print_properties(description, summary);
   const Coverage coverage = coverage_of(description, summary);
-  print_text("  exercised      {}\n  never          {}\n", joined(coverage.exercised),
-             joined(coverage.never));
+  print_text("  exercised      {}\n  never          {}\n", joined_names(coverage.exercised),
+             joined_names(coverage.never));
   if (!run.not_compared.empty()) print_text("  not compared   {}\n", run.not_compared);
-  const std::vector<Expectation> broken = run.broken;
-  if (!run.expectations.empty())
-    print_text("  expect         {} of {} hold\n", run.expectations.size() - broken.size(),
-               run.expectations.size());
-  for (const Expectation& expectation : request.printing.is_verbose() ? run.expectations : broken)
-    print_text("    {}: {}\n",
-               expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
-               expectation_text(expectation));
+  print_expectations(run.expectations, request.printing.is_verbose());
   if (run.comparison && run.comparison->agrees())
     print_text("  golden         {} bit for bit with {}\n", VerdictWord{"agrees", true}, run.golden->h5_path);
   else if (run.comparison)
     print_text("  golden         {} from {}\n{}", VerdictWord{"DIFFERS", false}, run.golden->h5_path,
-               run.comparison->fault.empty() ? comparison_text(*run.comparison)
-                                             : "  " + run.comparison->fault + "\n");
+               run.differences_text(false));
   else if (run.not_compared.empty())
     print_text("  golden         missing: {}{}\n", run.golden->h5_path,
                run.holds() ? "; to create it: " + bless_command_for({run.path}, request.golden_folder) : "");
-  print_text("  state hash     {}\n  written        {} ({})\n", run.contents.state_hash(), candidate.output,
+  print_text("  state hash     {}\n  written        {} ({})\n", run.contents.state_hash(), output,
              plain_counted(TrajectoryWriter::row_count(summary.steps, scenario.record_every), "row"));
 }
 
-Json run_json(const DescribedCore& core, const Candidate& candidate, const DescribedRun& run) {
+Json run_json(const DescribedCore& core, const std::string& output, const DescribedRun& run) {
   const Description& description = core.description;
   const DescribedSummary& summary = run.contents.summary;
   Json::Object contacts, final;
@@ -267,7 +200,7 @@ Json run_json(const DescribedCore& core, const Candidate& candidate, const Descr
                       {"at_rest_since_s", or_null(summary.at_rest_since_s)},
                       {"periodic_from_step", Json()},
                       {"state_hash", run.contents.state_hash()},
-                      {"output", candidate.output},
+                      {"output", output},
                       {"expect", list_of(run.expectations, expectation_json)},
                       {"golden", std::move(golden)},
                       {"properties", std::move(properties)},
@@ -280,19 +213,15 @@ Json run_json(const DescribedCore& core, const Candidate& candidate, const Descr
 }
 
 // "agreed: 600 steps, 10 s; rail 4; ends at ...".
-void draw(const DescribedCore& core, const RunRequest& request, const DescribedRun& run,
-          const DescribedPicture& picture) {
+void draw(const DescribedCore& core, const RunRequest& request, const std::string& output,
+          const DescribedRun& run, const DescribedPicture& picture) {
   const DescribedSummary& summary = run.contents.summary;
   const std::string found = fmt::format("{}: {}, {:.6g} s", status_of(run),
                                         plain_counted(summary.steps, "step"), summary.simulated_s);
   const Figure figure = picture.figure(found);
-  const auto print_written = [&](const std::string& path) {
-    if (!request.printing.is_json)
-      print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", path);
-  };
   if (!request.figure.empty()) {
     draw_figure(request.figure, figure);
-    print_written(request.figure);
+    if (output != kStandardOutput) print_written(request, request.figure);
   }
   if (request.page.empty()) return;
   ShownResult shown{.title = run.scenario.name,
@@ -308,62 +237,34 @@ void draw(const DescribedCore& core, const RunRequest& request, const DescribedR
     shown.verdict.broken.push_back(expectation_text(expectation));
   shown.origin = {
       {"core", core.description.core}, {"file", run.path}, {"state hash", run.contents.state_hash()}};
-  std::vector<std::string> command = {"run", as_argument(run.path)};
-  for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
-  command.insert(command.end(), {"--report", request.page});
-  write_result_page(request.page, program_command(command), {shown});
-  print_written(request.page);
+  write_result_page(request.page, page_command(request, run.path), {shown});
+  print_written(request, request.page);
+}
+
+void run_one(const DescribedCore& core, const RunRequest& request, const std::string& path,
+             const DescribedScenario& scenario, const std::string& output, CommandResults& results) {
+  std::optional<DescribedPicture> picture;
+  const DescribedRun run = play_into(core, request, path, scenario, output, step_count(scenario), picture);
+  if (!run.holds()) results.add(ExitCode::disagreed);
+  if (request.printing.is_json)
+    results.add(run_json(core, output, run));
+  else
+    print_run(core, request, output, run);
+  if (picture) draw(core, request, output, run, *picture);
 }
 
 ExitCode run(const DescribedCore& core, RunRequest& request) {
-  const std::vector<Override> overrides = overrides_of("hyrax-sim run", request.overrides);
-  const std::vector<std::string> paths = list_scenarios(request.files);
-  constexpr std::size_t kPrintedInFullMax = 3;
-  if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
-    request.printing.detail = Printing::Detail::verdict;
-  std::vector<Candidate> candidates;
-  for (const std::string& path : paths) {
-    Candidate& candidate = candidates.emplace_back(Candidate{.path = path});
-    candidate.failure = failure_of(
-        path, [&] { candidate.scenario = load_described_scenario(core.description, path, overrides); });
-  }
-  place_outputs(request, paths, candidates);
-  const bool has_scenario =
-      std::ranges::any_of(candidates, [](const Candidate& each) { return each.scenario.has_value(); });
-  if (has_scenario && !request.output.empty() && writes_into_folder(request, candidates.size()))
-    make_folder(request.output, "cannot be created");
-  CommandResults results;
-  for (const Candidate& candidate : candidates)
-    results.attempt(candidate.path, [&] {
-      if (candidate.failure) throw *candidate.failure;
-      std::optional<DescribedPicture> picture;
-      const DescribedRun run = play_into(core, request, candidate, step_count(*candidate.scenario), picture);
-      if (!run.holds()) results.add(ExitCode::disagreed);
-      if (request.printing.is_json)
-        results.add(run_json(core, candidate, run));
-      else
-        print_run(core, request, candidate, run);
-      if (picture) draw(core, request, run, *picture);
-    });
-  if (request.printing.is_json) print_json(results.take_json("runs"), 3);
-  return results.exit_code();
+  return run_scenarios(request, [&](const std::string& path, const std::vector<Override>& overrides) {
+    const DescribedScenario scenario = load_described_scenario(core.description, path, overrides);
+    return LoadedScenario{scenario.name, [&, path, scenario](const std::string& output, auto& results) {
+                            run_one(core, request, path, scenario, output, results);
+                          }};
+  });
 }
 
 void declare(Options& options, RunRequest& request) {
-  options.files(
-      request.files,
-      {"SCENARIO", "",
-       "scenario files, or folders of them; - for standard input; of more than three, a line each (all: -v)"},
-      1, -1);
-  options.text(request.output, {"-o,--output", "FILE or DIR",
-                                "FILE.h5, FILE.csv, - for CSV on standard output, or a folder (default: "
-                                "NAME.h5 in the current folder)"});
-  options.texts(request.overrides,
-                {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
-  options.text(request.golden_folder,
-               {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
-  options.text(request.figure, {"--figure", "FILE.svg", "draw the paths and values of one scenario"});
-  options.text(request.page, {"--report", "FILE.html", "write them as a page, with the rows; one scenario"});
+  declare_run(options, request, "draw the paths and values of one scenario",
+              "write them as a page, with the rows; one scenario");
   options.printing(request.printing, "print every value of the state, and expectations that hold");
 }
 

@@ -88,8 +88,7 @@ void CoreCheck::compare() {
   }
   accepted_step_ = read_step(accepted_->step);
   if (accepted_step_) accepted_core_ = traced_core(*accepted_step_);
-  for (HeaderChange& change : core_changes(*accepted_, program, std::string(core_.record.path)))
-    verdict_.changes.push_back({std::move(change), std::nullopt});
+  verdict_.changes = core_changes(*accepted_, program, std::string(core_.record.path));
   if (accepted_->has_same_files(program) && accepted_->step == program.step) {
     verdict_.status = CoreStatus::accepted;
     return;
@@ -130,11 +129,11 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
   verdict_.why.clear();
   if (!accepted_core_ || !program_step_) return;
   std::map<double, double> all;
-  for (const CoreChange& change : verdict_.changes)
+  for (const HeaderChange& change : verdict_.changes)
     if (change.kind == HeaderChangeKind::constant) all[change.from.value] = change.to.value;
   if (with_constants(*accepted_step_, all) != *program_step_)
     return;  // Something else changed, too: a constant alone proves nothing.
-  for (CoreChange& change : verdict_.changes) {
+  for (HeaderChange& change : verdict_.changes) {
     if (change.kind != HeaderChangeKind::constant) continue;
     const auto alone = traced_core(with_constants(*accepted_step_, {{change.from.value, change.to.value}}));
     change.scenarios = std::ranges::count_if(
@@ -150,7 +149,7 @@ void CoreCheck::measure_beyond_library(std::int64_t flings) {
   Core accepted = *accepted_core_;
   accepted.constants = match_paper(*accepted_step_).constants;
   const bool has_constant_changed = std::ranges::any_of(
-      verdict_.changes, [](const CoreChange& change) { return change.kind == HeaderChangeKind::constant; });
+      verdict_.changes, [](const HeaderChange& change) { return change.kind == HeaderChangeKind::constant; });
   verdict_.beyond = measure_beyond(accepted, core_, flings,
                                    exact_end(has_constant_changed ? std::nullopt : accepted.constants));
 }
@@ -232,7 +231,7 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
               : fmt::format("not proved equal to the accepted one: {}\n", verdict.why);
   if (verdict.changes.empty() && verdict.status == CoreStatus::changed)
     text += fmt::format("  {}\n", kHeaderIsSame);
-  for (const CoreChange& change : verdict.changes)
+  for (const HeaderChange& change : verdict.changes)
     text += fmt::format("  {}{}\n", change_text(change, verdict.header_path),
                         change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
   std::set<std::string> printed;  // Scenarios, by their names.
@@ -263,11 +262,6 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
 }
 
 Json core_json(const CoreVerdict& verdict) {
-  Table changes = changes_table({verdict.changes.begin(), verdict.changes.end()});
-  changes.columns.push_back(
-      column_of("scenarios", "", "that it reproduces alone", verdict.changes, [](const CoreChange& change) {
-        return change.scenarios ? static_cast<double>(*change.scenarios) : kNotGiven;
-      }));
   Json::Array unnoticed;
   for (const UnnoticedDifference& one : verdict.unnoticed)
     unnoticed.push_back(Json::Object{{"difference", one.text},
@@ -278,7 +272,7 @@ Json core_json(const CoreVerdict& verdict) {
                         {"why", verdict.why.empty() ? Json() : Json(verdict.why)},
                         {"paths", or_null(verdict.paths)},
                         {"paths_taken", std::ssize(verdict.paths_taken)},
-                        {"changes", json_of(changes)},
+                        {"changes", json_of(changes_table(verdict.changes))},
                         {"unnoticed", std::move(unnoticed)}};
   if (verdict.status == CoreStatus::changed || verdict.status == CoreStatus::not_proved)
     document.emplace_back("beyond", verdict.beyond ? beyond_json(*verdict.beyond)

@@ -54,16 +54,12 @@ enum class CoreStatus : std::uint8_t {
 inline constexpr std::array<std::string_view, 5> kCoreStatusNames = {"none", "accepted", "proved_equal",
                                                                      "changed", "not_proved"};
 
-struct CoreChange : HeaderChange {
-  std::optional<std::int64_t> scenarios;  ///< How many differing scenarios a constant reproduces alone.
-};
-
 struct CoreVerdict : LibraryNotice {
   std::string golden_folder;
   CoreStatus status = CoreStatus::none;
   std::string why;          ///< Of none and not_proved.
   std::string header_path;  ///< CoreRecord::path.
-  std::vector<CoreChange> changes;
+  std::vector<HeaderChange> changes;
   std::optional<std::int64_t> paths;    ///< Of update; nothing where the program's step is not complete.
   std::set<std::uint32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
   std::optional<BeyondLibrary> beyond;  ///< Of changed and not_proved.

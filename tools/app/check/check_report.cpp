@@ -121,7 +121,7 @@ ReportEntry entry_of(const CheckVerdict& verdict) {
 
 // What the core is the cause of is marked where its header changed first.
 void mark_change(const CoreVerdict& core, ReportEntry& entry) {
-  const auto change = std::ranges::find_if(core.changes, [](const CoreChange& each) {
+  const auto change = std::ranges::find_if(core.changes, [](const HeaderChange& each) {
     return each.kind != HeaderChangeKind::removed && !each.file.empty();
   });
   if (change == core.changes.end()) return;

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -9,6 +8,7 @@
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/comparison/comparison_text.h"
 #include "tools/app/expect/judged_run.h"
+#include "tools/app/library/run_flow.h"
 #include "tools/app/play/play_with_progress.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/non_finite_text.h"
@@ -64,15 +64,11 @@ Coverage coverage_of(const Core& core, const ScenarioRun& run) {
   return coverage;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
-}
-
 std::string counts_text(const WallCounts& counts) {
   std::vector<std::string> names;
   for (const Wall wall : kWalls)
     if (counts[wall] > 0) names.push_back(fmt::format("{} {}", name_of(wall), counts[wall]));
-  return names.empty() ? "none" : joined(names);
+  return names.empty() ? "none" : joined_names(names);
 }
 
 Json counts_json(const WallCounts& counts) {
@@ -127,18 +123,6 @@ void print_details(const RunSummary& summary) {
                plain_counted(summary.period_steps, "step"));
 }
 
-// Those that do not hold, or all.
-void print_expectations(const std::vector<Expectation>& expectations, bool all) {
-  if (expectations.empty()) return;
-  const auto holding = std::ranges::count_if(expectations, &Expectation::holds);
-  print_text("  expect         {} of {} hold\n", holding, expectations.size());
-  for (const Expectation& expectation : expectations)
-    if (all || !expectation.holds)
-      print_text("    {}: {}\n",
-                 expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
-                 expectation_text(expectation));
-}
-
 void print_golden(const ScenarioRun& run) {
   if (run.golden_path.empty()) return;
   if (!run.comparison)
@@ -175,8 +159,9 @@ void print_run(const Core& core, const ScenarioRun& run, const Printing& printin
   if (printing.is_verbose()) print_details(summary);
   if (run.start) print_text("{}\n", start_text(*run.start, true));
   const Coverage coverage = coverage_of(core, run);
-  print_text("  exercised      {}\n  never touched  {}\n  not computed   {}\n", joined(coverage.exercised),
-             joined(coverage.never_touched), joined(coverage.not_computed));
+  print_text("  exercised      {}\n  never touched  {}\n  not computed   {}\n",
+             joined_names(coverage.exercised), joined_names(coverage.never_touched),
+             joined_names(coverage.not_computed));
   print_expectations(run.expectations, printing.is_verbose());
   print_golden(run);
   print_text("  state hash     {}\n", hex(summary.state_hash));

@@ -126,9 +126,14 @@ std::string verdicts() {
     text += section("status", core_text(verdict) + core_text(verdict, false, true));
   }
   verdict.status = CoreStatus::changed;
-  verdict.changes = {
-      {{HeaderChangeKind::constant, "GRAVITY 1200 -> 1250", 16, {"GRAVITY", 1200.0}, {"GRAVITY", 1250.0}}, 4},
-      {{HeaderChangeKind::added, "a line", 20, {}, {}}, std::nullopt}};
+  verdict.changes = {{HeaderChangeKind::constant,
+                      "GRAVITY 1200 -> 1250",
+                      16,
+                      {"GRAVITY", 1200.0},
+                      {"GRAVITY", 1250.0},
+                      "",
+                      4},
+                     {HeaderChangeKind::added, "a line", 20, {}, {}}};
   Scenario scenario = fling_at(60.0, 1);
   scenario.name = "unnoticed-1";
   verdict.unnoticed = {{"vx > 1", scenario, "played for 5 s, ends 3 px apart", 7},

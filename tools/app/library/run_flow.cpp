@@ -1,0 +1,136 @@
+#include "tools/app/library/run_flow.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tools/app/command_line/overrides.h"
+#include "tools/app/command_line/shell_command.h"
+#include "tools/app/expect/judged_run.h"
+#include "tools/files/path.h"
+#include "tools/files/scenario_list.h"
+#include "tools/store/csv_file.h"
+#include "tools/store/output_guard.h"
+
+namespace hyrax {
+namespace {
+
+// A scenario that was read, or why it was not.
+struct Candidate {
+  std::string path;
+  std::optional<LoadedScenario> scenario = {};
+  std::string output = {};
+  std::optional<Failure> failure = {};
+};
+
+bool writes_into_folder(const RunRequest& request, std::size_t scenarios) {
+  return scenarios > 1 || request.output.ends_with('/') || is_folder(request.output);
+}
+
+void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Candidate>& candidates) {
+  const bool is_to_stdout = request.output == kStandardOutput || request.output == "/dev/stdout";
+  // CSV; nothing else is printed there.
+  if (is_to_stdout &&
+      (candidates.size() > 1 || request.printing.is_json || request.measures_drift || !request.page.empty()))
+    refuse_input("hyrax-sim run: -o " + request.output +
+                 ": allowed for one scenario, without --json, --drift and --report");
+  for (Candidate& candidate : candidates) {
+    if (is_to_stdout) candidate.output = kStandardOutput;
+    if (is_to_stdout || !candidate.scenario) continue;
+    const bool is_in_folder = request.output.empty() || writes_into_folder(request, candidates.size());
+    candidate.output =
+        is_in_folder ? (std::filesystem::path(request.output) / (candidate.scenario->name + ".h5")).string()
+                     : request.output;
+    guard.admit("hyrax-sim run: -o of " + candidate.path, candidate.output, {".h5", ".csv"});
+  }
+}
+
+}  // namespace
+
+ExitCode run_scenarios(
+    RunRequest& request,
+    const std::function<LoadedScenario(const std::string& path, const std::vector<Override>&)>& load,
+    const std::function<void(const std::vector<std::string>& outputs)>& require) {
+  const std::vector<Override> overrides = overrides_of("hyrax-sim run", request.overrides);
+  const std::vector<std::string> paths = list_scenarios(request.files);
+  constexpr std::size_t kPrintedInFullMax = 3;
+  if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
+    request.printing.detail = Printing::Detail::verdict;
+  for (const auto& [option, file] : {std::pair("--figure", request.figure), {"--report", request.page}})
+    if (!file.empty() && paths.size() > 1)
+      refuse_input(
+          fmt::format("hyrax-sim run: {}: allowed for one scenario only (found {})", option, paths.size()));
+  std::vector<Candidate> candidates;
+  for (const std::string& path : paths) {
+    Candidate& candidate = candidates.emplace_back(Candidate{.path = path});
+    candidate.failure = failure_of(path, [&] { candidate.scenario = load(path, overrides); });
+  }
+  OutputGuard guard(paths, request.golden_folder);
+  place_outputs(request, guard, candidates);
+  if (!request.figure.empty()) guard.admit_file("hyrax-sim run: --figure", request.figure, {".svg"});
+  if (!request.page.empty()) guard.admit_file("hyrax-sim run: --report", request.page, {".html"});
+  std::vector<std::string> outputs;
+  for (const Candidate& candidate : candidates)
+    if (candidate.scenario) outputs.push_back(candidate.output);
+  if (require) require(outputs);
+  if (!outputs.empty() && !request.output.empty() && writes_into_folder(request, candidates.size()))
+    make_folder(request.output, "cannot be created");
+  CommandResults results;
+  for (const Candidate& candidate : candidates)
+    results.attempt(candidate.path, [&] {
+      if (candidate.failure) throw *candidate.failure;
+      candidate.scenario->run(candidate.output, results);
+    });
+  if (request.printing.is_json) print_json(results.take_json("runs"), 3);
+  return results.exit_code();
+}
+
+void print_written(const RunRequest& request, const std::string& path) {
+  if (!request.printing.is_json)
+    print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", path);
+}
+
+std::string page_command(const RunRequest& request, const std::string& scenario_path) {
+  std::vector<std::string> command = {"run", as_argument(scenario_path)};
+  for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
+  if (!request.golden_folder.empty()) command.insert(command.end(), {"--golden", request.golden_folder});
+  command.insert(command.end(), {"--report", request.page});
+  return program_command(command);
+}
+
+std::string joined_names(const std::vector<std::string>& names) {
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+void print_expectations(const std::vector<Expectation>& expectations, bool all) {
+  if (expectations.empty()) return;
+  const auto holding = std::ranges::count_if(expectations, &Expectation::holds);
+  print_text("  expect         {} of {} hold\n", holding, expectations.size());
+  for (const Expectation& expectation : expectations)
+    if (all || !expectation.holds)
+      print_text("    {}: {}\n",
+                 expectation.holds ? VerdictWord{"holds", true} : VerdictWord{"does not hold", false},
+                 expectation_text(expectation));
+}
+
+void declare_run(Options& options, RunRequest& request, const std::string& figure_help,
+                 const std::string& page_help) {
+  options.files(
+      request.files,
+      {"SCENARIO", "",
+       "scenario files, or folders of them; - for standard input; of more than three, a line each (all: -v)"},
+      1, -1);
+  options.text(request.output, {"-o,--output", "FILE or DIR",
+                                "FILE.h5, FILE.csv, - for CSV on standard output, or a folder (default: "
+                                "NAME.h5 in the current folder)"});
+  options.texts(request.overrides,
+                {"--set", "POINTER=VALUE", "replace a value of the file, by JSON Pointer"});
+  options.text(request.figure, {"--figure", "FILE.svg", figure_help});
+  options.text(request.page, {"--report", "FILE.html", page_help});
+  options.text(request.golden_folder,
+               {"--golden", "DIR", "folder of golden files (default: the `golden` beside `scenarios`)"});
+}
+
+}  // namespace hyrax
