@@ -16,5 +16,6 @@ namespace hyrax {
 [[nodiscard]] Command described_schema_command(const DescribedCore& core);
 [[nodiscard]] Command described_fuzz_command(const DescribedCore& core);
 [[nodiscard]] Command described_info_command(const DescribedCore& core);
+[[nodiscard]] Command described_study_command(const DescribedCore& core);
 
 }  // namespace hyrax

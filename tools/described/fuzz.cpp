@@ -79,19 +79,6 @@ DescribedScenario shrunk(const DescribedCore& core, DescribedScenario scenario, 
   return scenario;
 }
 
-// What runs are varied from: the library of the current folder, or the core's defaults.
-std::vector<DescribedScenario> library_of(const DescribedCore& core) {
-  std::vector<DescribedScenario> library;
-  if (is_folder("scenarios"))
-    for (const std::string& path : list_scenarios({"scenarios"}))
-      library.push_back(load_described_scenario(core.description, path));
-  if (!library.empty()) return library;
-  DescribedScenario defaults;
-  defaults.clock.base = FixedRate{60.0};
-  defaults.length = std::int64_t{600};
-  return {defaults};
-}
-
 struct FuzzFailure {
   DescribedScenario scenario;
   Broken broken;
@@ -111,7 +98,7 @@ FuzzFinding find(const DescribedCore& core, const FuzzRequest& request, std::uin
 }
 
 ExitCode fuzz_described(const DescribedCore& core, const FuzzRequest& request) {
-  const std::vector<DescribedScenario> library = library_of(core);
+  const std::vector<DescribedScenario> library = library_or_defaults(core.description);
   return fuzz<FuzzFailure>(
       request, "rule",
       [&](std::uint64_t run) -> std::optional<FuzzFailure> {

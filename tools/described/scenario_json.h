@@ -26,6 +26,10 @@ namespace hyrax {
                                                         const std::string& path,
                                                         const std::vector<Override>& overrides = {});
 
+/// The library of the current folder, `scenarios`; where there is none, ten seconds of the core's defaults.
+/// ERRORS: as load_scenario's.
+[[nodiscard]] std::vector<DescribedScenario> library_or_defaults(const Description& description);
+
 /// Reads a scenario from text that carries its name.
 [[nodiscard]] DescribedScenario parse_described_scenario(const Description& description,
                                                          std::string_view text, const std::string& source);

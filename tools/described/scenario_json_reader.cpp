@@ -4,6 +4,8 @@
 #include <unordered_map>
 
 #include "tools/files/event_reader.h"
+#include "tools/files/path.h"
+#include "tools/files/scenario_list.h"
 
 namespace hyrax {
 namespace {
@@ -233,6 +235,19 @@ DescribedScenario load_described_scenario(const Description& description, const 
 DescribedScenario parse_described_scenario(const Description& description, std::string_view text,
                                            const std::string& source) {
   return to_described_scenario(description, parse_json(text, source), source, "");
+}
+
+std::vector<DescribedScenario> library_or_defaults(const Description& description) {
+  std::vector<DescribedScenario> library;
+  if (is_folder("scenarios"))
+    for (const std::string& path : list_scenarios({"scenarios"}))
+      library.push_back(load_described_scenario(description, path));
+  if (!library.empty()) return library;
+  DescribedScenario defaults;
+  defaults.name = "defaults";
+  defaults.clock.base = FixedRate{60.0};
+  defaults.length = std::int64_t{600};
+  return {defaults};
 }
 
 }  // namespace hyrax

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/study/display_rates.h"
+#include "sim/result/display_rates.h"
 
 namespace hyrax {
 namespace {

@@ -117,8 +117,8 @@ struct Command {
 
 /// A command's member `declare`: binds the options to a request, which `act` gets, after the core if it takes
 /// one.
-template <class Request, class Act>
-[[nodiscard]] auto with_request(void (*declare)(Options&, Request&), Act act) {
+template <class Request, class Declare, class Act>
+[[nodiscard]] auto with_request(Declare declare, Act act) {
   return [=](Options& options) {
     const auto request = std::make_shared<Request>();
     declare(options, *request);

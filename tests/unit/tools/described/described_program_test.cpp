@@ -192,10 +192,44 @@ TEST_F(DescribedProgram, WhatFuzzWritesIsGoodAndFailsAgain) {
 
 TEST_F(DescribedProgram, CommandsThatItHasNotSayWhatToUse) {
   EXPECT_EQ(run({"drift", "first.json"}).err,
-            "toy-sim drift: needs the paper's step; toy describes itself: use diff, and run at several frame "
-            "rates\n");
+            "toy-sim drift: needs the paper's step; toy describes itself: use study frame-rate, diff\n");
   for (const char* const command : {"drift", "study", "sweep", "report", "shrink"})
     EXPECT_EQ(run({command}).exit_code, 2) << command;
+  EXPECT_EQ(
+      run({"study", "needs"}).err,
+      "toy-sim study needs: needs the paper's step; toy describes itself: use study frame-rate, diff\n");
+  EXPECT_EQ(run({"study", "frame-rates"}).err,
+            "toy-sim study: unknown study (found frame-rates); allowed: frame-rate\n");
+}
+
+TEST_F(DescribedProgram, TheStudyOfFrameRatesPlaysTheLibraryOrTheDefaults) {
+  const Outcome defaults = run({"study", "frame-rate", "--quick", "--no-figures", "--gate"});
+  EXPECT_EQ(defaults.exit_code, 0) << defaults.err;
+  EXPECT_TRUE(defaults.out.starts_with("From 2000 Hz, 60 Hz is up to ")) << defaults.out;
+  EXPECT_NE(defaults.out.find("\n  defaults "), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists("frame-rate.h5"));
+  std::filesystem::create_directory("scenarios");
+  EXPECT_EQ(run({"new", "slow"}).exit_code, 0);
+  std::filesystem::rename("slow.json", "scenarios/slow.json");
+  const Outcome library = run({"study", "frame-rate", "--quick", "--no-figures", "--json"});
+  EXPECT_NE(library.out.find("\"scenario\": \"slow\""), std::string::npos) << library.out;
+  // A rule that holds at some rates only.
+  const Outcome low = run<Low>({"study", "frame-rate", "--quick", "--no-figures", "--gate"});
+  EXPECT_EQ(low.exit_code, 2);  // The scenario is not of this core.
+  std::filesystem::remove_all("scenarios");
+  const Outcome broken = run<Low>({"study", "frame-rate", "--quick", "--no-figures", "--gate"});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_NE(broken.err.find("defaults at 24 Hz: property \"y stays below 2 px\""), std::string::npos)
+      << broken.err;
+}
+
+TEST_F(DescribedProgram, AScenarioWhoseInputsChangeByTheFrameHasOneRate) {
+  write_text_file("pushed.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 3,
+                                     "inputs": {"width_px": [800, 700, 600]}})");
+  const Outcome outcome = run({"study", "frame-rate", "pushed.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "toy-sim study frame-rate: pushed: left out, as an input has a value for each frame.\n");
 }
 
 struct Misnamed {

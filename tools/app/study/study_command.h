@@ -1,0 +1,41 @@
+// The command study: asks a study, writes what it found, and prints its verdict.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/core/core.h"
+#include "sim/result/result.h"
+#include "tools/app/command_line/options.h"
+
+namespace hyrax {
+
+/// What the user asked of a study.
+struct StudyInput {
+  const Core& core;
+  std::vector<std::string> scenarios = {};  ///< Paths.
+  bool is_quick = false;
+  std::optional<double> within_px = {};
+  /// Called from time to time with what is counted ("steps"), how many are done, and of how many.
+  std::function<void(const std::string& unit, std::int64_t done, std::int64_t total)> report_progress = {};
+};
+
+/// A study that a program has.
+struct OfferedStudy {
+  std::string name = {};
+  std::string summary = {};
+  bool takes_scenarios = false;
+  bool takes_within = false;
+  std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.
+  /// ERRORS: Failure.
+  std::function<Result(const StudyInput& input)> run = {};
+};
+
+/// @param instead names of studies that the program has not, and what is said of each.
+[[nodiscard]] Command study_command_of(std::vector<OfferedStudy> studies,
+                                       std::vector<std::pair<std::string, std::string>> instead);
+
+}  // namespace hyrax
