@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/result/number_text.h"
 #include "sim/result/display_rates.h"
+#include "sim/result/number_text.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/study.h"
 #include "sim/study/study_table.h"
