@@ -125,7 +125,7 @@ STATED = (
     (PAGE, "the same in all members, within {}, are named", "sim/ensemble/member_numbers.cpp", "kRounding"),
     (PAGE, "same throw at {}, {}, {} and {} Hz", "tools/report/page/fling.js", "['24 Hz',, ['60 Hz',, ['144 Hz',, ['240 Hz',"),
     (PAGE, "with shift {} steps", "tools/report/page/player.js", "event.shiftKey ?"),
-    (FILES, "and the {} worst scenarios", "tools/app/causes/group_text.cpp", "kWorstListed"),
+    (FILES, "and the {} worst scenarios", "tools/app/library/difference_group.cpp", "kWorstListed"),
     (OWN, "AIR_DRAG {} .. {}, REST", "sim/study/reference_model.cpp", "constants.air_drag,, 0.5,"),
     (HYRAX, "not moved for {} frames it sleeps", "tools/hyrax/pet.h", "kStillFrames"),
     (HYRAX, "After {} frames (four and a half minutes", "tools/hyrax/recording.h", "kPartFrames"),

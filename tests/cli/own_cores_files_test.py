@@ -197,7 +197,7 @@ class OwnCoresFiles(InstalledPackage):
         with h5py.File(self.folder / "golden/falls.h5", "r+") as file:
             file["trajectory/y_px"][7] += 1
         outcome = self.expect(DISAGREED, "check")
-        self.assertIn("scenarios/falls.json: disagreed: the golden file was changed since it was blessed", outcome.out)
+        self.assertIn("1 of 2 scenarios differs: the golden file was changed since it was blessed: golden/falls.h5", outcome.out)
 
     def test_expect_is_updated_and_reports_are_written(self):
         self.expect(AGREED, "bless", "scenarios", "--reason", "first")

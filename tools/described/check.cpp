@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "tools/app/command_line/shell_command.h"
-#include "tools/app/expect/judged_run.h"
 #include "tools/app/library/check_flow.h"
 #include "tools/described/commands.h"
 #include "tools/described/core_verdict.h"
-#include "tools/described/judged_run.h"
-#include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"
@@ -18,150 +14,66 @@
 namespace hyrax {
 namespace {
 
-// Differing scenarios of one cause.
-struct Group {
-  std::string operation;
-  std::string detail;
-  std::vector<const DescribedRun*> runs = {};
-};
-
-struct Report : CheckWords {
-  CheckSelection selection;
+// Of runs, and of cores.
+struct Found {
   std::vector<DescribedRun> runs = {};
   std::vector<DescribedCoreVerdict> cores = {};
-  std::vector<Group> groups = {};
   std::vector<std::string> never_shown = {};  // Each `sometimes` that no scenario of a whole library shows.
 };
 
-Group cause_of(const Report& report, const DescribedRun& run) {
-  const DescribedSummary& summary = run.contents.summary;
-  if (summary.early_end && summary.early_end->is_non_finite) return {"non_finite", summary.early_end->what};
-  if (!run.comparison->fault.empty()) return {"golden", run.comparison->fault};
-  if (run.comparison->has_other_scenario) return {"scenario", run.comparison->shape};
-  const std::string folder = golden_folder_of(run.path, report.selection.golden_option);
-  const auto core = std::ranges::find(report.cores, folder, &DescribedCoreVerdict::golden_folder);
-  if (core != report.cores.end() && !core->changes.empty()) return {"core", core->sentence()};
-  if (!run.comparison->shape.empty()) return {"core", run.comparison->shape};
-  return {"unknown", core == report.cores.end() || core->status == "none"
-                         ? "no accepted core to compare with"
-                         : "the core's files are the accepted ones"};
+Cause cause_of(const std::vector<DescribedCoreVerdict>& cores, const DescribedRun& run) {
+  if (run.is_non_finite) return {CauseKind::non_finite, run.contents.summary.early_end->what};
+  if (!run.golden_fault.empty()) return {CauseKind::golden, run.golden_fault};
+  if (run.comparison->has_other_scenario)
+    return {CauseKind::scenario, run.comparison->shape.substr(run.comparison->shape.find(": ") + 2)};
+  const auto core = std::ranges::find(cores, run.golden_folder, &DescribedCoreVerdict::golden_folder);
+  if (core != cores.end() && !core->changes.empty()) return {CauseKind::core, core->sentence()};
+  if (!run.comparison->shape.empty()) return {CauseKind::core, run.comparison->shape};
+  return {CauseKind::unknown, core == cores.end() || core->status == "none"
+                                  ? "no accepted core to compare with"
+                                  : "the core's files are the accepted ones"};
 }
 
-// Those of the group that have this golden folder.
-std::vector<const DescribedRun*> runs_of(const Report& report, const Group& group,
-                                         const DescribedCoreVerdict& verdict) {
-  std::vector<const DescribedRun*> runs;
-  for (const DescribedRun* const run : group.runs)
-    if (golden_folder_of(run->path, report.selection.golden_option) == verdict.golden_folder)
-      runs.push_back(run);
-  return runs;
-}
-
-void group_by_cause(const DescribedCore& core, Report& report) {
-  for (const DescribedRun& run : report.runs) {
+// Runs that become non-finite first, then the largest groups.
+std::vector<DifferenceGroup> groups_of(const Found& found) {
+  std::vector<std::pair<Cause, std::vector<const ScenarioVerdict*>>> runs_of;
+  for (const DescribedRun& run : found.runs) {
     if (!run.differs()) continue;
-    Group cause = cause_of(report, run);
-    const auto is_same = [&](const Group& group) {
-      return group.operation == cause.operation && group.detail == cause.detail;
-    };
-    auto group = std::ranges::find_if(report.groups, is_same);
-    if (group == report.groups.end()) group = report.groups.insert(group, std::move(cause));
-    group->runs.push_back(&run);
+    const Cause cause = cause_of(found.cores, run);
+    auto group = std::ranges::find_if(runs_of, [&cause](const auto& each) { return each.first == cause; });
+    if (group == runs_of.end()) group = runs_of.insert(group, {cause, {}});
+    group->second.push_back(&run);
   }
-  for (const Group& group : report.groups)
-    for (DescribedCoreVerdict& verdict : report.cores)
-      if (group.operation == "core") count_reproduced(core, runs_of(report, group, verdict), verdict);
-  std::ranges::stable_sort(report.groups, [](const Group& a, const Group& b) {
-    return std::pair(a.operation != "non_finite", b.runs.size()) <
-           std::pair(b.operation != "non_finite", a.runs.size());
+  std::ranges::stable_sort(runs_of, {}, [](const auto& each) {
+    return std::pair(each.first.kind != CauseKind::non_finite, -std::ssize(each.second));
   });
+  std::vector<DifferenceGroup> groups;
+  for (auto& [cause, runs] : runs_of) groups.push_back(make_group(std::move(cause), std::move(runs)));
+  return groups;
 }
 
-// The widest class of a list of runs that need one to be accepted.
-DifferenceClass widest_of(const std::vector<const DescribedRun*>& runs) {
-  DifferenceClass widest = DifferenceClass::rounding;
-  for (const DescribedRun* const run : runs)
-    if (run->comparison && run->comparison->difference && !run->comparison->has_other_scenario)
-      widest = std::max(widest, *run->comparison->difference);
-  return widest;
+// Which changed defaults give the golden files of the runs that the core is the cause of.
+void count_reproduced(const DescribedCore& core, Found& found) {
+  for (DescribedCoreVerdict& verdict : found.cores) {
+    std::vector<const DescribedRun*> runs;
+    for (const DescribedRun& run : found.runs)
+      if (run.differs() && run.golden_folder == verdict.golden_folder &&
+          cause_of(found.cores, run).kind == CauseKind::core)
+        runs.push_back(&run);
+    if (!runs.empty()) count_reproduced(core, runs, verdict);
+  }
 }
 
-std::string accept_command(const Report& report, const std::vector<const DescribedRun*>& runs) {
-  std::vector<std::string> paths = report.selection.arguments;
-  if (paths.empty()) paths = {"scenarios"};
-  if (runs.size() == 1) paths = {runs.front()->path};
-  std::string command = bless_command_for(paths, report.selection.golden_option);
-  const DifferenceClass widest = widest_of(runs);
-  if (widest > DifferenceClass::rounding) command += fmt::format(" --accept {}", name_of(widest));
-  const bool breaks_expect =
-      std::ranges::any_of(runs, [](const DescribedRun* run) { return !run->broken.empty(); });
-  return command + (breaks_expect ? " --update-expect" : "");
-}
-
-void note_never_shown(const DescribedCore& core, Report& report) {
+void note_never_shown(const DescribedCore& core, Found& found) {
   const auto& properties = core.description.properties;
   for (std::size_t index = 0; index < properties.size(); ++index) {
     const auto shows = [&](const DescribedRun& run) {
       const auto& outcomes = run.contents.summary.properties;
       return index < outcomes.size() && outcomes[index].holds;
     };
-    if (!properties[index].is_always && std::ranges::none_of(report.runs, shows))
-      report.never_shown.push_back(properties[index].name);
+    if (!properties[index].is_always && std::ranges::none_of(found.runs, shows))
+      found.never_shown.push_back(properties[index].name);
   }
-}
-
-// "  to accept it    COMMAND".
-std::string accept_line(const Report& report, const char* what,
-                        const std::vector<const DescribedRun*>& runs) {
-  return fmt::format("  {}  {}\n", what, accept_command(report, runs));
-}
-
-Paragraph line_of(const DescribedRun& run, bool has_details) {
-  const std::string sentence = run.sentence();
-  return {.subject = printable(run.path) + ": ",
-          .verdict = std::string(name_of(run.status)),
-          .predicate = sentence.empty() ? "" : ": " + printable(sentence),
-          .lines = has_details && run.differs() ? run.differences_text(true) : "",
-          .is_good = run.status == CheckStatus::agreed};
-}
-
-void add_entries(Report& report) {
-  for (const DescribedRun& run : report.runs)
-    report.entries.push_back({run.path, name_of(run.status), run.exit_code, run.sentence(),
-                              run.differs() ? run.differences_text(false) : "", run.path, run.seconds});
-  add_counts(pointers_to(report.runs), report.selection, report);
-  for (const DescribedCoreVerdict& core : report.cores)
-    if (core.exit_code != ExitCode::agreed)
-      report.entries.push_back(
-          {accepted_core_folder(core.golden_folder), "core", core.exit_code, core.why, core.text()});
-}
-
-void put_into_words(Report& report, bool is_verbose) {
-  add_entries(report);
-  for (const DescribedRun& run : report.runs)
-    if (is_verbose || run.status != CheckStatus::agreed)
-      report.paragraphs.push_back(line_of(run, is_verbose));
-  for (const Group& group : report.groups)
-    report.paragraphs.push_back(
-        {.subject = fmt::format("{}: {} ({} of {} scenarios)",
-                                group.operation == "unknown" ? "cause unknown" : "cause: " + group.operation,
-                                group.detail, group.runs.size(), report.runs.size()),
-         .lines = group.operation == "non_finite" ? "" : accept_line(report, "to accept it  ", group.runs)});
-  std::vector<const DescribedRun*> missing, unexpected;
-  for (const DescribedRun& run : report.runs) {
-    if (run.status == CheckStatus::missing && run.holds()) missing.push_back(&run);
-    if (run.status == CheckStatus::disagreed && run.comparison && !run.differs() && run.faults.empty() &&
-        std::ranges::all_of(run.broken, is_updatable))
-      unexpected.push_back(&run);
-  }
-  for (const auto& [what, runs] : {std::pair("to create", missing), {"to accept", unexpected}})
-    if (!runs.empty())
-      report.paragraphs.push_back(
-          {.lines = accept_line(
-               report, fmt::format("{} {}", what, runs.size() == 1 ? "it  " : "them").c_str(), runs)});
-  for (const DescribedCoreVerdict& core : report.cores) report.paragraphs.push_back({.lines = core.text()});
-  for (const std::string& name : report.never_shown)
-    report.paragraphs.push_back({.subject = fmt::format("property \"{}\": no scenario shows it", name)});
 }
 
 Json result_json(const DescribedRun& run) {
@@ -171,58 +83,42 @@ Json result_json(const DescribedRun& run) {
   return object;
 }
 
-Json group_json(const Group& group) {
-  Json::Array paths;
-  std::optional<double> max_px;
-  std::int64_t contacts_moved = 0;
-  DifferenceClass widest = DifferenceClass::rounding;
-  for (const DescribedRun* const run : group.runs) {
-    paths.emplace_back(run->path);
-    contacts_moved += run->comparison->contacts.total();
-    widest = std::max(widest, *run->comparison->difference);
-    if (const auto px = run->comparison->max_px()) max_px = std::max(max_px.value_or(0.0), *px);
-  }
-  return Json::Object{{"operation", group.operation},  {"detail", group.detail},
-                      {"scenarios", std::move(paths)}, {"class", name_of(widest)},
-                      {"max_px", or_null(max_px)},     {"contacts_moved", contacts_moved},
-                      {"rest_shift_px", Json()}};
-}
-
-Json report_json(const Report& report) {
-  Json::Object document = counts_json(pointers_to(report.runs));
-  document.emplace_back("results", list_of(report.runs, result_json));
+Json report_json(const CheckReport& report, const Found& found) {
+  Json::Object document = counts_json(report);
+  document.emplace_back("results", list_of(found.runs, result_json));
   document.emplace_back("cores",
-                        list_of(report.cores, [](const DescribedCoreVerdict& core) { return core.json(); }));
+                        list_of(found.cores, [](const DescribedCoreVerdict& core) { return core.json(); }));
   document.emplace_back("groups", list_of(report.groups, group_json));
-  document.emplace_back("never_shown", Json::Array(report.never_shown.begin(), report.never_shown.end()));
+  document.emplace_back("never_shown", Json::Array(found.never_shown.begin(), found.never_shown.end()));
   return document;
 }
 
 // The core of each golden folder, without the scenarios.
-void judge_cores(const DescribedCore& core, Report& report, const std::vector<std::string>& files) {
+void judge_cores(const DescribedCore& core, const CheckSelection& selection,
+                 const std::vector<std::string>& files, Found& found) {
   std::set<std::string> folders;
-  for (const Library& library : libraries_of(files, report.selection.golden_option))
+  for (const Library& library : libraries_of(files, selection.golden_option))
     folders.insert(library.golden_folder);
   for (const std::string& folder : folders)
     if (is_folder(folder))
-      report.cores.push_back(
-          verdict_on_core(core, folder, report.selection.arguments, report.selection.golden_option));
+      found.cores.push_back(verdict_on_core(core, folder, selection.arguments, selection.golden_option));
 }
 
 // The core, each description to the last row, and whether some scenario shows each `sometimes`.
-ExitCode check_core(const DescribedCore& core, const CheckRequest& request, Report& report) {
+ExitCode check_core(const DescribedCore& core, const CheckRequest& request, const CheckSelection& selection) {
+  Found found;
   const std::vector<Library> libraries = required_libraries(request);
   CommandResults results;
-  judge_cores(core, report, request.files);
-  if (report.cores.empty()) results.add(ExitCode::golden_missing);
-  for (const DescribedCoreVerdict& verdict : report.cores)
+  judge_cores(core, selection, request.files, found);
+  if (found.cores.empty()) results.add(ExitCode::golden_missing);
+  for (const DescribedCoreVerdict& verdict : found.cores)
     results.add(verdict.status == "none" && verdict.exit_code == ExitCode::agreed ? ExitCode::golden_missing
                                                                                   : verdict.exit_code);
   Json::Array faults;
   for (const Library& library : libraries)
     for (const std::string& path : list_scenarios({library.scenarios_folder}))
       results.attempt(path, [&] {
-        DescribedRun& run = report.runs.emplace_back();
+        DescribedRun& run = found.runs.emplace_back();
         run.path = path;
         run.scenario = load_described_scenario(core.description, path);
         run.contents = play_for_golden(core, run.scenario);
@@ -233,48 +129,55 @@ ExitCode check_core(const DescribedCore& core, const CheckRequest& request, Repo
         faults.push_back(Json::Object{{"scenario", path}, {"sentence", *fault}});
         if (!request.printing.is_json) print_text("{}: {}\n", printable(path), printable(*fault));
       });
-  note_never_shown(core, report);
-  if (!report.never_shown.empty()) results.add(ExitCode::disagreed);
+  note_never_shown(core, found);
+  if (!found.never_shown.empty()) results.add(ExitCode::disagreed);
   if (request.printing.is_json) {
     print_json(Json::Object{
-        {"cores", list_of(report.cores, [](const DescribedCoreVerdict& verdict) { return verdict.json(); })},
+        {"cores", list_of(found.cores, [](const DescribedCoreVerdict& verdict) { return verdict.json(); })},
         {"faults", std::move(faults)},
-        {"never_shown", Json::Array(report.never_shown.begin(), report.never_shown.end())}});
+        {"never_shown", Json::Array(found.never_shown.begin(), found.never_shown.end())}});
     return results.exit_code();
   }
-  if (report.cores.empty()) print_text("core: no golden folder {}\n", libraries.front().golden_folder);
-  for (const DescribedCoreVerdict& verdict : report.cores)
+  if (found.cores.empty()) print_text("core: no golden folder {}\n", libraries.front().golden_folder);
+  for (const DescribedCoreVerdict& verdict : found.cores)
     print_text("{}", verdict.status == "accepted" ? "core: the accepted one\n" : verdict.text());
-  for (const std::string& name : report.never_shown)
+  for (const std::string& name : found.never_shown)
     print_text("property \"{}\": no scenario shows it\n", name);
   return results.exit_code();
 }
 
 ExitCode check(const DescribedCore& core, CheckRequest& request) {
   LastFailed last_failed;
-  Report report{{}, select(request, last_failed)};
-  const CheckSelection& selection = report.selection;
-  if (request.judges_core_only) return check_core(core, request, report);
+  CheckSelection selection = select(request, last_failed);
+  if (request.judges_core_only) return check_core(core, request, selection);
   if (request.lists) return list(selection, request);
   OutputGuard guard = guard_outputs(selection, request);
-  report.runs.resize(selection.paths.size());
+  Found found;
+  found.runs.resize(selection.paths.size());
   check_all(
       selection.paths.size(), request.jobs,
       [&](std::size_t index, bool reads_golden) {
-        report.runs[index] =
+        found.runs[index] =
             judge_file(core, selection.paths[index],
                        {.golden_folder = request.golden_folder, .reads_golden = reads_golden});
-        return !report.runs[index].is_undecided;
+        return !found.runs[index].is_undecided;
       },
       [] {});
-  if (!whole_libraries(request, selection.has_failed_only).empty()) note_never_shown(core, report);
+  if (!whole_libraries(request, selection.has_failed_only).empty()) note_never_shown(core, found);
   for (const UnreferencedGolden& golden : selection.unreferenced)
-    judge_unreferenced(report.runs.emplace_back(), golden);
-  last_failed.update(pointers_to(report.runs), guard);
-  judge_cores(core, report, request.files);
-  group_by_cause(core, report);
-  put_into_words(report, request.printing.is_verbose());
-  return report_check(request, selection, report, request.printing.is_json ? report_json(report) : Json())
+    judge_unreferenced(found.runs.emplace_back(), golden);
+  CheckReport report(std::move(selection), found.runs);
+  last_failed.update(report.verdicts, guard);
+  judge_cores(core, report.selection, request.files, found);
+  count_reproduced(core, found);
+  set_groups(groups_of(found), report);
+  std::vector<CoreWords> cores;
+  for (const DescribedCoreVerdict& verdict : found.cores)
+    cores.push_back({verdict.golden_folder, verdict.exit_code, verdict.text()});
+  put_into_words(cores, report);
+  for (const std::string& name : found.never_shown)
+    report.paragraphs.push_back({.subject = fmt::format("property \"{}\": no scenario shows it", name)});
+  return report_check(request, report, request.printing.is_json ? report_json(report, found) : Json())
       .exit_code();
 }
 

@@ -1,5 +1,7 @@
 #include "tools/described/judged_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -10,6 +12,21 @@
 #include "tools/described/scenario_json.h"
 
 namespace hyrax {
+
+Deviation DescribedRun::deviation() const {
+  if (!comparison) return {};
+  return {comparison->difference, comparison->max_px(), comparison->contacts, {}};
+}
+
+std::string DescribedRun::consequence() const {
+  if (is_non_finite) return faults.front();
+  return comparison ? comparison_sentence(*comparison) : "";
+}
+
+std::string DescribedRun::first_difference() const {
+  if (!comparison || !comparison->first) return "";
+  return fmt::format("step {}, field {}", comparison->first->step, comparison->first->value.name);
+}
 
 std::string DescribedRun::differences_text(bool) const {
   if (!comparison) return "";
@@ -54,6 +71,7 @@ void judge_run(const DescribedCore& core, DescribedRun& run, const JudgeOptions&
   run.contents = play_for_golden(core, scenario, options.also);
   run.state_hash = run.contents.state_hash();
   run.faults = faults_of_run(core.description, run.contents.summary);
+  run.is_non_finite = run.contents.summary.early_end && run.contents.summary.early_end->is_non_finite;
   if (auto fault = description_fault(core, scenario, kCheckedRowsMax, run.contents.summary.state_hash))
     run.faults.push_back(*std::move(fault));
   run.judge(core.description);
@@ -61,6 +79,8 @@ void judge_run(const DescribedCore& core, DescribedRun& run, const JudgeOptions&
                      !is_proved_to_agree(core, scenario, run.contents, *run.golden);
   if (run.is_undecided) return;
   if (run.has_golden) run.comparison = compare_with_golden(core, scenario, run.contents, *run.golden);
+  if (run.differs()) run.golden_fault = run.comparison->fault;
+  if (!run.golden_fault.empty()) run.to_restore = run.golden->h5_path + " and " + run.golden->txt_path;
   if (!run.has_golden && !is_judged_by_hash(run.expects_hash, run.golden))
     run.status = CheckStatus::missing;
   else if (!run.holds())

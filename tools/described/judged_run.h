@@ -18,6 +18,9 @@ struct DescribedRun final : ScenarioVerdict {
   std::optional<GoldenComparison> comparison = {};
 
   [[nodiscard]] bool differs() const override { return comparison && !comparison->agrees(); }
+  [[nodiscard]] Deviation deviation() const override;
+  [[nodiscard]] std::string consequence() const override;
+  [[nodiscard]] std::string first_difference() const override;
   [[nodiscard]] std::string differences_text(bool lists_all) const override;
   [[nodiscard]] Json::Object differences_json() const override;
 

@@ -66,6 +66,22 @@ ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
   return results.exit_code();
 }
 
+std::vector<CoreWords> words_of(const CoreChecks& cores, bool scenarios_agree) {
+  std::vector<CoreWords> words;
+  const std::vector<const CoreVerdict*> verdicts = cores.verdicts();
+  for (const CoreVerdict* const core : verdicts) {
+    words.push_back(
+        {core->golden_folder, core->exit_code, core_text(*core, verdicts.size() == 1, scenarios_agree)});
+    const auto change = std::ranges::find_if(core->changes, [](const HeaderChange& each) {
+      return each.kind != HeaderChangeKind::removed && !each.file.empty();
+    });
+    if (change == core->changes.end()) continue;
+    words.back().file = change->file;
+    words.back().line = change->line;
+  }
+  return words;
+}
+
 ExitCode check(const Core& core, CheckRequest& request) {
   LastFailed last_failed;
   CheckSelection selection = select(request, last_failed);
@@ -87,20 +103,24 @@ ExitCode check(const Core& core, CheckRequest& request) {
       [&] { read_open_goldens(verdicts); });
   for (const UnreferencedGolden& golden : selection.unreferenced)
     verdicts.push_back(unreferenced_verdict(golden));
-  last_failed.update(pointers_to(verdicts), guard);
-  CheckReport report(std::move(selection), std::move(verdicts), core);
-  explain(report);
+  CheckReport report(std::move(selection), verdicts);
+  last_failed.update(report.verdicts, guard);
+  CoreChecks cores(core, report.selection.arguments, report.selection.golden_option);
+  std::vector<const PairVerdict*> differing;
+  for (const CheckVerdict& verdict : verdicts) {
+    if (is_folder(verdict.golden_folder)) cores.of(verdict.golden_folder).take_paths(verdict.paths_taken);
+    if (verdict.status == CheckStatus::disagreed && verdict.differs()) differing.push_back(&verdict);
+  }
+  set_groups(differing.empty() ? std::vector<DifferenceGroup>() : group_by_cause(differing, cores), report);
   std::vector<Library> libraries = whole_libraries(request, report.selection.has_failed_only);
   std::erase_if(libraries, [](const Library& library) { return !is_folder(library.golden_folder); });
-  report.cores.judge_differences(libraries, request.flings.value_or(kFlings));
-  put_into_words(report);
-  const bool is_json = request.printing.is_json;
-  if (!is_json && request.printing.is_verbose()) print_verdicts(report);
+  cores.judge_differences(libraries, request.flings.value_or(kFlings));
+  put_into_words(words_of(cores, report.groups.empty()), report);
   CommandResults results =
-      report_check(request, report.selection, report, is_json ? check_json(report) : Json(),
+      report_check(request, report, request.printing.is_json ? check_json(report, cores) : Json(),
                    request.page.empty() ? std::vector<Figure>() : check_figures(report));
-  results.attempt_after([&] { write_unnoticed(report.cores.verdicts(), request.unnoticed_folder); });
-  for (const CheckVerdict& verdict : report.verdicts)
+  results.attempt_after([&] { write_unnoticed(cores.verdicts(), request.unnoticed_folder); });
+  for (const CheckVerdict& verdict : verdicts)
     if (!verdict.note.empty()) print_error(verdict.note);
   return results.exit_code();
 }

@@ -32,8 +32,9 @@ std::string model_hint(const Core& core, const std::vector<DifferenceGroup>& gro
   const bool is_due = std::ranges::any_of(groups, [&core](const DifferenceGroup& group) {
     return group.difference > DifferenceClass::rounding && group.cause.kind != CauseKind::golden &&
            group.cause.kind != CauseKind::scenario &&
-           std::ranges::any_of(group.scenarios, [&core](const PairVerdict* verdict) {
-             return verdict->runs && verdict->runs->golden.physics == core.name;
+           std::ranges::any_of(group.scenarios, [&core](const ScenarioVerdict* verdict) {
+             const auto& runs = pair_of(*verdict).runs;
+             return runs && runs->golden.physics == core.name;
            });
   });
   if (!is_due || !is_paper_model(core.name)) return "";
@@ -138,7 +139,10 @@ class PaperBlesser final : public Blesser {
       if (blessing.plays_otherwise()) differing.push_back(&run_of(*blessing.verdict));
     CoreChecks cores(core_, request.files, request.golden_folder);
     const std::vector<DifferenceGroup> groups = group_by_cause(differing, cores);
-    BlessWords words{difference_paragraphs(groups, cores.verdicts(), report.blessings.size()),
+    std::vector<std::string> texts;
+    for (const CoreVerdict* const verdict : cores.verdicts())
+      texts.push_back(core_text(*verdict, cores.verdicts().size() == 1, groups.empty()));
+    BlessWords words{difference_paragraphs(groups, texts, report.blessings.size()),
                      list_of(groups, group_json)};
     words.paragraphs.push_back({.lines = model_hint(core_, groups)});
     return words;

@@ -9,7 +9,8 @@
 namespace hyrax {
 namespace {
 
-Json entry_json(const CheckVerdict& verdict) {
+Json entry_json(const ScenarioVerdict* each) {
+  const ScenarioVerdict& verdict = *each;
   Json::Object entry = result_of(verdict, name_of(verdict.status),
                                  verdict.has_golden && verdict.status != CheckStatus::failed);
   if (!verdict.broken.empty()) entry.emplace_back("expect", list_of(verdict.broken, expectation_json));
@@ -22,10 +23,11 @@ constexpr std::size_t kPicturesMax = 3;  // Of so many causes.
 // The worst scenario of which both runs keep every row; nullptr: long runs keep none, nor does a golden file
 // of which the summary alone was changed.
 const PairVerdict* drawable(const DifferenceGroup& group) {
-  const auto found = std::ranges::find_if(group.scenarios, [](const PairVerdict* scenario) {
-    return scenario->runs && scenario->runs->golden.rows.size() > 0 && scenario->runs->fresh.rows.size() > 0;
-  });
-  return found == group.scenarios.end() ? nullptr : *found;
+  for (const ScenarioVerdict* const scenario : group.scenarios)
+    if (const auto& runs = pair_of(*scenario).runs;
+        runs && runs->golden.rows.size() > 0 && runs->fresh.rows.size() > 0)
+      return &pair_of(*scenario);
+  return nullptr;
 }
 
 Figure figure_of(const PairVerdict& scenario) {
@@ -40,7 +42,7 @@ Figure figure_of(const PairVerdict& scenario) {
     for (std::size_t row = 0; row < std::min(golden.rows.size(), fresh.rows.size()); ++row)
       add(golden.rows.row(row), fresh.rows.row(row));
   return overlay.figure({.title = scenario.path,
-                         .subtitle = scenario_consequence(scenario),
+                         .subtitle = scenario.consequence(),
                          .a = "golden file",
                          .b = "this program",
                          .window = fresh.scenario.window,
@@ -49,11 +51,11 @@ Figure figure_of(const PairVerdict& scenario) {
 
 }  // namespace
 
-Json check_json(const CheckReport& report) {
-  Json::Object document = counts_json(pointers_to(report.verdicts));
+Json check_json(const CheckReport& report, const CoreChecks& cores) {
+  Json::Object document = counts_json(report);
   document.emplace_back("results", list_of(report.verdicts, entry_json));
   document.emplace_back("cores",
-                        list_of(report.cores.verdicts(), [](const auto* core) { return core_json(*core); }));
+                        list_of(cores.verdicts(), [](const auto* core) { return core_json(*core); }));
   document.emplace_back("groups", list_of(report.groups, group_json));
   return document;
 }

@@ -33,11 +33,21 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
   static_cast<PairComparison&>(verdict) = *std::move(pair);
   verdict.broken = broken_expectations(core, scenario, verdict.summary, reference_model(core));
   if (!has_golden) verdict.state_hash = hex(verdict.summary.state_hash);
-  verdict.non_finite = non_finite_text(scenario, verdict.summary.final);
+  if (std::string text = non_finite_text(scenario, verdict.summary.final); !text.empty())
+    verdict.faults = {std::move(text)};
+  verdict.is_non_finite = !verdict.faults.empty();
+  if (verdict.differs()) {
+    verdict.remark = verdict.comparison.physics;
+    const bool is_known = verdict.runs != nullptr;
+    verdict.is_repeated = !is_known || verdict.runs->is_repeated;
+    if (!is_known) verdict.golden_fault = verdict.comparison.shape;
+    if (!is_known || !verdict.runs->is_golden_as_blessed)
+      verdict.to_restore = verdict.golden->h5_path + (is_known ? "" : " and " + verdict.golden->txt_path);
+  }
   verdict.expects_hash = scenario.expect && scenario.expect->state_hash;
   if (!has_golden && !is_judged_by_hash(verdict.expects_hash, verdict.golden))
     verdict.status = CheckStatus::missing;
-  else if (!verdict.comparison.agrees || !verdict.broken.empty() || !verdict.non_finite.empty())
+  else if (!verdict.comparison.agrees || !verdict.broken.empty() || !verdict.faults.empty())
     verdict.status = CheckStatus::disagreed;
 }
 
@@ -55,7 +65,6 @@ std::string stored_state_hash(const GoldenPlace& place) try {
 CheckVerdict check_scenario(const Core& core, const std::string& path, const CheckOptions& options) {
   CheckVerdict verdict;
   verdict.path = path;
-  verdict.golden_option = options.golden_folder;
   judge_scenario(verdict, options.golden_folder, options.reads_golden,
                  [&] { judge_into(core, load_scenario(path), options, verdict); });
   return verdict;

@@ -14,18 +14,8 @@
 
 namespace hyrax {
 
-struct DifferenceGroup;
-
-/// Its path is that of an unreferenced golden file without its suffix, if it is of one. The state hash is
-/// that of the run of one without golden file; of an unreferenced golden file, as its summary states it.
-struct CheckVerdict : PairVerdict {
-  std::string golden_option;               ///< --golden as given; empty if it was not.
-  std::string non_finite;                  ///< non_finite_text of the run; empty: it stays finite.
-  std::set<std::uint32_t> paths_taken;     ///< Of CheckOptions::watched_step.
-  const DifferenceGroup* group = nullptr;  ///< In which its run differs, if it does; set by `explain`.
-  /// The other half of a renamed scenario: of one whose golden file is missing the unreferenced golden file
-  /// with its run, and the other way round. Set by `explain`.
-  const CheckVerdict* renamed = nullptr;
+struct CheckVerdict final : PairVerdict {
+  std::set<std::uint32_t> paths_taken;  ///< Of CheckOptions::watched_step.
 };
 
 struct CheckOptions {

@@ -1,5 +1,7 @@
 #include "tools/app/golden/golden_pair.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "sim/cause/cause.h"
@@ -11,6 +13,7 @@
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/drift/start_dependence.h"
+#include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
@@ -149,6 +152,21 @@ bool has_core_constants(const Core& core, const StoredRun& kept) {
 }
 
 }  // namespace
+
+Deviation PairVerdict::deviation() const {
+  return {comparison.difference, comparison.distance.px(), comparison.contacts.counts(),
+          comparison.rest_shift_px()};
+}
+
+std::string PairVerdict::consequence() const {
+  const std::string non_finite = runs ? non_finite_text(runs->fresh.scenario, runs->fresh.final) : "";
+  return non_finite.empty() ? comparison_sentence(comparison) : non_finite;
+}
+
+std::string PairVerdict::first_difference() const {
+  if (!comparison.first) return "";
+  return fmt::format("step {}, field {}", comparison.first->step, comparison.first->field);
+}
 
 std::string PairVerdict::differences_text(bool lists_all) const {
   return comparison_text(comparison, lists_all);

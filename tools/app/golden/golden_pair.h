@@ -36,6 +36,9 @@ struct PairComparison : ComparedRun {
 /// What a command found of a scenario and its golden pair, whatever it does with it.
 struct PairVerdict : PairComparison, ScenarioVerdict {
   [[nodiscard]] bool differs() const override { return !comparison.agrees; }
+  [[nodiscard]] Deviation deviation() const override;
+  [[nodiscard]] std::string consequence() const override;
+  [[nodiscard]] std::string first_difference() const override;
   [[nodiscard]] std::string differences_text(bool lists_all) const override;
   [[nodiscard]] Json::Object differences_json() const override;
 };

@@ -194,6 +194,7 @@ void check_all(std::size_t scenarios, const std::optional<std::int64_t>& jobs,
 
 void judge_scenario(ScenarioVerdict& verdict, const std::string& golden_option, bool reads_golden,
                     const std::function<void()>& work) {
+  verdict.golden_option = golden_option;
   verdict.golden_folder = golden_folder_of(verdict.path, golden_option);
   const auto start = std::chrono::steady_clock::now();
   const auto failure = failure_of(verdict.path, [&] {
@@ -218,50 +219,36 @@ void judge_unreferenced(ScenarioVerdict& verdict, const UnreferencedGolden& gold
   if (!golden.error.empty()) fail(verdict, Failure(ExitCode::cannot_access, golden.error));
 }
 
-void add_counts(const std::vector<const ScenarioVerdict*>& verdicts, const CheckSelection& selection,
-                CheckWords& words) {
-  std::vector<CheckStatus> statuses;
-  std::int64_t folders_failed = 0;
-  for (const ScenarioVerdict* const verdict : verdicts)
-    if (!verdict->is_scenario && verdict->status == CheckStatus::failed)
-      ++folders_failed;
-    else
-      statuses.push_back(verdict->status);
-  words.counts = counts_sentence(statuses, folders_failed);
-  for (const Failure& failure : selection.unlisted)
-    words.entries.push_back({failure.what(), "folder", failure.exit_code(), failure.what()});
-}
-
-Json::Object counts_json(const std::vector<const ScenarioVerdict*>& verdicts) {
-  Json::Object counts{{"checked", std::ranges::count_if(verdicts, &ScenarioVerdict::is_scenario)}};
+Json::Object counts_json(const CheckReport& report) {
+  Json::Object counts{{"checked", report.scenario_count()}};
   for (const CheckStatus status : {CheckStatus::agreed, CheckStatus::disagreed, CheckStatus::missing,
                                    CheckStatus::failed, CheckStatus::unreferenced})
-    counts.emplace_back(name_of(status), std::ranges::count(verdicts, status, &ScenarioVerdict::status));
+    counts.emplace_back(name_of(status), report.count(status));
   return counts;
 }
 
-CommandResults report_check(const CheckRequest& request, const CheckSelection& selection,
-                            const CheckWords& words, const Json& document,
+CommandResults report_check(const CheckRequest& request, const CheckReport& report, const Json& document,
                             const std::vector<Figure>& figures) {
   if (request.printing.is_json) {
     print_json(document);
   } else {
-    for (Paragraph paragraph : words.paragraphs) {
+    if (request.printing.is_verbose()) print_verdicts(report);
+    for (Paragraph paragraph : report.paragraphs) {
       if (request.printing.is_quiet()) paragraph.lines.clear();
       print(paragraph);
     }
-    print_text("{}\n", words.counts);
+    print_text("{}\n", report.counts);
   }
-  annotate(words.entries, request);
+  annotate(report.entries, request);
   CommandResults results;
-  add_failures(selection, results);
-  for (const ReportEntry& entry : words.entries) results.add(entry.exit_code);
+  add_failures(report.selection, results);
+  for (const ReportEntry& entry : report.entries) results.add(entry.exit_code);
   if (!request.junit.empty())
-    results.attempt_after([&] { write_text_file(request.junit, junit_text(words.entries)); });
+    results.attempt_after([&] { write_text_file(request.junit, junit_text(report.entries)); });
   if (!request.summary.empty())
-    results.attempt_after([&] { write_text_file(request.summary, markdown(words)); });
+    results.attempt_after([&] { write_text_file(request.summary, markdown(report)); });
   if (!request.page.empty())
-    results.attempt_after([&] { write_page(request.page, selection, words, figures); });
+    results.attempt_after([&] { write_page(request.page, report.selection, report, figures); });
   return results;
 }
 

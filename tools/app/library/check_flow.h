@@ -1,6 +1,7 @@
 // `check` for any core: what it is asked for, which scenarios it plays, and the forms of its report.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,8 +13,7 @@
 #include "tools/app/command_line/command_results.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/core/accepted_core.h"
-#include "tools/app/library/report_documents.h"
-#include "tools/app/library/scenario_verdict.h"
+#include "tools/app/library/difference_group.h"
 #include "tools/files/unreferenced_golden.h"
 #include "tools/store/output_guard.h"
 
@@ -51,7 +51,7 @@ class LastFailed {
   [[nodiscard]] bool contains(const std::string& path) const;
   /// Records the new verdicts; those of a folder that were not asked for this time are kept. Writes no file
   /// in a golden folder.
-  void update(const std::vector<const ScenarioVerdict*>& verdicts, OutputGuard& guard);
+  void update(const std::vector<ScenarioVerdict*>& verdicts, OutputGuard& guard);
 
  private:
   std::string file_;             // Empty: nothing is recorded.
@@ -94,29 +94,56 @@ void judge_scenario(ScenarioVerdict& verdict, const std::string& golden_option, 
                     const std::function<void()>& work);
 void judge_unreferenced(ScenarioVerdict& verdict, const UnreferencedGolden& golden);
 
-template <class Verdict>
-[[nodiscard]] std::vector<const ScenarioVerdict*> pointers_to(const std::vector<Verdict>& verdicts) {
-  std::vector<const ScenarioVerdict*> pointers;
-  for (const Verdict& verdict : verdicts) pointers.push_back(&verdict);
-  return pointers;
-}
-
 /// What is reported, in whichever form.
 struct CheckWords {
-  std::vector<ReportEntry> entries{};
+  std::vector<ReportEntry> entries{};  ///< Of each cause the worst first; then by their paths.
   std::vector<Paragraph> paragraphs{};
   std::string counts{};  ///< "3 checked: 2 agreed, ...".
 };
-/// Counts, and entries of the folders.
-void add_counts(const std::vector<const ScenarioVerdict*>& verdicts, const CheckSelection& selection,
-                CheckWords& words);
+
+/// The verdicts, and the differing ones by cause. REQUIRES: the verdicts outlive it; no copies: groups and
+/// verdicts refer to each other.
+struct CheckReport : CheckWords {
+  template <class Verdict>
+  CheckReport(CheckSelection of, std::vector<Verdict>& on) : selection(std::move(of)) {
+    for (Verdict& verdict : on) verdicts.push_back(&verdict);
+  }
+
+  CheckSelection selection;
+  std::vector<ScenarioVerdict*> verdicts{};
+  std::vector<DifferenceGroup> groups{};
+
+  [[nodiscard]] std::int64_t count(CheckStatus status) const {
+    return std::ranges::count(verdicts, status, &ScenarioVerdict::status);
+  }
+  /// Unreferenced golden files and folders are no scenarios.
+  [[nodiscard]] std::int64_t scenario_count() const {
+    return std::ranges::count_if(verdicts, &ScenarioVerdict::is_scenario);
+  }
+};
+
+/// What is said of the core of a golden folder.
+struct CoreWords {
+  std::string golden_folder;
+  ExitCode exit_code = ExitCode::agreed;
+  std::string text;       ///< Complete lines; empty of the accepted one.
+  std::string file = {};  ///< In which its first change is; empty: not known.
+  std::int64_t line = 0;
+};
+
+/// Of the verdicts that differ; and finds renamed scenarios.
+void set_groups(std::vector<DifferenceGroup> groups, CheckReport& report);
+/// Fills entries, paragraphs and counts.
+void put_into_words(const std::vector<CoreWords>& cores, CheckReport& report);
+/// Every scenario, with all that is known of it.
+void print_verdicts(const CheckReport& report);
+
 /// {"checked", "agreed", "disagreed", "missing", "failed", "unreferenced"}: the head of the JSON document.
-[[nodiscard]] Json::Object counts_json(const std::vector<const ScenarioVerdict*>& verdicts);
+[[nodiscard]] Json::Object counts_json(const CheckReport& report);
 
 /// Prints the document, or the paragraphs and counts (quiet: the paragraphs' sentences only), and writes what
 /// is asked for. The page has a table of all entries that do not agree, and the figures.
-[[nodiscard]] CommandResults report_check(const CheckRequest& request, const CheckSelection& selection,
-                                          const CheckWords& words, const Json& document,
-                                          const std::vector<Figure>& figures = {});
+[[nodiscard]] CommandResults report_check(const CheckRequest& request, const CheckReport& report,
+                                          const Json& document, const std::vector<Figure>& figures = {});
 
 }  // namespace hyrax

@@ -44,7 +44,7 @@ LastFailed::LastFailed() {
 
 bool LastFailed::contains(const std::string& path) const { return paths_.contains(absolute(path)); }
 
-void LastFailed::update(const std::vector<const ScenarioVerdict*>& verdicts, OutputGuard& guard) {
+void LastFailed::update(const std::vector<ScenarioVerdict*>& verdicts, OutputGuard& guard) {
   const std::set<std::string> before = paths_;
   for (const ScenarioVerdict* const verdict : verdicts)
     if (verdict->status == CheckStatus::agreed)

@@ -244,7 +244,7 @@ TEST(FullContacts, AreSaidToBeTheFewestThatMoved) {
   for (const std::string text : {"no recorded contact moved", "at least 3 contacts moved"}) {
     const DifferenceGroup group = group_by_cause({&scenario}, cores).front();
     EXPECT_TRUE(consequence_sentence(group).ends_with("no position differs, " + text + "."));
-    EXPECT_EQ(scenario_consequence(scenario), "no position differs, " + text);
+    EXPECT_EQ(scenario.consequence(), "no position differs, " + text);
     contacts.moved.resize(3);
   }
 }

@@ -1,8 +1,9 @@
-#include "tools/app/causes/difference_group.h"
+#include "tools/app/library/difference_group.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "sim/result/number_text.h"
 #include "tools/app/comparison/comparison_text.h"
@@ -45,10 +46,9 @@ std::string rest_text(const DifferenceGroup& group) {
 
 // Where nothing explains a difference, where it begins.
 std::string first_text(const DifferenceGroup& group) {
-  const auto& first = group.scenarios.front()->comparison.first;
-  if (group.cause.kind != CauseKind::unknown || !first) return "";
-  return fmt::format("  first   step {}, field {} of {}\n", first->step, first->field,
-                     printable(group.scenarios.front()->path));
+  const std::string first = group.scenarios.front()->first_difference();
+  if (group.cause.kind != CauseKind::unknown || first.empty()) return "";
+  return fmt::format("  first   {} of {}\n", first, printable(group.scenarios.front()->path));
 }
 
 std::string lead_of(CauseKind kind) {
@@ -61,7 +61,7 @@ std::string worst_text(const DifferenceGroup& group) {
   const std::size_t listed = std::min(group.scenarios.size(), kWorstListed);
   for (std::size_t index = 0; index < listed; ++index)
     text += fmt::format("  {:<8}{}: {}\n", index == 0 ? "worst" : "", printable(group.scenarios[index]->path),
-                        scenario_consequence(*group.scenarios[index]));
+                        group.scenarios[index]->consequence());
   if (group.scenarios.size() > listed)
     text += fmt::format("  {:<8}and {} more\n", "", group.scenarios.size() - listed);
   return text;
@@ -77,7 +77,7 @@ Paragraph paragraph_of(const DifferenceGroup& group, std::size_t checked) {
   if (is_non_finite(group)) {
     paragraph.verdict = scenarios == 1 ? "becomes non-finite" : "become non-finite";
     predicate = fmt::format(": {}{}", scenarios == 1 ? "" : "in the worst, ", group.cause.detail);
-  } else if (group.cause.kind == CauseKind::core) {
+  } else if (group.is_proved) {
     predicate += scenarios == 1 ? "; the accepted core gives its golden file"
                                 : fmt::format("; the accepted core gives all {} golden files", scenarios);
   }
@@ -85,36 +85,68 @@ Paragraph paragraph_of(const DifferenceGroup& group, std::size_t checked) {
   return paragraph;
 }
 
-Paragraph paragraph_of(const CoreVerdict& core, bool is_alone, bool scenarios_agree) {
-  const std::string text = core_text(core, is_alone, scenarios_agree);
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  return {.subject = text.substr(0, end), .lines = text.substr(std::min(end + 1, text.size()))};
+Paragraph paragraph_of(const std::string& core) {
+  const std::size_t end = std::min(core.find('\n'), core.size());
+  return {.subject = core.substr(0, end), .lines = core.substr(std::min(end + 1, core.size()))};
+}
+
+std::tuple<double, std::int64_t> badness(const ScenarioVerdict* scenario) {
+  const Deviation deviation = scenario->deviation();
+  return {deviation.px.value_or(0.0), deviation.contacts.total()};
 }
 
 }  // namespace
 
+DifferenceGroup make_group(Cause cause, std::vector<const ScenarioVerdict*> scenarios) {
+  DifferenceGroup group{.cause = std::move(cause),
+                        .scenarios = std::move(scenarios),
+                        .max_px = {},
+                        .contacts = {},
+                        .rest_shift_px = {}};
+  std::ranges::stable_sort(group.scenarios, std::ranges::greater(), badness);
+  for (const ScenarioVerdict* const scenario : group.scenarios) {
+    const Deviation deviation = scenario->deviation();
+    if (deviation.difference) group.difference = std::max(group.difference, *deviation.difference);
+    if (deviation.px) group.max_px = std::max(group.max_px.value_or(0.0), *deviation.px);
+    group.contacts += deviation.contacts;
+    if (deviation.rest_shift_px) {
+      ++group.settled;
+      group.rest_shift_px = std::max(group.rest_shift_px.value_or(0.0), *deviation.rest_shift_px);
+    }
+  }
+  return group;
+}
+
+Json group_json(const DifferenceGroup& group) {
+  std::vector<std::string> paths;
+  for (const ScenarioVerdict* const scenario : group.scenarios) paths.push_back(scenario->path);
+  std::ranges::sort(paths);
+  return Json::Object{{"operation", name_of(group.cause.kind)},
+                      {"detail", group.cause.detail},
+                      {"scenarios", Json::Array(paths.begin(), paths.end())},
+                      {"class", name_of(group.difference)},
+                      {"max_px", or_null(group.max_px)},
+                      {"contacts_moved", group.contacts.total()},
+                      {"rest_shift_px", or_null(group.rest_shift_px)}};
+}
+
 std::string consequence_sentence(const DifferenceGroup& group) {
   if (is_non_finite(group)) return "A run ends with its first row that is not finite, and is not blessed.";
   std::string text = fmt::format("{} (class {}): ", class_text(group.difference), name_of(group.difference));
-  text += group.max_px > 0.0 ? fmt::format("at most {} apart", px_text(group.max_px)) : "no position differs";
-  return text + ", " + contacts_text(group.contacts) + rest_text(group) + ".";
-}
-
-std::string scenario_consequence(const PairVerdict& scenario) {
-  const std::string non_finite = non_finite_text(scenario);
-  return non_finite.empty() ? comparison_sentence(scenario.comparison) : non_finite;
+  if (group.max_px)
+    text += *group.max_px > 0.0 ? fmt::format("at most {} apart, ", px_text(*group.max_px))
+                                : "no position differs, ";
+  return text + contacts_text(group.contacts) + rest_text(group) + ".";
 }
 
 std::vector<Paragraph> difference_paragraphs(const std::vector<DifferenceGroup>& groups,
-                                             const std::vector<const CoreVerdict*>& cores,
-                                             std::size_t checked) {
+                                             const std::vector<std::string>& cores, std::size_t checked) {
   std::vector<Paragraph> paragraphs;
   const auto first_finite = std::ranges::find_if_not(groups, is_non_finite);
   for (auto group = groups.begin(); group != first_finite; ++group)
     paragraphs.push_back(paragraph_of(*group, checked));
-  for (const CoreVerdict* const core : cores)
-    if (core->status != CoreStatus::accepted)
-      paragraphs.push_back(paragraph_of(*core, cores.size() == 1, groups.empty()));
+  for (const std::string& core : cores)
+    if (!core.empty()) paragraphs.push_back(paragraph_of(core));
   for (auto group = first_finite; group != groups.end(); ++group)
     paragraphs.push_back(paragraph_of(*group, checked));
   return paragraphs;
