@@ -16,6 +16,7 @@ namespace hyrax {
 [[nodiscard]] Command described_schema_command(const DescribedCore& core);
 [[nodiscard]] Command described_fuzz_command(const DescribedCore& core);
 [[nodiscard]] Command described_info_command(const DescribedCore& core);
+[[nodiscard]] Command described_shrink_command(const DescribedCore& core);
 [[nodiscard]] Command described_study_command(const DescribedCore& core);
 
 }  // namespace hyrax

@@ -16,11 +16,10 @@ struct Refusal {
   std::string_view command;
   std::string_view why;
 };
-constexpr std::array<Refusal, 4> kRefusals = {
+constexpr std::array<Refusal, 3> kRefusals = {
     {{"drift", "needs the paper's step; CORE describes itself: use study frame-rate, diff"},
      {"sweep", "not for cores that describe themselves; use run with --set for each member"},
-     {"report", "not for cores that describe themselves; use run, whose CSV and HDF5 files have every row"},
-     {"shrink", "not for cores that describe themselves; use run with --set to make a scenario smaller"}}};
+     {"report", "not for cores that describe themselves; use run, whose CSV and HDF5 files have every row"}}};
 
 std::string first_screen(const Description& description, const std::vector<Command>& commands) {
   return fmt::format(
@@ -33,11 +32,11 @@ std::string first_screen(const Description& description, const std::vector<Comma
 }
 
 std::vector<Command> described_commands(const DescribedCore& core) {
-  std::vector<Command> commands = {described_run_command(core),    described_check_command(core),
-                                   described_bless_command(core),  described_diff_command(core),
-                                   described_new_command(core),    described_validate_command(core),
-                                   described_schema_command(core), described_fuzz_command(core),
-                                   described_info_command(core),   described_study_command(core)};
+  std::vector<Command> commands = {
+      described_run_command(core),    described_check_command(core), described_bless_command(core),
+      described_diff_command(core),   described_new_command(core),   described_validate_command(core),
+      described_schema_command(core), described_fuzz_command(core),  described_info_command(core),
+      described_study_command(core),  described_shrink_command(core)};
   for (const Refusal& refusal : kRefusals) commands.emplace_back().name = refusal.command;
   return commands;
 }

@@ -234,7 +234,7 @@ std::optional<ShrunkRun> from_line(const std::string& line) {
 }  // namespace
 
 ShrunkRun shrink_run(const Core& core, const std::string& path, const Scenario& scenario,
-                     const RunLimits& limits) {
+                     const ShrinkLimits& limits) {
   const std::optional<Core> accepted = accepted_step(golden_folder_of(path));
   const SteadyClock::time_point end =
       SteadyClock::now() + std::chrono::milliseconds(std::llround(1e3 * std::min(limits.search_s, 1e9)));

@@ -7,13 +7,9 @@
 #include "sim/scenario/scenario.h"
 #include "sim/search/invariant.h"
 #include "sim/search/shrink.h"
+#include "tools/app/library/shrink_flow.h"
 
 namespace hyrax {
-
-struct RunLimits {
-  double search_s = 60.0;
-  double run_s = 10.0;  ///< A run that takes longer does not end.
-};
 
 struct ShrunkRun {
   std::string kept;  ///< As "final_x_px is above its range", "signal 11 (SIGSEGV)".
@@ -27,7 +23,7 @@ struct ShrunkRun {
 /// @param path of the scenario, to whose library the accepted core belongs.
 /// ERRORS: Failure(bad_input) "PATH: nothing to keep: ...".
 [[nodiscard]] ShrunkRun shrink_run(const Core& core, const std::string& path, const Scenario& scenario,
-                                   const RunLimits& limits);
+                                   const ShrinkLimits& limits);
 
 /// The smallest scenario that breaks the same invariant, by a core whose runs end; shows progress.
 [[nodiscard]] Shrunk shrink_broken(const Core& core, const Scenario& scenario, Invariant invariant);

@@ -46,7 +46,7 @@ Scenario long_fling() {
 
 class ShrinkRun : public testing::Test {
  protected:
-  ShrunkRun shrunk(const Core& core, const Scenario& scenario, const RunLimits& limits = {}) const {
+  ShrunkRun shrunk(const Core& core, const Scenario& scenario, const ShrinkLimits& limits = {}) const {
     ShrunkRun run = shrink_run(core, folder_.at("scenarios/fling.json"), scenario, limits);
     EXPECT_TRUE(run.shrunk.fails_again);
     return run;

@@ -193,7 +193,7 @@ TEST_F(DescribedProgram, WhatFuzzWritesIsGoodAndFailsAgain) {
 TEST_F(DescribedProgram, CommandsThatItHasNotSayWhatToUse) {
   EXPECT_EQ(run({"drift", "first.json"}).err,
             "toy-sim drift: needs the paper's step; toy describes itself: use study frame-rate, diff\n");
-  for (const char* const command : {"drift", "study", "sweep", "report", "shrink"})
+  for (const char* const command : {"drift", "study", "sweep", "report"})
     EXPECT_EQ(run({command}).exit_code, 2) << command;
   EXPECT_EQ(
       run({"study", "needs"}).err,
@@ -221,6 +221,28 @@ TEST_F(DescribedProgram, TheStudyOfFrameRatesPlaysTheLibraryOrTheDefaults) {
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_NE(broken.err.find("defaults at 24 Hz: property \"y stays below 2 px\""), std::string::npos)
       << broken.err;
+}
+
+TEST_F(DescribedProgram, ShrinkKeepsWhatARunSays) {
+  const std::string start = R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 600,
+      "start": {"x_px": 5, "vx_px_per_s": 7}, "parameters": {"gravity_px_per_s2": 900},
+      "events": [{"step": 3, "fling": {"vx_px_per_s": 1, "vy_px_per_s": 2}}],
+      "expect": {)";
+  write_text_file("high.json", start + R"("final": {"x_px": [0, 10]}}})");
+  const Outcome outcome = run({"shrink", "high.json", "-o", "small.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("kept: expect: final/x_px above\n"), std::string::npos) << outcome.out;
+  const Outcome small = run({"run", "small.json", "-o", "small.h5"});
+  EXPECT_EQ(small.exit_code, 1);
+  EXPECT_NE(small.out.find("final/x_px: wanted 0 .. 10, measured "), std::string::npos) << small.out;
+  const std::string text = read_text_file("small.json");
+  for (const char* const left_out : {"events", "fling", "gravity"})
+    EXPECT_EQ(text.find(left_out), std::string::npos) << text;
+  write_text_file("good.json", start + R"("finite": true}})");
+  const Outcome nothing = run({"shrink", "good.json", "-o", "none.json"});
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_TRUE(nothing.err.starts_with("good.json: nothing to keep: the run ends, ")) << nothing.err;
+  EXPECT_EQ(run({"shrink", "good.json", "-o", "x.json", "--run-limit", "5s"}).exit_code, 2);
 }
 
 TEST_F(DescribedProgram, AScenarioWhoseInputsChangeByTheFrameHasOneRate) {

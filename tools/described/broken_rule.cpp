@@ -1,0 +1,120 @@
+#include "tools/described/broken_rule.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/described/described_comparison.h"
+#include "sim/scenario/frame_clock.h"
+#include "tools/app/expect/judged_run.h"
+
+namespace hyrax {
+namespace {
+
+// "above" its range, or "below"; empty of a rule without one.
+std::string side_of(const Expectation& expectation) {
+  const auto* const measured = std::get_if<double>(&expectation.measured);
+  if (measured == nullptr || !expectation.range) return "";
+  return *measured < expectation.range->low ? " below" : " above";
+}
+
+class Shrinker {
+ public:
+  Shrinker(const DescribedCore& core, const DescribedScenario& scenario, const BrokenRule& broken,
+           const std::function<bool()>& is_over)
+      : core_(core), broken_(broken), is_over_(is_over), result_{.scenario = scenario} {}
+
+  ShrunkScenario shrink() {
+    shorten();
+    // Without a hold that is let go later there would be an event that no file may have.
+    if (std::ranges::none_of(result_.scenario.events, [](const DescribedEvent& event) {
+          return std::holds_alternative<Hold>(event.action);
+        }))
+      drop_each(&DescribedScenario::events);
+    drop_each(&DescribedScenario::parameters);
+    drop_each(&DescribedScenario::inputs);
+    drop_each(&DescribedScenario::start);
+    return std::move(result_);
+  }
+
+ private:
+  bool keep_if_broken(const DescribedScenario& smaller) {
+    if (!result_.is_complete || is_over_()) return result_.is_complete = false;
+    ++result_.trials;
+    for (const BrokenRule& again : broken_rules(core_, smaller, broken_.rule == "complete")) {
+      if (!again.is_same_rule(broken_)) continue;
+      result_.scenario = smaller;
+      broken_.step = again.step;
+      return true;
+    }
+    return false;
+  }
+
+  bool keep_if_broken_after(std::int64_t steps) {
+    DescribedScenario shorter = result_.scenario;
+    const std::vector<TimedEvent> events = timed_events(shorter, step_count(shorter));
+    std::vector<DescribedEvent> kept;
+    for (const TimedEvent& event : events)
+      if (event.frame < steps) kept.push_back({event.frame, *event.action});
+    shorter.events = std::move(kept);
+    shorter.length = steps;
+    return keep_if_broken(shorter);
+  }
+
+  void shorten() {
+    if (std::holds_alternative<RecordedSteps>(result_.scenario.clock.base) ||
+        !result_.scenario.input_arrays.empty())
+      return;
+    if (broken_.step > 0) keep_if_broken_after(broken_.step);
+    for (std::int64_t cut = step_count(result_.scenario) / 2; cut > 0; cut /= 2)
+      while (step_count(result_.scenario) > cut && keep_if_broken_after(step_count(result_.scenario) - cut)) {
+      }
+  }
+
+  void drop_each(auto member) {
+    for (std::size_t index = (result_.scenario.*member).size(); index-- > 0;) {
+      DescribedScenario smaller = result_.scenario;
+      (smaller.*member).erase((smaller.*member).begin() + static_cast<std::ptrdiff_t>(index));
+      keep_if_broken(smaller);
+    }
+  }
+
+  const DescribedCore& core_;
+  BrokenRule broken_;
+  const std::function<bool()>& is_over_;
+  ShrunkScenario result_;
+};
+
+}  // namespace
+
+std::vector<BrokenRule> broken_rules(const DescribedCore& core, const DescribedScenario& scenario,
+                                     bool checks_description) {
+  std::vector<BrokenRule> all;
+  const DescribedSummary run = play(core, scenario, {});
+  const std::int64_t steps = step_count(scenario);
+  if (const auto& early = run.early_end)
+    all.push_back({early->is_non_finite ? "finite" : "throws", early->what,
+                   fmt::format("{} at step {}", early->what, early->step), early->step});
+  for (std::size_t place = 0; place < run.properties.size(); ++place) {
+    const PropertyInfo& property = core.description.properties[place];
+    const std::int64_t step = run.properties[place].step.value_or(steps);
+    if (property.is_always && !run.properties[place].holds)
+      all.push_back({"always", property.name, fmt::format("\"{}\" at step {}", property.name, step), step});
+  }
+  if (scenario.expect)
+    for (const Expectation& expectation : judge(core.description, *scenario.expect, run))
+      if (!expectation.holds)
+        all.push_back(
+            {"expect", expectation.rule + side_of(expectation), expectation_text(expectation), steps});
+  if (!checks_description) return all;
+  if (const auto fault = description_fault(core, scenario, steps))
+    all.push_back({"complete", "", *fault, steps});
+  return all;
+}
+
+ShrunkScenario shrunk(const DescribedCore& core, const DescribedScenario& scenario, const BrokenRule& broken,
+                      const std::function<bool()>& is_over) {
+  return Shrinker(core, scenario, broken, is_over).shrink();
+}
+
+}  // namespace hyrax

@@ -1,0 +1,57 @@
+#include <chrono>
+
+#include "sim/scenario/frame_clock.h"
+#include "tools/app/library/shrink_flow.h"
+#include "tools/described/broken_rule.h"
+#include "tools/described/commands.h"
+#include "tools/described/scenario_json.h"
+#include "tools/files/failure.h"
+
+namespace hyrax {
+namespace {
+
+ScenarioSize size_of(const DescribedScenario& scenario) {
+  return {step_count(scenario), std::ssize(scenario.events)};
+}
+
+// What the smaller one says, too.
+std::string kept_of(const BrokenRule& broken) {
+  if (broken.rule == "always") return "property \"" + broken.of + "\" is broken";
+  if (broken.rule == "expect") return "expect: " + broken.of;
+  return broken.of.empty() ? "the description is not complete" : broken.of;
+}
+
+SmallerScenario find_smaller(const DescribedCore& core, const std::string& path, const ShrinkLimits& limits) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                   std::chrono::duration<double>(limits.search_s));
+  const DescribedScenario scenario = load_described_scenario(core.description, path);
+  const std::vector<BrokenRule> broken = broken_rules(core, scenario, true);
+  if (broken.empty())
+    refuse_input(
+        path +
+        ": nothing to keep: the run ends, stays finite, breaks no property and no rule of `expect`, and its "
+        "description is complete");
+  const std::string kept = kept_of(broken.front());
+  ShrunkScenario smaller = shrunk(core, scenario, broken.front(), [end] { return Clock::now() >= end; });
+  smaller.scenario.description = shrunk_from(scenario.name, step_count(scenario), kept);
+  return {.kept = kept,
+          .text = to_text(to_json(core.description, smaller.scenario), 1) + "\n",
+          .before = size_of(scenario),
+          .after = size_of(smaller.scenario),
+          .trials = smaller.trials,
+          .is_complete = smaller.is_complete};
+}
+
+}  // namespace
+
+Command described_shrink_command(const DescribedCore& core) {
+  return shrink_command_of(
+      "that it throws, is not finite, breaks a property or a rule of `expect`, or shows that the description "
+      "is not complete",
+      false, [&core](const Core& /*paper*/, const std::string& path, const ShrinkLimits& limits) {
+        return find_smaller(core, path, limits);
+      });
+}
+
+}  // namespace hyrax
