@@ -19,7 +19,7 @@ struct Refusal {
 constexpr std::array<Refusal, 3> kRefusals = {
     {{"drift", "needs the paper's step; CORE describes itself: use study frame-rate, diff"},
      {"sweep", "not for cores that describe themselves; use run with --set for each member"},
-     {"report", "not for cores that describe themselves; use run, whose CSV and HDF5 files have every row"}}};
+     {"report", "not for files of cores that describe themselves; use run SCENARIO --report FILE.html"}}};
 
 std::string first_screen(const Description& description, const std::vector<Command>& commands) {
   return fmt::format(
