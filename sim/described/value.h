@@ -11,32 +11,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace hyrax {
+#include "sim/result/value_type.h"
 
-enum class ValueType : std::uint8_t {
-  float64,
-  float32,
-  int8,
-  int16,
-  int32,
-  int64,
-  uint8,
-  uint16,
-  uint32,
-  uint64,
-  boolean
-};
-inline constexpr std::array<std::string_view, 11> kValueTypeNames = {
-    "float64", "float32", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64", "bool"};
-[[nodiscard]] constexpr std::string_view name_of(ValueType type) {
-  return kValueTypeNames[static_cast<std::size_t>(type)];
-}
-[[nodiscard]] constexpr bool is_floating(ValueType type) {
-  return type == ValueType::float64 || type == ValueType::float32;
-}
-[[nodiscard]] constexpr bool is_signed_integer(ValueType type) {
-  return type >= ValueType::int8 && type <= ValueType::int64;
-}
+namespace hyrax {
 
 /// A value, widened: a floating type is a binary64 (any NaN 0x7ff8000000000000), a signed integer an int64,
 /// an unsigned one or a bool a uint64; an enum is its underlying type. A row is hashed as these.

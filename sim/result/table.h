@@ -18,6 +18,8 @@
 #include <variant>
 #include <vector>
 
+#include "sim/result/value_type.h"
+
 namespace hyrax {
 
 struct Table;
@@ -60,6 +62,10 @@ struct Column {                // NOLINT(misc-no-recursion): copied with the tab
   std::string key = {};
   /// Values in each row; `values` has row after row. Text, CSV and JSON have 1 only.
   std::size_t width = 1;
+  /// The type of numbers in HDF5, where it is narrower than that of `values`. With names of 0, 1, ... it is
+  /// an enum.
+  std::optional<ValueType> stored_as = {};
+  std::vector<std::string> value_names = {};
 };
 
 /// What a table is in JSON.

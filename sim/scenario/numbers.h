@@ -13,8 +13,9 @@
 namespace hyrax {
 
 /// What a key of the format `hyrax-scenario/1` holds: a real number, a whole number, or a seed, which may be
-/// up to 2^64 - 1.
-enum class ScenarioNumberKind : std::uint8_t { real, integer, seed };
+/// up to 2^64 - 1. Of cores that describe themselves an unsigned number is a seed, true or false one of 1 and
+/// 0.
+enum class ScenarioNumberKind : std::uint8_t { real, integer, seed, boolean };
 
 /// A number of a scenario: where it is stored, and the limits of its key.
 struct NumberField {

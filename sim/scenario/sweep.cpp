@@ -10,12 +10,6 @@
 namespace hyrax {
 namespace {
 
-SweepNumber in_kind(ScenarioNumberKind kind, std::int64_t value) {
-  if (kind == ScenarioNumberKind::real) return static_cast<double>(value);
-  if (kind == ScenarioNumberKind::seed) return static_cast<std::uint64_t>(value);
-  return value;
-}
-
 // Of a whole number, modulo 2^64.
 std::uint64_t as_bits(const SweepNumber& number) {
   return std::visit([](auto value) { return static_cast<std::uint64_t>(value); }, number);
@@ -63,6 +57,12 @@ bool is_consistent(const Scenario& scenario) {
 
 }  // namespace
 
+SweepNumber in_kind(ScenarioNumberKind kind, std::int64_t value) {
+  if (kind == ScenarioNumberKind::real) return static_cast<double>(value);
+  if (kind == ScenarioNumberKind::integer) return value;
+  return static_cast<std::uint64_t>(value);
+}
+
 std::uint64_t whole_distance(const SweepNumber& low, const SweepNumber& high) {
   return as_bits(high) - as_bits(low);
 }
@@ -79,9 +79,9 @@ SweepNumber value_of(const GridAxis& grid, std::int64_t index) {
   return higher(grid.low, step * static_cast<std::uint64_t>(index));
 }
 
-SweepNumber value_of(const Sweep& sweep, std::size_t key, std::int64_t member) {
+SweepNumber value_of(const SweepPlan& sweep, std::size_t key, std::int64_t member) {
   assert(key < sweep.vary.size() && member >= 0 && member < sweep.members);
-  const auto& [pointer, kind, variation] = sweep.vary[key];
+  const auto& [pointer, kind, variation, names] = sweep.vary[key];
   if (std::holds_alternative<MemberNumber>(variation)) return in_kind(kind, member);
   if (const auto* const grid = std::get_if<GridAxis>(&variation))
     return value_of(*grid, member / grid->repeats % grid->count);
@@ -94,8 +94,8 @@ SweepNumber value_of(const Sweep& sweep, std::size_t key, std::int64_t member) {
   return higher(low, share_of(whole_distance(low, high), split_mix64(sweep.seed, draw) >> 11));
 }
 
-std::vector<SweepNumber> extremes_of(const Sweep& sweep, std::size_t key) {
-  const auto& [pointer, kind, variation] = sweep.vary[key];
+std::vector<SweepNumber> extremes_of(const SweepPlan& sweep, std::size_t key) {
+  const auto& [pointer, kind, variation, names] = sweep.vary[key];
   if (const auto* const choice = std::get_if<ChoiceDraw>(&variation)) return choice->values;
   if (const auto* const range = std::get_if<UniformDraw>(&variation)) return {range->low, range->high};
   if (const auto* const grid = std::get_if<GridAxis>(&variation)) return {grid->low, grid->high};
@@ -104,6 +104,11 @@ std::vector<SweepNumber> extremes_of(const Sweep& sweep, std::size_t key) {
 
 double as_double(const SweepNumber& number) {
   return std::visit([](auto value) { return static_cast<double>(value); }, number);
+}
+
+void name_member(ScenarioHead& scenario, std::int64_t member) {
+  const std::string suffix = "-member-" + std::to_string(member);
+  scenario.name = scenario.name.substr(0, static_cast<std::size_t>(kNameLengthMax) - suffix.size()) + suffix;
 }
 
 SweepMembers::SweepMembers(const Sweep& sweep) : sweep_(sweep), scenario_(sweep.base) {

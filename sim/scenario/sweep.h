@@ -32,8 +32,11 @@ struct WorkPart {
 
 inline constexpr std::int64_t kMembersMax = 1'000'000'000'000;
 
-/// A number of a scenario in the type of its key: double, std::int64_t, or std::uint64_t for a seed.
+/// A number of a scenario in the type of its key: double, std::int64_t, or std::uint64_t for a seed, true or
+/// false.
 using SweepNumber = std::variant<double, std::int64_t, std::uint64_t>;
+/// A whole number as one of that kind. REQUIRES: the kind has it.
+[[nodiscard]] SweepNumber in_kind(ScenarioNumberKind kind, std::int64_t value);
 
 /// Drawn: `low + (high - low) * u`; for an integer key or a seed `floor(low + (high - low + 1) * u)` in exact
 /// arithmetic, both ends included.
@@ -63,6 +66,7 @@ struct VariedKey {
   std::string pointer;  ///< JSON Pointer into the scenario.
   ScenarioNumberKind kind = ScenarioNumberKind::real;
   std::variant<UniformDraw, ChoiceDraw, GridAxis, MemberNumber> variation;
+  std::vector<std::string> names = {};  ///< Of the values 0, 1, ..., as files may give them.
 };
 
 /// What is computed of every member.
@@ -73,30 +77,44 @@ class KeepSet {
  public:
   void add(Keep keep) { set_.set(static_cast<std::size_t>(keep)); }
   [[nodiscard]] bool has(Keep keep) const { return set_.test(static_cast<std::size_t>(keep)); }
+  /// Those of them that are among these.
+  [[nodiscard]] KeepSet only(std::initializer_list<Keep> these) const {
+    KeepSet kept;
+    for (const Keep keep : these)
+      if (has(keep)) kept.add(keep);
+    return kept;
+  }
 
  private:
   std::bitset<kKeepNames.size()> set_;
 };
 
-struct Sweep {
-  Scenario base;                ///< Member 0, without `expect`: every varied key exists in it.
+/// What a sweep says of the scenarios of any core.
+struct SweepPlan {
   std::int64_t members = 1;     ///< 1 .. kMembersMax; a multiple of the product of all grids' counts.
   std::uint64_t seed = 0;       ///< Of the draws.
   std::vector<VariedKey> vary;  ///< Sorted by the bytes of their pointers.
   KeepSet keep;
 };
 
+struct Sweep : SweepPlan {
+  Scenario base;  ///< Member 0, without `expect`: every varied key exists in it.
+};
+
 /// The value of key `key` in a member. A draw takes u_(member * K + key) of the sweep's seed, with K keys
 /// (sim/scenario/split_mix64.h). REQUIRES: key < vary.size(), 0 <= member < members.
-[[nodiscard]] SweepNumber value_of(const Sweep& sweep, std::size_t key, std::int64_t member);
+[[nodiscard]] SweepNumber value_of(const SweepPlan& sweep, std::size_t key, std::int64_t member);
 
 /// How far a whole number lies above a lower one. REQUIRES: both of one type, low <= high.
 [[nodiscard]] std::uint64_t whole_distance(const SweepNumber& low, const SweepNumber& high);
 
 /// Every value that a key can have lies between these; of a choice, all its values.
-[[nodiscard]] std::vector<SweepNumber> extremes_of(const Sweep& sweep, std::size_t key);
+[[nodiscard]] std::vector<SweepNumber> extremes_of(const SweepPlan& sweep, std::size_t key);
 
 [[nodiscard]] double as_double(const SweepNumber& number);
+
+/// Names a member's scenario after the base's and the member.
+void name_member(ScenarioHead& scenario, std::int64_t member);
 
 /// The scenarios of a sweep's members, one at a time. Refers to the sweep.
 class SweepMembers {

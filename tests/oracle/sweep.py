@@ -17,13 +17,13 @@ def member_count(sweep):
     return sweep.get("members", grid_size(sweep["vary"]))
 
 
-def inputs(sweep, member):
-    """The number of each varied key in a member, keys in order of their bytes."""
+def inputs(sweep, member, integers=frozenset()):
+    """The value of each varied key in a member, keys in order of their bytes. Pointers in `integers` are of integers, too."""
     keys = sorted(sweep["vary"], key=str.encode)
     values = {}
     for k, key in enumerate(keys):
         (kind, rule), = sweep["vary"][key].items()
-        is_integer = key.rsplit("/", 1)[1] in INTEGER_KEYS
+        is_integer = key.rsplit("/", 1)[1] in INTEGER_KEYS and not key.startswith("/inputs/") or key in integers
         draw = sweep.get("seed", 0), member * len(keys) + k
         u = clock.unit(*draw)
         if kind == "uniform":
@@ -49,15 +49,15 @@ def inputs(sweep, member):
                 value = int(low) + (int(high) - int(low)) * j // (n - 1)
             else:
                 value = float(low) + ((float(high) - float(low)) * j) / (n - 1)
-        values[key] = int(value) if is_integer else float(value)
+        values[key] = value if isinstance(value, (bool, str)) else int(value) if is_integer else float(value)
     return values
 
 
-def scenario(sweep, member):
+def scenario(sweep, member, integers=frozenset()):
     """A member as a scenario of its own. REQUIRES: the base is inside the sweep."""
     document = copy.deepcopy(sweep["base"])
     document.pop("expect", None)
-    for key, value in inputs(sweep, member).items():
+    for key, value in inputs(sweep, member, integers).items():
         *path, last = key[1:].split("/")
         place = document
         for token in path:

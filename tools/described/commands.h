@@ -3,6 +3,7 @@
 
 #include "sim/described/described_core.h"
 #include "tools/app/command_line/options.h"
+#include "tools/app/sweep/sweep_run.h"
 
 namespace hyrax {
 
@@ -15,8 +16,13 @@ namespace hyrax {
 [[nodiscard]] Command described_validate_command(const DescribedCore& core);
 [[nodiscard]] Command described_schema_command(const DescribedCore& core);
 [[nodiscard]] Command described_fuzz_command(const DescribedCore& core);
+[[nodiscard]] Command described_sweep_command(const DescribedCore& core);
 [[nodiscard]] Command described_info_command(const DescribedCore& core);
 [[nodiscard]] Command described_shrink_command(const DescribedCore& core);
 [[nodiscard]] Command described_study_command(const DescribedCore& core);
+
+/// How its sweeps are read and played. A member whose run ends early keeps what it came to; players throw
+/// Failure(disagreed) for one without a first row.
+[[nodiscard]] SweptCore swept_core(const DescribedCore& core);
 
 }  // namespace hyrax

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include "sim/core/core.h"
 #include "tools/app/command_line/command_program.h"
@@ -16,9 +17,8 @@ struct Refusal {
   std::string_view command;
   std::string_view why;
 };
-constexpr std::array<Refusal, 3> kRefusals = {
+constexpr std::array<Refusal, 2> kRefusals = {
     {{"drift", "needs the paper's step; CORE describes itself: use study frame-rate, diff"},
-     {"sweep", "not for cores that describe themselves; use run with --set for each member"},
      {"report", "not for files of cores that describe themselves; use run SCENARIO --report FILE.html"}}};
 
 std::string first_screen(const Description& description, const std::vector<Command>& commands) {
@@ -35,8 +35,8 @@ std::vector<Command> described_commands(const DescribedCore& core) {
   std::vector<Command> commands = {
       described_run_command(core),    described_check_command(core), described_bless_command(core),
       described_diff_command(core),   described_new_command(core),   described_validate_command(core),
-      described_schema_command(core), described_fuzz_command(core),  described_info_command(core),
-      described_study_command(core),  described_shrink_command(core)};
+      described_schema_command(core), described_fuzz_command(core),  described_sweep_command(core),
+      described_info_command(core),   described_study_command(core), described_shrink_command(core)};
   for (const Refusal& refusal : kRefusals) commands.emplace_back().name = refusal.command;
   return commands;
 }

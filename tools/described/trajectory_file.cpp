@@ -32,48 +32,6 @@ void visit_timeline(auto& timeline, const auto& visit) {
   visit("time_frames", timeline.frames);
 }
 
-// Calls visit with a number of the type in files: of a bool a byte.
-decltype(auto) visit_stored(ValueType type, const auto& visit) {
-  switch (type) {
-    case ValueType::float64:
-      return visit(double{});
-    case ValueType::float32:
-      return visit(float{});
-    case ValueType::int8:
-      return visit(std::int8_t{});
-    case ValueType::int16:
-      return visit(std::int16_t{});
-    case ValueType::int32:
-      return visit(std::int32_t{});
-    case ValueType::int64:
-      return visit(std::int64_t{});
-    case ValueType::uint16:
-      return visit(std::uint16_t{});
-    case ValueType::uint32:
-      return visit(std::uint32_t{});
-    case ValueType::uint64:
-      return visit(std::uint64_t{});
-    default:
-      return visit(std::uint8_t{});
-  }
-}
-
-hid_t file_type(ValueType type) {
-  const hid_t types[] = {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_STD_I8LE, H5T_STD_I16LE,
-                         H5T_STD_I32LE,  H5T_STD_I64LE,  H5T_STD_U8LE, H5T_STD_U16LE,
-                         H5T_STD_U32LE,  H5T_STD_U64LE,  H5T_STD_U8LE};
-  return types[static_cast<std::size_t>(type)];
-}
-
-// An enumeration of the names of 0, 1, 2, ...
-h5::Handle enum_of(const ValueInfo& value) {
-  return visit_stored(value.type, [&](auto code) {
-    h5::Handle type(H5Tenum_create(h5::native_type<decltype(code)>()), H5Tclose);
-    for (const std::string& name : value.names) H5Tenum_insert(type, name.c_str(), &code), ++code;
-    return type;
-  });
-}
-
 ValueInfo contact_codes(const Description& description) {
   const bool are_bytes = description.contacts.size() <= std::numeric_limits<std::uint8_t>::max();
   return {.name = "contact",
@@ -109,9 +67,9 @@ class ValueTable {
   void add(const ValueInfo& value, const std::string& long_name) {
     Column& column = columns_.emplace_back();
     column.type = value.type;
-    if (!value.names.empty()) column.names = enum_of(value);
+    if (!value.names.empty()) column.names = h5::enum_type(value.type, value.names);
     column.dataset = h5::create_dataset(group_, value.name.c_str(),
-                                        value.names.empty() ? file_type(value.type) : hid_t{column.names},
+                                        value.names.empty() ? h5::file_type(value.type) : hid_t{column.names},
                                         {static_cast<hsize_t>(rows_)});
     if (!value.unit.empty()) h5::write_attribute(column.dataset, "units", value.unit);
     h5::write_attribute(column.dataset, "long_name", long_name);

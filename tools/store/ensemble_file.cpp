@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "tools/files/failure.h"
+#include "tools/files/printable.h"
 #include "tools/files/sweep_reader.h"
 #include "tools/store/isolated_read.h"
 #include "tools/store/provenance.h"
@@ -53,83 +54,18 @@ std::string unit_of(std::string_view name) {
   return "";
 }
 
-// What the sweep keeps, without rows.
-Table members_table(const KeepSet& keep) {
-  constexpr std::span<const MemberResult> kNone;
-  Table table{.name = "members"};
-  const auto add = [&](Keep kept, std::vector<Column> columns) {
-    if (keep.has(kept)) std::ranges::move(columns, std::back_inserter(table.columns));
-  };
-  add(Keep::final, columns_of(kFinal, kNone));
-  add(Keep::contacts, {{.name = "contacts",
-                        .unit = "1",
-                        .long_name = "contacts with left, right, top, ground",
-                        .values = std::vector<std::int64_t>(),
-                        .width = 4}});
-  add(Keep::at_rest, columns_of(kAtRest, kNone));
-  add(Keep::extremes, columns_of(kExtremes, kNone));
-  add(Keep::state_hash, {{.name = "state_hash",
-                          .long_name = "XXH3-128 of all rows",
-                          .values = Codes(),
-                          .width = sizeof(Digest)}});
-  return table;
-}
-
-// What it varies, without rows.
-Table inputs_table(const Sweep& sweep) {
-  Table table{.name = "inputs"};
-  for (std::size_t key = 0; key < sweep.vary.size(); ++key) {
-    const std::string& pointer = sweep.vary[key].pointer;
-    const std::string name = input_name(pointer);
-    table.columns.push_back({.name = name, .unit = unit_of(name), .long_name = pointer, .values = {}});
-    std::visit([&]<class Value>(Value) { table.columns.back().values = std::vector<Value>(); },
-               value_of(sweep, key, 0));
-  }
-  return table;
-}
-
-void set_members(const KeepSet& keep, std::span<const MemberResult> results, Table& table) {
-  auto column = table.columns.begin();
-  const auto set = [&](Keep kept, const auto& described) {
-    if (!keep.has(kept)) return;
-    for (const auto& each : described) set_values(*column++, each, results);
-  };
-  set(Keep::final, kFinal);
-  if (keep.has(Keep::contacts)) {
-    auto& counts = values_as<std::vector<std::int64_t>>(*column++);
-    counts.clear();
-    for (const MemberResult& result : results)
-      for (const Wall wall : kWalls) counts.push_back(result.contacts[wall]);
-  }
-  set(Keep::at_rest, kAtRest);
-  set(Keep::extremes, kExtremes);
-  if (keep.has(Keep::state_hash)) {
-    auto& bytes = values_as<Codes>(*column++).codes;
-    bytes.clear();
-    for (const MemberResult& result : results)
-      bytes.insert(bytes.end(), result.state_hash.begin(), result.state_hash.end());
-  }
-}
-
 // Calls a function with a varied key's values in its type, and with one that gives what the sweep says of a
 // member.
-void with_inputs(const Sweep& sweep, std::size_t key, Column& column, const auto& take) {
+void with_inputs(const SweepPlan& sweep, std::size_t key, Column& column, const auto& take) {
   std::visit(
       [&]<class Value>(Value) {
-        take(std::get<std::vector<Value>>(column.values),
-             [&](std::int64_t member) { return std::get<Value>(value_of(sweep, key, member)); });
+        take(std::get<std::vector<Value>>(column.values), [&](std::int64_t member) {
+          const auto value = std::get<Value>(value_of(sweep, key, member));
+          if (column.stored_as != ValueType::float32) return value;
+          return static_cast<Value>(static_cast<float>(value));  // As it is played.
+        });
       },
       value_of(sweep, key, 0));
-}
-
-void set_inputs(const Sweep& sweep, const WorkPart& part, std::int64_t first_row, std::int64_t count,
-                Table& table) {
-  for (std::size_t key = 0; key < sweep.vary.size(); ++key)
-    with_inputs(sweep, key, table.columns[key], [&](auto& values, const auto& input_of) {
-      values.clear();
-      for (std::int64_t row = first_row; row < first_row + count; ++row)
-        values.push_back(input_of(part.member(row)));
-    });
 }
 
 void write_head(hid_t file, const EnsembleHead& head) {
@@ -138,6 +74,10 @@ void write_head(hid_t file, const EnsembleHead& head) {
   h5::write_attribute(file, "members", head.members);
   h5::write_attribute(file, "physics", head.physics);
   write_core_name(file, head.core);
+  if (!head.core_name.empty()) {
+    h5::write_attribute(file, "core_name", head.core_name);
+    h5::write_attribute(file, "description", head.description);
+  }
   if (head.is_part) {
     h5::write_attribute(file, "part", head.part.index);
     h5::write_attribute(file, "parts", head.part.count);
@@ -154,7 +94,9 @@ std::optional<EnsembleHead> read_head(hid_t file) {
                     .members = *members,
                     .part = {},
                     .physics = h5::read_text_attribute(file, "physics").value_or(""),
-                    .core = read_core_name(file)};
+                    .core = read_core_name(file),
+                    .core_name = h5::read_text_attribute(file, "core_name").value_or(""),
+                    .description = h5::read_text_attribute(file, "description").value_or("")};
   const auto part = h5::read_integer_attribute(file, "part");
   const auto parts = h5::read_integer_attribute(file, "parts");
   if (part && parts) {
@@ -190,11 +132,12 @@ h5::Handle create_dimension(hid_t file, const char* name, std::size_t length) {
 }
 
 // The groups without rows; empty if they could not be written.
-std::vector<h5::ColumnWriter> create_groups(hid_t file, const EnsembleHead& head, const Sweep& sweep) {
+std::vector<h5::ColumnWriter> create_groups(hid_t file, const EnsembleHead& head,
+                                            const std::vector<Table>& tables) {
   const auto rows = static_cast<hsize_t>(head.part.rows(head.members));
   const h5::Handle members = create_dimension(file, "member", rows);
   std::vector<h5::ColumnWriter> writers;
-  for (const Table& table : ensemble_tables(sweep)) {
+  for (const Table& table : tables) {
     const h5::Handle group = h5::create_group(file, table.name.c_str());
     h5::ColumnWriter& writer = writers.emplace_back(h5::create_columns(group, table.columns, rows));
     if (!members.is_open() || !group.is_open() || !writer.finish(table.columns, nullptr) ||
@@ -218,33 +161,99 @@ std::vector<std::vector<h5::Handle>> open_tables(hid_t file, const std::vector<T
 
 }  // namespace
 
-std::vector<Table> ensemble_tables(const Sweep& sweep) {
-  return {members_table(sweep.keep), inputs_table(sweep)};
+Table members_table(const KeepSet& keep) {
+  constexpr std::span<const MemberResult> kNone;
+  Table table{.name = "members"};
+  const auto add = [&](Keep kept, std::vector<Column> columns) {
+    if (keep.has(kept)) std::ranges::move(columns, std::back_inserter(table.columns));
+  };
+  add(Keep::final, columns_of(kFinal, kNone));
+  add(Keep::contacts, {{.name = "contacts",
+                        .unit = "1",
+                        .long_name = "contacts with left, right, top, ground",
+                        .values = std::vector<std::int64_t>(),
+                        .width = 4}});
+  add(Keep::at_rest, columns_of(kAtRest, kNone));
+  add(Keep::extremes, columns_of(kExtremes, kNone));
+  add(Keep::state_hash, {{.name = "state_hash",
+                          .long_name = "XXH3-128 of all rows",
+                          .values = Codes(),
+                          .width = sizeof(Digest)}});
+  return table;
 }
 
-void set_ensemble_rows(const Sweep& sweep, const WorkPart& part, std::int64_t first_row,
-                       std::span<const MemberResult> results, std::vector<Table>& tables) {
-  set_members(sweep.keep, results, tables[0]);
-  set_inputs(sweep, part, first_row, std::ssize(results), tables[1]);
+void set_members(const KeepSet& keep, std::span<const MemberResult> results, Table& table) {
+  auto column = table.columns.begin();
+  const auto set = [&](Keep kept, const auto& described) {
+    if (!keep.has(kept)) return;
+    for (const auto& each : described) set_values(*column++, each, results);
+  };
+  set(Keep::final, kFinal);
+  if (keep.has(Keep::contacts)) {
+    auto& counts = values_as<std::vector<std::int64_t>>(*column++);
+    counts.clear();
+    for (const MemberResult& result : results)
+      for (const Wall wall : kWalls) counts.push_back(result.contacts[wall]);
+  }
+  set(Keep::at_rest, kAtRest);
+  set(Keep::extremes, kExtremes);
+  if (keep.has(Keep::state_hash)) {
+    auto& bytes = values_as<Codes>(*column++).codes;
+    bytes.clear();
+    for (const MemberResult& result : results)
+      bytes.insert(bytes.end(), result.state_hash.begin(), result.state_hash.end());
+  }
 }
 
-EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head, const Sweep& sweep)
+Table inputs_table(const SweepPlan& sweep) {
+  Table table{.name = "inputs"};
+  for (std::size_t key = 0; key < sweep.vary.size(); ++key) {
+    const std::string& pointer = sweep.vary[key].pointer;
+    const std::string name = input_name(pointer);
+    table.columns.push_back({.name = name, .unit = unit_of(name), .long_name = pointer, .values = {}});
+    std::visit([&]<class Value>(Value) { table.columns.back().values = std::vector<Value>(); },
+               value_of(sweep, key, 0));
+  }
+  return table;
+}
+
+void set_inputs(const SweepPlan& sweep, const WorkPart& part, std::int64_t first_row, std::int64_t count,
+                Table& table) {
+  for (std::size_t key = 0; key < sweep.vary.size(); ++key)
+    with_inputs(sweep, key, table.columns[key], [&](auto& values, const auto& input_of) {
+      values.clear();
+      for (std::int64_t row = first_row; row < first_row + count; ++row)
+        values.push_back(input_of(part.member(row)));
+    });
+}
+
+EnsembleContents paper_contents(const EnsembleHead& head, const std::string& path) {
+  if (!head.core_name.empty())
+    refuse_input(printable(path + ": is a sweep of the core " + head.core_name +
+                           ", which describes itself: " + head.core_name +
+                           "-sim joins its parts; no page shows it"));
+  const Sweep sweep = parse_sweep(head.sweep_text, path + ": sweep", SweepCheck::first_member).sweep;
+  return {sweep, {members_table(sweep.keep), inputs_table(sweep)}};
+}
+
+EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head,
+                               const std::vector<Table>& tables)
     : path_(path), target_(path) {
   constexpr std::uint64_t kNotInMemory = 1 << 30;
   errno = 0;
   file_ = h5::create_file(target_.part_path(), kNotInMemory);
   require(file_.is_open());
   write_head(file_, head);
-  groups_ = create_groups(file_, head, sweep);
+  groups_ = create_groups(file_, head, tables);
   require(!groups_.empty());
 }
 
-void EnsembleWriter::write(const std::vector<Table>& rows) {
+void EnsembleWriter::write(const std::vector<Table>& rows, std::int64_t count) {
   assert(rows.size() == groups_.size());
   errno = 0;
   for (std::size_t table = 0; table < rows.size(); ++table)
     require(groups_[table].append(rows[table].columns));
-  rows_done_ += static_cast<std::int64_t>(row_count(rows.front()));
+  rows_done_ += count;
 }
 
 void EnsembleWriter::finish() {
@@ -258,7 +267,7 @@ void EnsembleWriter::require(bool is_written) const {
   if (!is_written) fail_to_write(path_, errno == 0 ? EIO : errno);
 }
 
-EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
+EnsembleReader::EnsembleReader(const std::string& path, const ReadContents& read_contents) : path_(path) {
   const auto open = [&] {
     file_ = h5::open_file(path);
     const auto head = file_.is_open() ? read_head(file_) : std::nullopt;
@@ -267,9 +276,8 @@ EnsembleReader::EnsembleReader(const std::string& path) : path_(path) {
     if (h5::has_attribute(file_, "rows_done"))
       refuse_input(path +
                    ": is not complete: an older version was stopped while it wrote it; run the sweep again");
-    sweep_ = parse_sweep(head_.sweep_text, path + ": sweep", SweepCheck::first_member).sweep;
-    tables_ = ensemble_tables(sweep_);
-    datasets_ = open_tables(file_, tables_, rows());
+    contents_ = read_contents(head_, path);
+    datasets_ = open_tables(file_, tables(), rows());
     if (datasets_.empty()) refuse_input(path + ": is damaged: a column is missing, or has another length");
   };
   read_isolated(path, open);
@@ -281,8 +289,8 @@ void EnsembleReader::read(std::size_t table, std::size_t column, std::int64_t fi
   if (h5::read_rows(datasets_[table][column], static_cast<hsize_t>(first_row), static_cast<hsize_t>(count),
                     rows) < 0)
     throw Failure(ExitCode::cannot_access, path_ + ": cannot be read: the HDF5 library fails");
-  if (tables_[table].name != "inputs") return;
-  with_inputs(sweep_, column, rows, [&](const auto& values, const auto& input_of) {
+  if (tables()[table].name != "inputs") return;
+  with_inputs(contents_.plan, column, rows, [&](const auto& values, const auto& input_of) {
     for (std::int64_t row = 0; row < count; ++row) {
       const std::int64_t member = head_.part.member(first_row + row);
       const auto said = input_of(member);

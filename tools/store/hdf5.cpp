@@ -61,14 +61,6 @@ Handle create_growing_dataset(hid_t parent, const char* name, hid_t type, hsize_
   return create_with(creation, parent, name, type, {0}, &unlimited);
 }
 
-// An enumeration of bytes, with the names of 0, 1, 2, ...
-Handle enum_type(std::span<const std::string_view> names) {
-  Handle type(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
-  for (std::uint8_t code = 0; code < names.size(); ++code)
-    H5Tenum_insert(type, std::string(names[code]).c_str(), &code);
-  return type;
-}
-
 // Variable-length UTF-8 text.
 Handle text_type() {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -99,6 +91,21 @@ Handle open_file(const std::string& path) {
   const Handle access = access_list(error ? 0 : bytes);
   H5Pset_file_locking(access, true, true);  // Some network file systems have no locks.
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
+}
+
+hid_t file_type(ValueType type) {
+  const hid_t types[] = {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_STD_I8LE, H5T_STD_I16LE,
+                         H5T_STD_I32LE,  H5T_STD_I64LE,  H5T_STD_U8LE, H5T_STD_U16LE,
+                         H5T_STD_U32LE,  H5T_STD_U64LE,  H5T_STD_U8LE};
+  return types[static_cast<std::size_t>(type)];
+}
+
+Handle enum_type(ValueType number, std::span<const std::string> names) {
+  return visit_stored(number, [&](auto code) {
+    Handle type(H5Tenum_create(native_type<decltype(code)>()), H5Tclose);
+    for (const std::string& name : names) H5Tenum_insert(type, name.c_str(), &code), ++code;
+    return type;
+  });
 }
 
 Handle create_group(hid_t parent, const char* name) {
@@ -286,7 +293,8 @@ ColumnData data_of(const std::vector<std::optional<std::int64_t>>& values) {
 ColumnData data_of(const Codes& values) {
   ColumnData column{H5T_STD_U8LE, H5T_NATIVE_UINT8, values.codes.data(), values.size()};
   if (values.names.are_bits || values.names.names.empty()) return column;
-  column.owned_type = enum_type(values.names.names);
+  column.owned_type = enum_type(
+      ValueType::uint8, std::vector<std::string>(values.names.names.begin(), values.names.names.end()));
   column.type = column.memory_type = column.owned_type;
   return column;
 }
@@ -309,8 +317,28 @@ ColumnData data_of(const std::vector<Table>&) {
   return {};
 }
 
-ColumnData data_of(const Column& column) {
+ColumnData as_in_memory(const Column& column) {
   return std::visit([](const auto& values) { return data_of(values); }, column.values);
+}
+
+ColumnData data_of(const Column& column) {
+  if (!column.stored_as) return as_in_memory(column);
+  ColumnData data{};
+  with_numbers(column, [&](const auto& values) {
+    data.count = values.size();
+    visit_stored(*column.stored_as, [&]<class Stored>(Stored) {
+      data.type = file_type(*column.stored_as);
+      data.memory_type = native_type<Stored>();
+      for (const auto value : values) {
+        const auto stored = static_cast<Stored>(value);
+        data.padded.append(reinterpret_cast<const char*>(&stored), sizeof stored);
+      }
+    });
+  });
+  if (column.value_names.empty()) return data;
+  data.owned_type = enum_type(*column.stored_as, column.value_names);
+  data.type = data.memory_type = data.owned_type;
+  return data;
 }
 
 std::vector<hsize_t> extent_of(const Column& column, hsize_t rows) {
@@ -320,7 +348,7 @@ std::vector<hsize_t> extent_of(const Column& column, hsize_t rows) {
 }  // namespace
 
 herr_t read_rows(hid_t dataset, hsize_t first, hsize_t count, Column& column) {
-  const ColumnData data = data_of(column);
+  const ColumnData data = as_in_memory(column);
   herr_t result = -1;
   with_numbers(column, [&](auto& values) {
     values.resize(count * column.width);

@@ -98,6 +98,10 @@ template <class Number>
                       : H5T_NATIVE_UINT64;
 }
 
+/// That of a value in a file, and an enumeration over it: the names of 0, 1, 2, ...
+[[nodiscard]] hid_t file_type(ValueType type);
+[[nodiscard]] Handle enum_type(ValueType type, std::span<const std::string> names);
+
 /// Creates a dataset for each column, with `rows` rows. Their space is allocated at once, so that writing
 /// rows changes no other part of the file.
 [[nodiscard]] std::vector<Handle> create_columns(hid_t group, const std::vector<Column>& columns,

@@ -12,6 +12,7 @@
 #include "sim/trajectory/state_hash.h"
 #include "tools/app/report/report_page.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/files/sweep_reader.h"
 #include "tools/report/wasm/scenario_record.h"
 #include "tools/store/ensemble_file.h"
 
@@ -72,8 +73,8 @@ std::vector<double> values_of(const Sweep& sweep, std::size_t key, const std::ve
 
 // The sample's members as the page plays and shows them: the base as its core reads it and as text, what each
 // varied number is and where, and the results that differ.
-Json members_json(const Core& core, const EnsembleReader& reader, const std::vector<MemberNumbers>& numbers) {
-  const Sweep& sweep = reader.sweep();
+Json members_json(const Core& core, const EnsembleReader& reader, const Sweep& sweep,
+                  const std::vector<MemberNumbers>& numbers) {
   std::vector<double> members;
   for (std::int64_t row = 0; row < reader.rows(); row += rows_between_samples(reader))
     members.push_back(static_cast<double>(reader.head().part.member(row)));
@@ -120,7 +121,7 @@ std::string count_text(std::int64_t count) { return with_decimals(static_cast<do
 
 ShownResult sweep_result(const Core& core, const std::string& path) {
   const EnsembleReader reader(path);
-  const Sweep& sweep = reader.sweep();
+  const Sweep sweep = parse_sweep(reader.head().sweep_text, path, SweepCheck::first_member).sweep;
   std::vector<MemberNumbers> numbers;
   for (std::size_t table = 0; table < reader.tables().size(); ++table)
     for (std::size_t column = 0; column < reader.tables()[table].columns.size(); ++column)
@@ -155,7 +156,7 @@ ShownResult sweep_result(const Core& core, const std::string& path) {
                           ? "No member is replayed: the file does not name the core that computed it."
                           : "No member is replayed: another core than this program's computed them.");
   result.verdict.text = std::move(text);
-  if (is_own && is_paper_model(core.name)) result.members = members_json(core, reader, numbers);
+  if (is_own && is_paper_model(core.name)) result.members = members_json(core, reader, sweep, numbers);
   return result;
 }
 

@@ -27,8 +27,8 @@ std::string core_text(const std::string& core) { return core.empty() ? "not name
 
 using Parts = std::map<std::int64_t, std::unique_ptr<EnsembleReader>>;
 
-void add_part(const std::string& path, Parts& parts) {
-  auto reader = std::make_unique<EnsembleReader>(path);
+void add_part(const std::string& path, const ReadContents& read_contents, Parts& parts) {
+  auto reader = std::make_unique<EnsembleReader>(path, read_contents);
   const auto refuse = [&](const std::string& sentence) { refuse_input(path + ": " + sentence); };
   const EnsembleHead& head = reader->head();
   if (!head.is_part) refuse("is no part of a sweep, but a complete one");
@@ -73,7 +73,7 @@ void put_rows(const Column& rows, const WorkPart& part, Column& all) {
 
 void write_merged(const Parts& parts, const EnsembleHead& head, const std::string& output) {
   const EnsembleReader& first_part = *parts.begin()->second;
-  EnsembleWriter writer(output, head, first_part.sweep());
+  EnsembleWriter writer(output, head, first_part.tables());
   constexpr std::int64_t kRows = 1 << 16;
   const std::int64_t stride = std::ssize(parts);
   const std::int64_t rows_at_once = std::max<std::int64_t>(1, kRows / stride) * stride;
@@ -93,7 +93,7 @@ void write_merged(const Parts& parts, const EnsembleHead& head, const std::strin
           put_rows(rows, place, all);
         }
       }
-    writer.write(merged);
+    writer.write(merged, count);
     progress.show(writer.rows_done());
   }
   writer.finish();
@@ -101,10 +101,11 @@ void write_merged(const Parts& parts, const EnsembleHead& head, const std::strin
 
 }  // namespace
 
-MergeOutcome merge_parts(const std::vector<std::string>& paths, const std::string& output) {
+MergeOutcome merge_parts(const std::vector<std::string>& paths, const ReadContents& read_contents,
+                         const std::string& output) {
   allow_open_files(paths.size());
   Parts parts;
-  for (const std::string& path : paths) add_part(path, parts);
+  for (const std::string& path : paths) add_part(path, read_contents, parts);
   const EnsembleReader& first = *parts.begin()->second;
   const EnsembleHead& known = first.head();
   MergeOutcome outcome{.head = known, .missing = {}};

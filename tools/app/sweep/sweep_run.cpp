@@ -8,7 +8,6 @@
 #include <mutex>
 #include <utility>
 
-#include "sim/scenario/frame_clock.h"
 #include "tools/app/command_line/progress.h"
 #include "tools/app/command_line/workers.h"
 #include "tools/files/path.h"
@@ -16,18 +15,11 @@
 namespace hyrax {
 namespace {
 
-// Rows that are computed together: about a tenth of a second, so that threads wait little for each other.
-std::int64_t chunk_rows(const Sweep& sweep) {
-  constexpr std::int64_t kSteps = 1 << 26;
-  constexpr std::int64_t kLeast = 64;
-  constexpr std::int64_t kMost = 16384;
-  return std::clamp(kSteps / (step_count(sweep.base) + 1), kLeast, kMost);
-}
-
 // Consecutive rows of the part.
 struct Chunk {
-  std::vector<MemberResult> results;
-  StepTally tally;
+  std::vector<Table> rows = {};
+  std::int64_t count = 0;
+  SweepTally tally = {};
   bool is_ready = false;
 };
 
@@ -35,14 +27,12 @@ struct Chunk {
 // same memory.
 class ChunkPool {
  public:
-  ChunkPool(const Core& core, const Sweep& sweep, const WorkPart& part, std::int64_t threads)
-      : core_(core),
-        sweep_(sweep),
+  ChunkPool(const PlayableSweep& sweep, const WorkPart& part, std::int64_t threads)
+      : sweep_(sweep),
         part_(part),
-        rows_(part.rows(sweep.members)),
-        chunk_rows_(chunk_rows(sweep)),
-        player_(core, sweep),
-        held_(static_cast<std::size_t>(2 * threads)) {
+        rows_(part.rows(sweep.contents.plan.members)),
+        player_(sweep.make_player()),
+        held_(static_cast<std::size_t>(2 * threads), Chunk{.rows = sweep.contents.tables}) {
     threads_ = start_workers(threads - 1, [this](const std::stop_token& stop) { work(stop); });
   }
   ~ChunkPool() {
@@ -77,7 +67,7 @@ class ChunkPool {
   }
 
  private:
-  [[nodiscard]] std::int64_t chunks() const { return (rows_ + chunk_rows_ - 1) / chunk_rows_; }
+  [[nodiscard]] std::int64_t chunks() const { return (rows_ + sweep_.chunk_rows - 1) / sweep_.chunk_rows; }
   [[nodiscard]] Chunk& held(std::int64_t chunk) {
     return held_[static_cast<std::size_t>(chunk) % held_.size()];
   }
@@ -85,7 +75,7 @@ class ChunkPool {
 
   void work(const std::stop_token& stop) {
     try {
-      EnsemblePlayer player(core_, sweep_);
+      const RowPlayer player = sweep_.make_player();
       while (const auto chunk = next(stop)) {
         compute(player, *chunk);
         const std::scoped_lock lock(mutex_);
@@ -106,19 +96,18 @@ class ChunkPool {
     return begun_++;
   }
 
-  void compute(EnsemblePlayer& player, std::int64_t chunk) {
-    const std::int64_t first = chunk * chunk_rows_;
+  void compute(const RowPlayer& player, std::int64_t chunk) {
+    const std::int64_t first = chunk * sweep_.chunk_rows;
     Chunk& into = held(chunk);
-    into.results.resize(static_cast<std::size_t>(std::min(chunk_rows_, rows_ - first)));
-    into.tally = player.play(part_, first, into.results);
+    into.count = std::min(sweep_.chunk_rows, rows_ - first);
+    into.tally = player(part_, first, into.count, into.rows);
+    set_inputs(sweep_.contents.plan, part_, first, into.count, into.rows.back());
   }
 
-  const Core& core_;
-  const Sweep& sweep_;
+  const PlayableSweep& sweep_;
   const WorkPart part_;
   const std::int64_t rows_;
-  const std::int64_t chunk_rows_;
-  EnsemblePlayer player_;  // Of the caller.
+  const RowPlayer player_;  // Of the caller.
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Chunk> held_;  // Chunk k in place k modulo their number.
@@ -131,16 +120,21 @@ class ChunkPool {
 
 }  // namespace
 
-StepTally compute_sweep(const Core& core, const Sweep& sweep, const EnsembleHead& head,
-                        const std::string& output, std::int64_t threads) {
-  EnsembleWriter writer(output, head, sweep);
-  ChunkPool pool(core, sweep, head.part, threads);
+SweepTally& SweepTally::operator+=(const SweepTally& other) {
+  StepTally::operator+=(other);
+  if (early_ends == 0) first_early_end = other.first_early_end;
+  early_ends += other.early_ends;
+  return *this;
+}
+
+SweepTally compute_sweep(const PlayableSweep& sweep, const EnsembleHead& head, const std::string& output,
+                         std::int64_t threads) {
+  EnsembleWriter writer(output, head, sweep.contents.tables);
+  ChunkPool pool(sweep, head.part, threads);
   Progress progress("members", head.part.rows(head.members));
-  StepTally tally;
-  std::vector<Table> rows = ensemble_tables(sweep);
+  SweepTally tally;
   while (const Chunk* const chunk = pool.take()) {
-    set_ensemble_rows(sweep, head.part, writer.rows_done(), chunk->results, rows);
-    writer.write(rows);
+    writer.write(chunk->rows, chunk->count);
     tally += chunk->tally;
     progress.show(writer.rows_done());
   }

@@ -89,7 +89,7 @@ ShownResult sweep_page(const TempFolder& folder, const std::string& computed_by)
                           .physics = std::string(shipped_core().name),
                           .core = computed_by};
   const std::string path = folder.at("sweep.h5");
-  static_cast<void>(compute_sweep(shipped_core(), file.sweep, head, path, 1));
+  static_cast<void>(compute_sweep(paper_sweep(shipped_core(), file), head, path, 1));
   return sweep_result(shipped_core(), path);
 }
 

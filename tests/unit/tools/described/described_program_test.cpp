@@ -175,6 +175,13 @@ TEST_F(DescribedProgram, ACoreThatChangesHowTheProcessorRoundsIsExitCode5) {
             std::string::npos)
       << info.out;
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+  write_text_file("sweep.json", R"({"format": "hyrax-sweep/1", "vary": {"/start/y_px": {"grid": [0, 1, 2]}},
+      "base": {"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 9}})");
+  const Outcome swept = run<Rounding>({"sweep", "sweep.json"});
+  EXPECT_EQ(swept.exit_code, 5);
+  EXPECT_TRUE(
+      swept.err.starts_with("sweep.json: 2 members ended early; member 0: row 7: the core changes how"))
+      << swept.err;
 }
 
 TEST_F(DescribedProgram, WhatFuzzWritesIsGoodAndFailsAgain) {
@@ -193,7 +200,7 @@ TEST_F(DescribedProgram, WhatFuzzWritesIsGoodAndFailsAgain) {
 TEST_F(DescribedProgram, CommandsThatItHasNotSayWhatToUse) {
   EXPECT_EQ(run({"drift", "first.json"}).err,
             "toy-sim drift: needs the paper's step; toy describes itself: use study frame-rate, diff\n");
-  for (const char* const command : {"drift", "study", "sweep", "report"})
+  for (const char* const command : {"drift", "study", "report"})
     EXPECT_EQ(run({command}).exit_code, 2) << command;
   EXPECT_EQ(
       run({"study", "needs"}).err,
