@@ -118,6 +118,7 @@ struct Command {
 /// A command's member `declare`: binds the options to a request, which `act` gets, after the core if it takes
 /// one.
 template <class Request, class Declare, class Act>
+requires std::is_class_v<Declare>
 [[nodiscard]] auto with_request(Declare declare, Act act) {
   return [=](Options& options) {
     const auto request = std::make_shared<Request>();
@@ -129,6 +130,12 @@ template <class Request, class Declare, class Act>
         return act(*request);
     };
   };
+}
+
+template <class Request, class Act>
+[[nodiscard]] auto with_request(void (*declare)(Options&, Request&), Act act) {
+  return with_request<Request>([declare](Options& options, Request& request) { declare(options, request); },
+                               std::move(act));
 }
 
 }  // namespace hyrax
