@@ -26,13 +26,6 @@ Look look_of(std::size_t curve) {
 
 std::string named(const PositionPair& pair) { return pair.name.empty() ? "position" : pair.name; }
 
-std::string event_name(const Description& description, const DescribedAction& action) {
-  if (const auto* const act = std::get_if<Act>(&action)) return description.actions[act->action].name;
-  constexpr std::array<const char*, std::variant_size_v<DescribedAction>> kNames = {"set", "hitch", "hold",
-                                                                                    "go", ""};
-  return kNames[action.index()];
-}
-
 std::optional<double> input_of(const Description& description, const DescribedScenario& scenario,
                                std::string_view name) {
   const std::vector<ValueInfo>& inputs = description.inputs.values;

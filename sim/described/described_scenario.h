@@ -47,6 +47,9 @@ using DescribedAction = std::variant<SetValues, Hitch, Hold, Go, Act>;
 inline constexpr std::array<std::string_view, std::variant_size_v<DescribedAction> - 1> kOwnEventNames = {
     "set", "hitch", "hold", "go"};
 
+/// The key of an action in a scenario's event.
+[[nodiscard]] std::string event_name(const Description& description, const DescribedAction& action);
+
 struct DescribedEvent {
   std::variant<std::int64_t, double> when;  ///< Frame number, or a time in s.
   DescribedAction action;

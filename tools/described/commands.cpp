@@ -4,7 +4,6 @@
 #include "tools/app/clock/new_scenario.h"
 #include "tools/app/command_line/scenario_commands.h"
 #include "tools/described/scenario_json.h"
-#include "tools/described/schema_json.h"
 #include "tools/files/scenario_head.h"
 
 namespace hyrax {

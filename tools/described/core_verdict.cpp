@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "sim/described/scripted_body.h"
-#include "tools/described/stored_description.h"
 #include "tools/described/value_json.h"
 #include "tools/files/path.h"
 #include "tools/files/summary_text.h"

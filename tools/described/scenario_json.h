@@ -40,4 +40,8 @@ namespace hyrax {
 /// An event without its time, as `{"strike": {"vx_px_per_s": 100}}`.
 [[nodiscard]] Json event_json(const Description& description, const DescribedAction& action);
 
+/// The JSON Schema of the core's scenarios, for editors. It refuses what the reader refuses, except for rules
+/// that no schema can express.
+[[nodiscard]] Json schema_json(const Description& description);
+
 }  // namespace hyrax

@@ -6,11 +6,6 @@
 namespace hyrax {
 namespace {
 
-std::string name_of(const Description& description, const DescribedAction& action) {
-  const auto* const act = std::get_if<Act>(&action);
-  return act != nullptr ? description.actions[act->action].name : std::string(kOwnEventNames[action.index()]);
-}
-
 void add_values(const std::vector<ValueInfo>& values, const std::vector<GivenValue>& given,
                 Json::Object& object) {
   for (const auto& [place, word] : given)
@@ -72,7 +67,7 @@ Json event_json(const Description& description, const DescribedAction& action) {
       object.emplace_back(info.arguments[argument].name,
                           value_json(info.arguments[argument], act->arguments[argument]));
   }
-  return Json::Object{{name_of(description, action), std::move(object)}};
+  return Json::Object{{event_name(description, action), std::move(object)}};
 }
 
 Json to_json(const Description& description, const DescribedScenario& scenario) {

@@ -1,9 +1,7 @@
-#include "tools/described/schema_json.h"
-
 #include <algorithm>
 
 #include "scenario_schema.h"
-#include "tools/described/value_json.h"
+#include "tools/described/scenario_json.h"
 #include "tools/files/json_pointer.h"
 
 namespace hyrax {

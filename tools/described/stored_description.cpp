@@ -1,5 +1,4 @@
-#include "tools/described/stored_description.h"
-
+// Reads the description of a core as files have it.
 #include <algorithm>
 
 #include "tools/described/value_json.h"

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "tools/described/scenario_json.h"
-#include "tools/described/stored_description.h"
+#include "tools/described/value_json.h"
 #include "tools/files/failure.h"
 #include "tools/store/isolated_read.h"
 #include "tools/store/trajectory_parts.h"

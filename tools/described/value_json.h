@@ -31,4 +31,10 @@ namespace hyrax {
 /// What a core is made of, as trajectory files, `info` and golden/core have it.
 [[nodiscard]] Json description_json(const Description& description);
 
+/// The description in a text of it, without ranges and undeclared parts, which it does not have.
+/// @param source names the text in messages.
+/// ERRORS: Failure(bad_input).
+[[nodiscard]] Description parse_description(const std::string& text, const std::string& core,
+                                            const std::string& source);
+
 }  // namespace hyrax

@@ -5,7 +5,7 @@
 
 #include "tools/app/command_line/options.h"
 #include "tools/app/comparison/comparison_text.h"
-#include "tools/app/diff/diff_text.h"
+#include "tools/app/diff/trajectory_diff.h"
 #include "tools/report/figure_svg.h"
 #include "tools/store/output_guard.h"
 

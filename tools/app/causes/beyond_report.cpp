@@ -1,4 +1,4 @@
-#include "tools/app/causes/beyond_report.h"
+#include "tools/app/causes/core_check.h"
 
 #include <fmt/format.h>
 

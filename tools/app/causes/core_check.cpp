@@ -12,7 +12,6 @@
 #include "sim/study/reference_model.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
-#include "tools/app/causes/beyond_report.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/path.h"
 #include "tools/files/printable.h"

@@ -138,4 +138,12 @@ class CoreChecks {
 /// "cores".
 [[nodiscard]] Json core_json(const CoreVerdict& verdict);
 
+/// The end of the exact fling by these constants, without which none is known.
+[[nodiscard]] ExactEnd exact_end(const std::optional<Constants>& constants);
+
+/// What a changed core does beyond its library: complete lines, indented by two.
+[[nodiscard]] std::string beyond_text(const BeyondLibrary& beyond);
+/// {"flings", "other_bits", ...}
+[[nodiscard]] Json beyond_json(const BeyondLibrary& beyond);
+
 }  // namespace hyrax

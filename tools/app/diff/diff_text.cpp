@@ -1,4 +1,4 @@
-#include "tools/app/diff/diff_text.h"
+#include "tools/app/diff/trajectory_diff.h"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 #include "sim/compare/run_distance.h"
 #include "sim/compare/trajectory_comparer.h"
 #include "sim/core/core.h"
+#include "tools/files/json.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -30,5 +31,14 @@ struct TrajectoryDiff {
 [[nodiscard]] TrajectoryDiff diff_trajectories(const Core& core, const TrajectoryFile& a,
                                                const TrajectoryFile& b, const Tolerance& tolerance,
                                                Overlay* overlay);
+
+/// comparison_text, energy, the worst value of each field, and which build settings of the programs that made
+/// the files differ, with what that usually means for a difference of that class. Complete lines, indented by
+/// two; of files without a difference the build settings only, if `lists_all`.
+[[nodiscard]] std::string diff_text(const TrajectoryDiff& diff, const Provenance& a, const Provenance& b,
+                                    bool lists_all);
+
+/// {"agree", "class", "max_px", ..., "worst", "contacts"}
+[[nodiscard]] Json diff_json(const TrajectoryDiff& diff);
 
 }  // namespace hyrax

@@ -56,20 +56,12 @@ void annotate(const std::vector<ReportEntry>& entries, const CheckRequest& reque
     print_error(annotations.substr(0, annotations.size() - 1));  // It ends the line.
 }
 
-std::string markdown(const CheckWords& words) {
-  std::vector<ReportSection> sections;
-  for (const Paragraph& paragraph : words.paragraphs)
-    sections.push_back({paragraph.subject.empty() ? "" : paragraph.sentence(), paragraph.lines});
-  return markdown_text(words.entries, sections, words.counts);
-}
-
-void write_page(const std::string& path, const CheckSelection& selection, const CheckWords& words,
-                const std::vector<Figure>& figures) {
+void write_page(const std::string& path, const CheckReport& report, const std::vector<Figure>& figures) {
   std::vector<ReportEntry> entries;
-  for (const ReportEntry& entry : words.entries)
+  for (const ReportEntry& entry : report.entries)
     if (entry.exit_code != ExitCode::agreed) entries.push_back(entry);
-  ShownResult page{.title = words.counts, .subtitle = "hyrax-sim check", .figures = figures};
-  for (const Paragraph& paragraph : words.paragraphs)
+  ShownResult page{.title = report.counts, .subtitle = "hyrax-sim check", .figures = figures};
+  for (const Paragraph& paragraph : report.paragraphs)
     page.verdict.text.emplace_back(paragraph.sentence() + (paragraph.subject.empty() ? "" : "\n") +
                                    paragraph.lines);
   if (!entries.empty())
@@ -80,9 +72,9 @@ void write_page(const std::string& path, const CheckSelection& selection, const 
                      column_of("verdict", "", "", entries, &ReportEntry::kind),
                      column_of("sentence", "", "what is wrong", entries, &ReportEntry::sentence)}});
   std::vector<std::string> command = {"check"};
-  for (const std::string& argument : selection.arguments) command.push_back(as_argument(argument));
-  if (!selection.golden_option.empty())
-    command.insert(command.end(), {"--golden", as_argument(selection.golden_option)});
+  for (const std::string& argument : report.selection.arguments) command.push_back(as_argument(argument));
+  if (!report.selection.golden_option.empty())
+    command.insert(command.end(), {"--golden", as_argument(report.selection.golden_option)});
   command.insert(command.end(), {"--report", as_argument(path)});
   write_result_page(path, program_command(command), {page});
 }
@@ -246,9 +238,10 @@ CommandResults report_check(const CheckRequest& request, const CheckReport& repo
   if (!request.junit.empty())
     results.attempt_after([&] { write_text_file(request.junit, junit_text(report.entries)); });
   if (!request.summary.empty())
-    results.attempt_after([&] { write_text_file(request.summary, markdown(report)); });
-  if (!request.page.empty())
-    results.attempt_after([&] { write_page(request.page, report.selection, report, figures); });
+    results.attempt_after([&] {
+      write_text_file(request.summary, markdown_text(report.entries, report.paragraphs, report.counts));
+    });
+  if (!request.page.empty()) results.attempt_after([&] { write_page(request.page, report, figures); });
   return results;
 }
 

@@ -94,16 +94,9 @@ void judge_scenario(ScenarioVerdict& verdict, const std::string& golden_option, 
                     const std::function<void()>& work);
 void judge_unreferenced(ScenarioVerdict& verdict, const UnreferencedGolden& golden);
 
-/// What is reported, in whichever form.
-struct CheckWords {
-  std::vector<ReportEntry> entries{};  ///< Of each cause the worst first; then by their paths.
-  std::vector<Paragraph> paragraphs{};
-  std::string counts{};  ///< "3 checked: 2 agreed, ...".
-};
-
 /// The verdicts, and the differing ones by cause. REQUIRES: the verdicts outlive it; no copies: groups and
 /// verdicts refer to each other.
-struct CheckReport : CheckWords {
+struct CheckReport {
   template <class Verdict>
   CheckReport(CheckSelection of, std::vector<Verdict>& on) : selection(std::move(of)) {
     for (Verdict& verdict : on) verdicts.push_back(&verdict);
@@ -112,6 +105,10 @@ struct CheckReport : CheckWords {
   CheckSelection selection;
   std::vector<ScenarioVerdict*> verdicts{};
   std::vector<DifferenceGroup> groups{};
+  // What is reported, in whichever form.
+  std::vector<ReportEntry> entries{};  ///< Of each cause the worst first; then by their paths.
+  std::vector<Paragraph> paragraphs{};
+  std::string counts{};  ///< "3 checked: 2 agreed, ...".
 
   [[nodiscard]] std::int64_t count(CheckStatus status) const {
     return std::ranges::count(verdicts, status, &ScenarioVerdict::status);

@@ -250,14 +250,6 @@ void add_counts(CheckReport& report) {
     report.entries.push_back({failure.what(), "folder", failure.exit_code(), failure.what()});
 }
 
-void add_core(const CoreWords& core, CheckWords& words) {
-  if (core.exit_code == ExitCode::agreed) return;
-  const std::string path = accepted_core_folder(core.golden_folder) + "/accepted.txt";
-  words.entries.push_back({path, "core", core.exit_code, core.text.substr(0, core.text.find('\n')), core.text,
-                           core.file.empty() ? path : core.file});
-  words.entries.back().line = core.line;
-}
-
 }  // namespace
 
 void set_groups(std::vector<DifferenceGroup> groups, CheckReport& report) {
@@ -291,8 +283,12 @@ void put_into_words(const std::vector<CoreWords>& cores, CheckReport& report) {
   add_counts(report);
   std::vector<std::string> texts;
   for (const CoreWords& core : cores) {
-    add_core(core, report);
     texts.push_back(core.text);
+    if (core.exit_code == ExitCode::agreed) continue;
+    const std::string path = accepted_core_folder(core.golden_folder) + "/accepted.txt";
+    report.entries.push_back({path, "core", core.exit_code, core.text.substr(0, core.text.find('\n')),
+                              core.text, core.file.empty() ? path : core.file});
+    report.entries.back().line = core.line;
   }
   report.paragraphs =
       difference_paragraphs(report.groups, texts, static_cast<std::size_t>(report.scenario_count()));

@@ -124,14 +124,14 @@ std::string github_annotations(const std::vector<ReportEntry>& entries) {
   return text;
 }
 
-std::string markdown_text(const std::vector<ReportEntry>& entries, const std::vector<ReportSection>& sections,
+std::string markdown_text(const std::vector<ReportEntry>& entries, const std::vector<Paragraph>& paragraphs,
                           const std::string& counts) {
   const bool is_green = std::ranges::all_of(entries, &std::string::empty, &ReportEntry::sentence);
   std::string text =
       fmt::format("## hyrax-sim check: {}\n\n{}\n", is_green ? "agreed" : "not agreed", counts);
-  for (const ReportSection& section : sections) {
-    if (!section.heading.empty()) text += fmt::format("\n### {}\n", code_span(section.heading));
-    if (!section.lines.empty()) text += "\n" + code_block(printable_lines(section.lines));
+  for (const Paragraph& paragraph : paragraphs) {
+    if (!paragraph.subject.empty()) text += fmt::format("\n### {}\n", code_span(paragraph.sentence()));
+    if (!paragraph.lines.empty()) text += "\n" + code_block(printable_lines(paragraph.lines));
   }
   text += "\n";
   for (const auto& [name, kind, exit_code, sentence, details, file, seconds, line] : entries)

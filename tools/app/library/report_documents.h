@@ -40,12 +40,7 @@ struct Paragraph {
 
 void print(const Paragraph& paragraph);
 
-struct ReportSection {
-  std::string heading;  ///< Empty: there are only lines.
-  std::string lines;    ///< Complete.
-};
 [[nodiscard]] std::string markdown_text(const std::vector<ReportEntry>& entries,
-                                        const std::vector<ReportSection>& sections,
-                                        const std::string& counts);
+                                        const std::vector<Paragraph>& paragraphs, const std::string& counts);
 
 }  // namespace hyrax

@@ -11,7 +11,6 @@
 #include "tests/unit/tools/described/pool_description.h"
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
-#include "tools/described/schema_json.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/text_file.h"
 
