@@ -52,7 +52,7 @@ STATED = (
         ("tools/app/command_line/command_program.cpp", "Exit codes: {} agreed or done, {} disagreed, {} bad usage or input, {} cannot read or write,",
          "agreed, disagreed, bad_input, cannot_access"),
         ("tools/app/command_line/command_program.cpp", '"{} golden file missing (or a part of a sweep), {} arithmetic is not strict IEEE-754, {} internal',
-         "golden_missing, not_strict_ieee, program_fault"), ("tools/hyrax-sim/study.cpp", "exit {} if one of the study's rules", "disagreed"),
+         "golden_missing, not_strict_ieee, program_fault"), ("tools/app/study/study_command.cpp", "exit {} if one of the study's rules", "disagreed"),
         ("tools/app/library/check_flow.cpp", "unreferenced (exit code {})", "disagreed"),
         *((f"tools/{script}", f"; {{}} if {words}", "cannot_access") for script, words in (
             ("run", "it could not be installed or built."), ("check", "hyrax-sim could not be built."))),

@@ -7,7 +7,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "tools/described/commands.h"
 #include "tools/described/scenario_json.h"
-#include "tools/described/stored_description.h"
+#include "tools/described/value_json.h"
 #include "tools/files/printable.h"
 #include "tools/files/text_file.h"
 
