@@ -177,7 +177,7 @@ forget_other_source() {
 
 # What an object takes of one processor, in ms: the mean of a clean build. Machines differ by a factor of three, so what the
 # folder's own objects took is better.
-readonly object_ms=2000
+readonly object_ms=3000
 
 # announce FOLDER NAME: how many objects are to be compiled for the first time, and about how long it takes; prints nothing if
 # all are there.

@@ -9,7 +9,7 @@ namespace hyrax {
 namespace {
 
 // No run is longer: 1e12 frames of kFrameMax_s.
-constexpr double kEndless_s = 1e21;
+constexpr double kLongestRun_s = 1e21;
 // Far less than a row can hold of a coordinate in a window.
 constexpr double kStill_px = 1e-12;
 
@@ -92,7 +92,7 @@ void WholeMeter::start(const Row& from, const InputChange& change) {
       std::tie(within_.vx_px_per_s, within_.vy_px_per_s) = std::tie(set.vx_px_per_s, set.vy_px_per_s);
     enclosed_->start(within_, bounds, from.step > 0 && enclosed_->slides());
   }
-  fling_.start(exact_, bounds, from.step > 0 && fling_.slides(), kEndless_s);
+  fling_.start(exact_, bounds, from.step > 0 && fling_.slides(), kLongestRun_s);
   still_from_step_.reset();
   met_.clear();
   compared_ = counted_ = 0;

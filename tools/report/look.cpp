@@ -14,11 +14,11 @@ namespace {
 
 constexpr int kSpeedColours = 24;
 
-using Values = std::map<std::string, std::string, std::less<>>;
+using ValuesByName = std::map<std::string, std::string, std::less<>>;
 
 // The lines "--NAME: VALUE;" of a part of the list.
-Values values_in(std::string_view css) {
-  Values values;
+ValuesByName values_in(std::string_view css) {
+  ValuesByName values;
   for (std::size_t at = css.find("--"); at != css.npos; at = css.find("--", at + 2)) {
     const std::size_t colon = css.find(':', at), end = css.find(';', at);
     values.emplace(css.substr(at + 2, colon - at - 2), css.substr(colon + 2, end - colon - 2));
@@ -28,8 +28,8 @@ Values values_in(std::string_view css) {
 
 constexpr std::string_view kCss = kLookCss;
 
-const Values& light() {
-  static const Values values = values_in(kCss.substr(0, kCss.find("@media")));
+const ValuesByName& light() {
+  static const ValuesByName values = values_in(kCss.substr(0, kCss.find("@media")));
   return values;
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 // Those that the file holds.
 RowBatches batches_of(const TrajectoryFile& file) {
-  constexpr std::int64_t kBatch = 65536;
+  constexpr std::int64_t kRowsAtOnce = 65536;
   return [&file, first = std::int64_t{0}](Columns& batch) mutable {
-    const std::int64_t from = std::exchange(first, std::min(first + kBatch, file.row_count()));
+    const std::int64_t from = std::exchange(first, std::min(first + kRowsAtOnce, file.row_count()));
     file.read_rows(from, first - from, batch);
   };
 }
