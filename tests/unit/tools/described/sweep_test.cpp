@@ -14,7 +14,7 @@
 namespace hyrax {
 namespace {
 
-enum class Mood : std::int8_t { calm, wild };
+enum class SweptMood : std::int8_t { calm, wild };
 
 struct Toy {
   double x = 1.0;
@@ -22,7 +22,7 @@ struct Toy {
   std::int16_t hits = -2;
   std::uint64_t ticks = 0;
   bool hot = false;
-  Mood mood = Mood::calm;
+  SweptMood mood = SweptMood::calm;
   double push = 0.0;
 
   void step(double dt_s) {
@@ -30,7 +30,7 @@ struct Toy {
     charge *= 0.75F;
     ++hits, ++ticks;
     hot = hits > 0;
-    mood = hot ? Mood::wild : mood;
+    mood = hot ? SweptMood::wild : mood;
     if (x > 90.0) throw std::runtime_error("off the table");
   }
   template <class See>
