@@ -198,7 +198,7 @@ async function coreOfPage() {
   if (report.no_replay) return { reason: report.no_replay };
   const core = await Core.start().catch(() => null);
   if (!core) return { reason: 'this browser runs no WebAssembly' };
-  if (report.core_step === null) core.requireSame(report.core_fingerprint, report.program);
+  if (!report.core_step) core.requireSame(report.core_fingerprint, report.program);
   else if (!core.useStep(report.core_step) || core.fingerprint() !== report.core_fingerprint)
     return { reason: `this browser calculates the step of the core ${report.core} otherwise than ${report.program}` };
   return { core };

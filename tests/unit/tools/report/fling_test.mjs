@@ -14,7 +14,7 @@ const flown = rate => (rate === 144 ? { t: [], x: [], y: [] } : { t: [0, 1, 2], 
 function opened(state = {}) {
   const said = [], say = (name, result) => (...values) => (said.push([name, ...values.map(value => (typeof value === 'object' ? JSON.stringify(value) : value))].join(' ')), result?.(...values));
   let frames = 0;
-  const core = { liveStart: say('start'), liveGrab: say('grab'), liveDrag: say('drag'), liveRelease: say('release', () => ({ x: 41, y: 31, vx: 300, vy: -400 })), liveVelocity: say('velocity', () => ({ vx: 6, vy: 8 })),
+  const core = { measureBy() {}, liveStart: say('start'), liveGrab: say('grab'), liveDrag: say('drag'), liveRelease: say('release', () => ({ x: 41, y: 31, vx: 300, vy: -400 })), liveVelocity: say('velocity', () => ({ vx: 6, vy: 8 })),
     liveFrame: say('frame', dt => ({ t: ++frames / 10, x: 40 + frames, y: 30, vx: 1, vy: 2, contact: 0, frames, ...state })), liveScenario: () => ({ record, stateHash: 'ab' }),
     flight: say('flight', (_, rate) => flown(rate)), load: say('load', () => 1), playTo: say('play'), finish: () => ({ stateHash: 'ab', contacts: {}, steps: 1 }), rows: () => ({ step: [0], t: [0], x: [1], y: [2] }), contacts: () => ({}),
     errors: () => ({}), contactErrors: () => ({}), causes: () => ({}) };

@@ -133,7 +133,7 @@ test('a place looks the way it came from', () => {
 test('a run agrees only if every check of it does', async () => {
   const run = { record: '', blocks: '', rows: Object.fromEntries(data.rowFields.map(field => [field, base64([0])])), steps: 3, state_hash: 'a' };
   const checked = { firstDifference: null, isComplete: true, steps: 3, stateHash: 'a' };
-  const core = (found, steps = 3) => ({ load: () => steps, playTo: end => end, finish: () => ({ ...checked, ...found }), rows: () => rows, contacts: () => ({}),
+  const core = (found, steps = 3) => ({ measureBy() {}, load: () => steps, playTo: end => end, finish: () => ({ ...checked, ...found }), rows: () => rows, contacts: () => ({}),
     errors: () => ({}), contactErrors: () => ({}), causes: () => ({}) });
   const outcome = async (...found) => (await replay.replay(core(...found), run, () => {})).outcome;
   assert.deepEqual([await outcome({}), await outcome({}, -1)], ['agrees', 'none']);
@@ -147,7 +147,7 @@ test('a long run is played in pieces, which say how far it is', async () => {
     [40_000, 40_000, 61, [20_000, 30_000, 35_000, 37_500, 38_750, 39_750, 40_000], [0.5, 0.75, 0.875, 0.9375, 0.96875, 0.99375, 1]]]) {
     const played = [], reports = [];
     const playTo = end => (played.push(end), frame(performance.now() + took), Math.min(end, reaches));
-    const core = { load: () => steps, playTo, finish: () => ({}), rows: () => rows, contacts() {}, errors() {}, contactErrors() {}, causes() {} };
+    const core = { measureBy() {}, load: () => steps, playTo, finish: () => ({}), rows: () => rows, contacts() {}, errors() {}, contactErrors() {}, causes() {} };
     const { milliseconds } = await replay.replay(core, run, share => (reports.push(share), Promise.resolve().then(later)));
     assert.deepEqual([played, reports, milliseconds], [ends, shares, took * ends.length]);
   }

@@ -29,7 +29,7 @@ async function opened(runs, { against, hash = '', found = () => ({}), core = {},
   location.hash = hash;
   Object.assign(report, { runs, against });
   let played = -1;
-  Core.start = start ?? (async () => ({ requireSame() {}, load: () => (found(++played) ? 400 : -1), playTo: step => step, finish: () => ({ ...checked, ...found(played) }), rows: () => rows, contacts: () => contacts, errors: () => ({ step: [] }),
+  Core.start = start ?? (async () => ({ requireSame() {}, measureBy() {}, load: () => (found(++played) ? 400 : -1), playTo: step => step, finish: () => ({ ...checked, ...found(played) }), rows: () => rows, contacts: () => contacts, errors: () => ({ step: [] }),
     contactErrors: () => ({ step: [95], wall: [2], time_error: [0.001], effective_restitution: [0.75] }), causes: () => ({ step: [] }), liveStart() {}, liveGrab() {}, liveVelocity: () => ({ vx: 3, vy: 4 }), liveFrame: body, liveScenario: () => ({ record: [], stateHash: 'ab' }), ...core }));
   await show();
 }
@@ -123,17 +123,24 @@ test('what is not all shown, or is not replayed, is said', async t => {
   assert.deepEqual(['contacts', 'inputs-list'].map(id => element(id).querySelectorAll('.quiet').at(-1).textContent), ['The first 200 of 1,500.', 'The first 200 of 201.']);
   await opened([run('a'), run('b')], { core: { load: core.load } });
   assert.equal(reports.at(-1), 'Replaying a: 100 %');
-  t.after(() => Object.assign(report, { core: 'paper', core_fingerprint: 'ab' }));
-  report.core_fingerprint = null;
-  report.core = 'moon.h';
+  t.after(() => Object.assign(report, { core: 'paper', no_replay: null, core_step: null }));
+  report.no_replay = 'the step of the core moon is not complete';
+  report.core = 'moon';
   const own = await import(new URL('runs.js?own', page));
   await opened([run('a')], { show: own.showRuns });
   assert.deepEqual([data().replay, element('mode-fling').disabled], ['none', true]);
-  assert.match(text('verdict'), /not replayedthis page holds no copy of the core moon\.h/);
-  assert.equal(text('stage-note'), 'No replay: this page holds no copy of the core moon.h. Without it there are no errors, no causes of drift and nothing to fling.');
+  assert.match(text('verdict'), /not replayedthe step of the core moon is not complete/);
+  assert.equal(text('stage-note'), 'No replay: the step of the core moon is not complete. Without it there are no errors, no causes of drift and nothing to fling.');
   // It has the contacts of the file.
   await opened([run('a', { contacts: Object.fromEntries(Object.entries(contacts).map(([name, values]) => [name, base64(values)])) })], { show: own.showRuns });
   assert.match(text('contacts'), /^StepWall.*ground/);
+  // A step that the page carries is played where it is calculated as in the program.
+  Object.assign(report, { no_replay: null, core_step: 'step' });
+  for (const [can, fingerprint, replay] of [[true, 'ab', 'agrees'], [true, 'cd', 'none'], [false, 'ab', 'none']]) {
+    await opened([run('a')], { show: own.showRuns, core: { useStep: step => can && step === 'step', fingerprint: () => fingerprint } });
+    assert.equal(data().replay, replay);
+  }
+  assert.match(text('stage-note'), /^No replay: this browser calculates the step of the core moon otherwise than hyrax-sim 1\./);
 });
 
 test('a page of another width is drawn anew', async () => {
