@@ -8,6 +8,7 @@
 
 #include "sim/cause/run_match.h"
 #include "sim/compare/comparison.h"
+#include "sim/core/listing_core.h"
 #include "sim/trajectory/row.h"
 
 namespace hyrax {
@@ -55,8 +56,10 @@ struct StepEvidence {
   bool gives_all = true;
 };
 
-StepEvidence evidence_of(const Core& core, const StoredRun& run, const StoredRun& other) {
+// REQUIRES: the core takes the run's parameters.
+StepEvidence evidence_of(const Core& own_core, const StoredRun& run, const StoredRun& other) {
   StepEvidence evidence;
+  const Core core = with_parameters(own_core, run.scenario.parameters).value();
   for (const ObservedStep& step : observed_steps(run, other, core)) {
     evidence.has_steps = true;
     if (gives(core, step)) continue;
@@ -79,6 +82,10 @@ class CauseFinder {
     if (!is_repeated) return {CauseKind::unknown, std::string(kNotRepeated)};
     const bool is_judged = base_.accepted != nullptr && names_accepted;
     const Core& core = is_judged ? *base_.accepted : base_.program;
+    for (const StoredRun* const each : {&golden, &fresh})
+      if (!with_parameters(core, each->scenario.parameters))
+        return {CauseKind::unknown,
+                fmt::format("{} does not take the scenario's parameters", name_of_core(is_judged))};
     // A changed scenario of other length, or of equal rows, differs whatever the core is.
     const bool is_core_asked =
         scenario_change.empty() ||
@@ -105,6 +112,10 @@ class CauseFinder {
                                      : "blessed with another core than the accepted one";
   }
 
+  static const char* name_of_core(bool is_judged) {
+    return is_judged ? "the accepted core" : "this program's core";
+  }
+
   [[nodiscard]] static Cause scenario_cause(const DifferingRun& run, const Core& core, bool is_judged) {
     if (match(core, run.golden.scenario, run.golden).rows) return {CauseKind::scenario, run.scenario_change};
     if (!run.is_golden_as_blessed)
@@ -112,7 +123,7 @@ class CauseFinder {
     return {
         CauseKind::unknown,
         fmt::format("the scenario changed since it was blessed: {}; {} does not give the golden file either",
-                    run.scenario_change, is_judged ? "the accepted core" : "this program's core")};
+                    run.scenario_change, name_of_core(is_judged))};
   }
 
   // Frame times and inputs differ in the files themselves. With those of the golden file the core must give

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/compare/comparison.h"
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/apply.h"
 
@@ -146,8 +147,10 @@ Scenario playback_of(const StoredRun& golden) {
 }
 
 RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run) {
+  const std::optional<Core> played = with_parameters(core, scenario.parameters);
+  if (!played) return {};
   RunMatcher matcher(run);
-  Replay replay(core, scenario, matcher);
+  Replay replay(*played, scenario, matcher);
   if (replay.steps() < run.steps) return {};
   std::int64_t piece = 16 * kRows;
   for (std::int64_t at = -1; at < run.steps && !matcher.differs(); piece *= 2) {

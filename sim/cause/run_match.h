@@ -22,8 +22,8 @@ struct RunMatch {
   [[nodiscard]] bool is_whole() const { return rows && times && contacts; }
 };
 
-/// Plays the scenario by the core. Ends at the first block of rows that differs: times and contacts are then
-/// not compared to the end.
+/// Plays the scenario by the core with its parameters; no match if it does not take them. Ends at the first
+/// block of rows that differs: times and contacts are then not compared to the end.
 [[nodiscard]] RunMatch match(const Core& core, const Scenario& scenario, const StoredRun& run);
 
 /// One step of a run: the state after the inputs of its frame, and what the core made of it.

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/core/core_record.h"
 #include "sim/core/stepper.h"
@@ -26,6 +27,11 @@ struct Core {
   /// By which its runs are measured as the paper's model: those of a class of that name, whatever its step,
   /// or of another core, or class with other names, with the paper's step. Nothing: they cannot be.
   std::optional<Constants> constants = {};
+  /// What scenarios call its constants, if its step is the paper's; an empty one is not known.
+  ConstantNames constant_names = {};
+  /// Of one that with_parameters made (sim/core/listing_core.h): the scenario's, and the core without them.
+  std::vector<Parameter> parameters = {};
+  std::shared_ptr<const Core> own = {};
   /// A contact byte: those whose contacts the rows tell; of others the step's comparisons decide.
   std::uint8_t walls_of_rows = 0;
   std::shared_ptr<const Stepper> stepper = {};

@@ -30,7 +30,10 @@ template <class Class>
   static_assert(std::is_trivially_copyable_v<Class>,
                 "hyrax: class physics must be trivially copyable: a run goes on with a copy of it");
   Core core{.name = name, .record = record};
-  if constexpr (HasPaperConstants<Class>) core.constants = constants_of<Class>();
+  if constexpr (HasPaperConstants<Class>) {
+    core.constants = constants_of<Class>();
+    core.constant_names = constant_names_of<Class>();
+  }
   if (record.is_listing) core.paper_match.constants = core.constants;
   core.stepper = std::make_shared<const StepperOf<ClassCores<Class>>>(
       ClassCores<Class>(),

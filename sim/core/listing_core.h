@@ -1,6 +1,9 @@
 // The paper's step with any constants, as a core that a replay can play.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "sim/core/core.h"
 #include "sim/motion/state.h"
 
@@ -42,5 +45,10 @@ struct StepCores {
 /// it gives the bits of the shipped core, slower. A golden file's rows are restored with its own constants,
 /// whatever a program's core does.
 [[nodiscard]] Core listing_core(const Constants& constants);
+
+/// What plays a scenario of these parameters: the paper's step with the core's own constants and these; the
+/// core itself where there are none, or where it was made with them. Nothing: the core's step is not the
+/// paper's, or has no constant of such a name.
+[[nodiscard]] std::optional<Core> with_parameters(const Core& core, const std::vector<Parameter>& parameters);
 
 }  // namespace hyrax

@@ -43,6 +43,7 @@ void complete_by_step(Core& core) {
   // Then the stepper's own contacts, those of the paper's step with the constants of its class, are right.
   const bool is_listing =
       core.constants && core.paper_match.constants && same_bits(*core.constants, *core.paper_match.constants);
+  if (!is_listing) core.constant_names = {};  // The step has other numbers than its class.
   if (!is_paper_model(core.name) || !core.constants) core.constants = core.paper_match.constants;
   if (is_listing) return;
   const auto program = step ? make_step_program(*step) : nullptr;

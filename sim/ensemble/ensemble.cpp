@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/listing_core.h"
 #include "sim/ensemble/lane_player.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/schedule.h"
@@ -15,9 +16,13 @@ namespace {
 
 bool is_in_trace(const VariedKey& key) { return key.pointer.starts_with("/clock/dt_s/"); }
 
-// The kernels keep no rows, so they cannot hash them; and they read one trace for all members.
+bool is_parameter(const VariedKey& key) { return key.pointer.starts_with("/parameters/"); }
+
+// The kernels keep no rows, so they cannot hash them; and they have one trace and one set of constants for
+// all members.
 bool needs_replay(const Sweep& sweep) {
-  return sweep.keep.has(Keep::state_hash) || std::ranges::any_of(sweep.vary, is_in_trace);
+  return sweep.keep.has(Keep::state_hash) || std::ranges::any_of(sweep.vary, is_in_trace) ||
+         std::ranges::any_of(sweep.vary, is_parameter);
 }
 
 Detail detail_of(const KeepSet& keep) {
@@ -186,10 +191,10 @@ class EnsemblePlayer::Batch {
 };
 
 EnsemblePlayer::EnsemblePlayer(const Core& core, const Sweep& sweep, const KernelSet* kernels)
-    : core_(core), sweep_(sweep) {
-  if (!core.paper_match.constants || needs_replay(sweep)) return;
+    : core_(with_parameters(core, sweep.base.parameters).value()), sweep_(sweep) {
+  if (!core_.paper_match.constants || needs_replay(sweep)) return;
   if (kernels == nullptr) kernels = &kernel_sets().front();
-  batch_ = std::make_unique<Batch>(sweep, *kernels, *core.paper_match.constants);
+  batch_ = std::make_unique<Batch>(sweep, *kernels, *core_.paper_match.constants);
 }
 EnsemblePlayer::~EnsemblePlayer() = default;
 
@@ -198,8 +203,11 @@ StepTally EnsemblePlayer::play(const WorkPart& part, std::int64_t first_row,
   StepTally tally;
   if (!batch_) {
     SweepMembers members(sweep_);
-    for (MemberResult& result : results)
-      tally += play_member(core_, members.scenario(part.member(first_row++)), sweep_.keep, result);
+    for (MemberResult& result : results) {
+      const Scenario& scenario = members.scenario(part.member(first_row++));
+      tally +=
+          play_member(with_parameters(core_, scenario.parameters).value(), scenario, sweep_.keep, result);
+    }
     return tally;
   }
   constexpr std::size_t kBatch = 1024;  // Stays in the second-level cache.

@@ -61,7 +61,7 @@ class EnsemblePlayer {
 
  private:
   class Batch;
-  const Core& core_;
+  Core core_;  // With the base's parameters.
   const Sweep& sweep_;
   std::unique_ptr<Batch> batch_;  // Nothing if the members are replayed.
 };

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 
 namespace hyrax {
 
@@ -96,6 +97,14 @@ struct Constants {
   double rest_threshold_px_per_s = 0.0;  ///< Below it a ground contact sets vy to 0.
 };
 
+/// In the order in which the paper's step needs them.
+inline constexpr std::array<double Constants::*, 5> kConstantFields = {
+    &Constants::gravity_px_per_s2, &Constants::air_drag, &Constants::restitution, &Constants::ground_friction,
+    &Constants::rest_threshold_px_per_s};
+using ConstantNames = std::array<std::string_view, kConstantFields.size()>;
+inline constexpr ConstantNames kPaperNames = {"GRAVITY", "AIR_DRAG", "RESTITUTION", "GROUND_FRICTION",
+                                              "REST_THRESHOLD"};
+
 /// Whether a class has them by the paper's names.
 template <class Physics>
 concept HasPaperConstants = requires {
@@ -109,6 +118,20 @@ template <HasPaperConstants Physics>
           .air_drag = Physics::AIR_DRAG,
           .ground_friction = Physics::GROUND_FRICTION,
           .rest_threshold_px_per_s = Physics::REST_THRESHOLD};
+}
+
+/// The names of those that are of type double, as the values of a scenario are; else empty.
+template <HasPaperConstants Physics>
+[[nodiscard]] constexpr ConstantNames constant_names_of() {
+  constexpr bool kAreDouble[] = {std::is_same_v<decltype(Physics::GRAVITY), const double>,
+                                 std::is_same_v<decltype(Physics::AIR_DRAG), const double>,
+                                 std::is_same_v<decltype(Physics::RESTITUTION), const double>,
+                                 std::is_same_v<decltype(Physics::GROUND_FRICTION), const double>,
+                                 std::is_same_v<decltype(Physics::REST_THRESHOLD), const double>};
+  ConstantNames names = kPaperNames;
+  for (std::size_t place = 0; place < names.size(); ++place)
+    if (!kAreDouble[place]) names[place] = {};
+  return names;
 }
 
 [[nodiscard]] inline bool same_bits(const Constants& a, const Constants& b) {

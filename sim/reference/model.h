@@ -1,7 +1,13 @@
 // The laws of motion as the reference knows them: its own copy of the paper's table.
 #pragma once
 
+#include <optional>
+#include <string_view>
+#include <vector>
+
 #include "sim/motion/state.h"
+#include "sim/scenario/scenario.h"
+#include "sim/trajectory/physics_model.h"
 
 namespace hyrax {
 
@@ -24,5 +30,17 @@ struct Model : Constants {
 
   double model_rate_hz = 60.0;  ///< Frame rate at which air_drag is a law of nature.
 };
+
+/// By which runs of a core are measured: of the paper's model this table with the scenario's parameters, so
+/// that a changed constant of the shipped core shows as an error; of any other core the constants that it
+/// played with, or without any the table.
+[[nodiscard]] inline Model reference_model(std::string_view physics,
+                                           const std::optional<Constants>& constants,
+                                           const std::vector<Parameter>& parameters) {
+  if (constants && !is_paper_model(physics)) return Model(*constants);
+  Model model;
+  set_parameters(parameters, kPaperNames, model);
+  return model;
+}
 
 }  // namespace hyrax

@@ -79,6 +79,7 @@ std::optional<NumberField> number_at(Scenario& scenario, std::string_view pointe
       find("", frame_field(trace->dt_s[*frame]));
       return found;
     }
+  for (auto& [name, value] : scenario.parameters) find("/parameters/" + name, parameter_field(value));
   const auto index = take_index(pointer, "/events/", scenario.events.size());
   if (!index) return found;
   Event& event = scenario.events[*index];
@@ -98,6 +99,7 @@ std::vector<NumberField> numbers_of(Scenario& scenario) {
   if (auto* const trace = std::get_if<RecordedSteps>(&scenario.clock.base))
     for (double& dt_s : trace->dt_s) numbers.push_back(frame_field(dt_s));
   for (Event& event : scenario.events) visit_numbers(event.action, add);
+  for (Parameter& parameter : scenario.parameters) numbers.push_back(parameter_field(parameter.value));
   return numbers;
 }
 

@@ -61,6 +61,10 @@ struct NumberField {
   return {&side_px, double(kSpriteSideMin_px), double(kSpriteSideMax_px)};
 }
 
+[[nodiscard]] inline NumberField parameter_field(double& value) {
+  return {&value, -kParameterMax, kParameterMax};
+}
+
 /// Calls visit(path, NumberField) for each number of an action in the order of the file: the one list of them
 /// that files, sweeps, searches and the report page share. The path is that in the action's member of the
 /// file, as "vx_px_per_s" or "window/width_px". A size that a resize leaves as it is has no numbers.

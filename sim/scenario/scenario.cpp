@@ -8,6 +8,21 @@ Action make_action(std::size_t kind) {
   return kActions.at(kind);
 }
 
+const Parameter* set_parameters(const std::vector<Parameter>& parameters, const ConstantNames& names,
+                                Constants& constants) {
+  const Parameter* unknown = nullptr;
+  for (const Parameter& parameter : parameters) {
+    bool is_known = false;
+    for (std::size_t place = 0; place < names.size(); ++place) {
+      if (names[place].empty() || names[place] != parameter.name) continue;
+      constants.*kConstantFields[place] = parameter.value;
+      is_known = true;
+    }
+    if (!is_known && unknown == nullptr) unknown = &parameter;
+  }
+  return unknown;
+}
+
 Scenario without_texts(Scenario scenario) {
   scenario.name.clear();
   scenario.description.reset();

@@ -21,7 +21,8 @@ inline constexpr std::int64_t kSpriteSideMax_px = 1'000'000;
 inline constexpr double kCoordinateMax_px = 1e12;  ///< Also the limit of speeds, in px/s.
 inline constexpr double kSpeedMax_px_per_s = 1e12;
 inline constexpr double kRateMax_hz = 1e9;
-inline constexpr double kFrameMax_s = 1e9;  ///< The longest dt, a jittered one too.
+inline constexpr double kFrameMax_s = 1e9;     ///< The longest dt, a jittered one too.
+inline constexpr double kParameterMax = 1e12;  ///< Of its magnitude.
 inline constexpr std::int64_t kStepsMax = 1'000'000'000'000;
 inline constexpr std::int64_t kNameLengthMax = 64;
 
@@ -96,6 +97,18 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
+/// A constant of the core by the core's own name of it, with the value that it has in this run.
+struct Parameter {
+  std::string name;
+  double value = 0.0;
+  bool operator==(const Parameter&) const = default;
+};
+
+/// Gives the constants of these names the parameters' values. Returns the first parameter of another name;
+/// nullptr: there is none.
+const Parameter* set_parameters(const std::vector<Parameter>& parameters, const ConstantNames& names,
+                                Constants& constants);
+
 /// Both ends inclusive and finite, but low is -infinity where at_rest_since_s has no lower end.
 struct Interval {
   double low = 0.0;
@@ -136,6 +149,7 @@ struct Scenario : ScenarioHead {
   Position start;
   Velocity start_velocity;
   std::vector<Event> events;
+  std::vector<Parameter> parameters;  ///< By name, each once; the core's other constants are its own.
   std::optional<Expect> expect;
   bool operator==(const Scenario&) const = default;
 };

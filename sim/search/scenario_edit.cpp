@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -76,7 +77,7 @@ Scenario without_events(const Scenario& scenario, std::size_t first, std::size_t
 
 Scenario after_frames(const Core& core, const Scenario& scenario, std::int64_t frames) {
   assert(0 <= frames && frames <= step_count(scenario));
-  Replay run(core, scenario);
+  Replay run(with_parameters(core, scenario.parameters).value(), scenario);
   run.play_to(frames);
   const Keyframe& then = run.keyframe();
   Scenario later = without_frames(scenario, 0, frames);

@@ -2,15 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/trajectory/physics_model.h"
-
 namespace hyrax {
-
-Model reference_model(std::string_view physics, const std::optional<Constants>& constants) {
-  return is_paper_model(physics) || !constants ? Model() : Model(*constants);
-}
-
-Model reference_model(const Core& core) { return reference_model(core.name, core.constants); }
 
 std::string why_not_measurable(const Constants& constants) {
   const auto fault = [](const char* name, double value, double low, double high) {

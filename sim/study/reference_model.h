@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "sim/core/core.h"
 #include "sim/motion/state.h"
@@ -11,13 +10,16 @@
 
 namespace hyrax {
 
-/// Of the paper's model the reference's own table, so that a changed constant of the shipped core shows as an
-/// error; of any other core its constants, or without any that table.
-[[nodiscard]] Model reference_model(std::string_view physics, const std::optional<Constants>& constants);
-[[nodiscard]] Model reference_model(const Core& core);
+[[nodiscard]] inline Model reference_model(const Core& core) {
+  return reference_model(core.name, core.constants, core.parameters);
+}
 
 /// What the reference does not allow of constants, as "AIR_DRAG: must be 0.5 .. 1 (found 0.3)"; empty:
 /// nothing.
 [[nodiscard]] std::string why_not_measurable(const Constants& constants);
+/// Whether a run of a core with such constants can be measured by the model.
+[[nodiscard]] inline bool is_measurable(const std::optional<Constants>& constants, const Model& model) {
+  return constants && why_not_measurable(model).empty();
+}
 
 }  // namespace hyrax

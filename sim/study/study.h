@@ -24,7 +24,7 @@ struct NamedScenario {
 
 /// What the user asked of a study, and what a study may not do itself.
 struct StudyRequest {
-  const Core& core;
+  Core core;  ///< With the parameters of the scenarios, if they all have the same.
   std::vector<NamedScenario> scenarios = {};          ///< Of different names.
   bool is_quick = false;                              ///< A smaller study, in seconds.
   std::optional<double> within_px = {};               ///< A tolerance.

@@ -17,21 +17,15 @@ namespace hyrax {
 namespace {
 
 constexpr std::size_t kListingMembers = 4;
-constexpr std::size_t kConstants = 5;
-constexpr std::array<double Constants::*, kConstants> kConstantFields = {
-    &Constants::gravity_px_per_s2, &Constants::air_drag, &Constants::restitution, &Constants::ground_friction,
-    &Constants::rest_threshold_px_per_s};
-constexpr std::array<std::string_view, kConstants> kConstantNames = {"GRAVITY", "AIR_DRAG", "RESTITUTION",
-                                                                     "GROUND_FRICTION", "REST_THRESHOLD"};
 
 // The operations of the listing, in its order.
 class ListingBuilder {
  public:
   // A constant that is NaN is not known: an argument of the paper's name takes its place.
   explicit ListingBuilder(const Constants& constants) {
-    for (std::size_t place = 0; place < kConstants; ++place) {
+    for (std::size_t place = 0; place < kConstantFields.size(); ++place) {
       const double value = constants.*kConstantFields[place];
-      constants_[place] = std::isnan(value) ? argument(kConstantNames[place]) : constant(value);
+      constants_[place] = std::isnan(value) ? argument(kPaperNames[place]) : constant(value);
     }
   }
 
@@ -125,7 +119,7 @@ class ListingBuilder {
   }
 
   TracedStep step_{.members = std::vector<NumberKind>(kListingMembers, NumberKind::real)};
-  std::array<Index, kConstants> constants_{};
+  std::array<Index, kConstantFields.size()> constants_{};
 };
 
 TracedStep without_further_members(TracedStep step) {
@@ -150,8 +144,8 @@ std::pair<std::int64_t, std::int64_t> misfit(const TracedStep& listing, const Tr
   return {count, -std::ssize(listing.expressions)};
 }
 
-// One constant after the other, in the order in which the listing needs them: the number of the step's own
-// with which the least of the listing is missing. NaN where none is better than none.
+// One constant after the other: the number of the step's own with which the least of the listing is missing.
+// NaN where none is better than none.
 Constants fitted_constants(const TracedStep& step) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> numbers;

@@ -72,6 +72,7 @@ STATED = (
     (FORMAT, "Finite, magnitude at most {};", SCENARIO, "kCoordinateMax_px"), (FORMAT, "1 to {} characters", SCENARIO, "kNameLengthMax"),
     (OWN, "up to row {}, `fuzz`", "sim/described/described_run.h", "kCheckedRowsMax"),
     (FORMAT, "Finite, magnitude at most {};", SCENARIO, "kSpeedMax_px_per_s"), (FORMAT, "number of frames, 0 .. {} |", SCENARIO, "kStepsMax"),
+    (FORMAT, "magnitude at most {}. The run", SCENARIO, "kParameterMax"),
     (FORMAT, "`vx_px_per_s`, `vy_px_per_s` ({} if left out)", "tools/files/scenario.schema.json", '"default":'),
     (FORMAT, "`rate_hz` | > 0, at most {}; dt = 1 / rate_hz, at most {} s", SCENARIO, "kRateMax_hz, kFrameMax_s"),
     (FORMAT, "`dt_s` (number) | 0 .. {} s", SCENARIO, "kFrameMax_s"), (FORMAT, "each 0 .. {} s. `steps`", SCENARIO, "kFrameMax_s"),
@@ -166,14 +167,14 @@ STATED = (
 # nothing decides it, here.
 NO_SOURCE = {
     "CHANGELOG.md": "95", "README.md": "75 1000 1.0", FILES: "0 1 2 3 0.1 600 700 492 592 90 95 0 0 0 1 2 3 4 5 6 7 1 0 16 32 1.10", "sim/README.md": "1 0 0 0",
-    FORMAT: ("320 240 5120 1440 60 165 110 400 0 1 2 3 4 120 1,500 0 0 0 0 2K 144 60.0 1e9 0 1 1 1.0 2.0 1.0 6.0 "
+    FORMAT: ("320 240 5120 1440 60 165 110 400 0 1 2 3 4 120 1,500 0 0 0 980 0 2K 144 60.0 1e9 0 1 1 1.0 2.0 1.0 6.0 "
         "11 0.0 0 0.0 2.0 0 2 64 1 1 0x9E3779B97F4A7C15 2 64 30 27 31 0xBF58476D1CE4E5B9 0x94D049BB133111EB 11 2 0 0 0 0 0 1 2 "
         "3 4 1 0 0 0 0 1 0"), SWEEPS: "0 1 1 4 64 2 12.2 96",
     CORE: "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6 60 240 779 0.0885 137 60 227", "tests/browser/README.md": "1,000,001",
     DRIFT: "1e-11 1 44 60 200 10 90 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006", BENCHMARKS: "2 12.2.0 10 600", HYRAX: "10 11 60 8",
     STUDIES: ("95 22:209 1927 95 7:1 1979 3 10 90 95 1 60 8 60 8 60 15 0 60 4 60 "
         "0.5 1.5 95 52 2e7 24 60 144 240 60 100 1 100 50 16 60 0 0 0 3 75 8 960 60"),
-    "tests/must_fail/README.md": "0", OWN: "0 2.0 2.0 0 20 320.0 4096.0 0 1 20.0 600 120 120 1000 60 300 0 100 120 0 64 1e-9 1 1e-5 1 2 4 8 256 301 8 3",
+    "tests/must_fail/README.md": "0", OWN: "980 0 2.0 2.0 0 20 320.0 4096.0 0 1 20.0 600 120 120 1000 60 300 0 100 120 0 64 1e-9 1 1e-5 1 2 4 8 256 301 8 3",
     TESTS: ("1e9 40 16 0.1.0 12 107 107 14 22 107 107 12 107 107 12 107 107 12 106 106 12 106 106 12 106 106 12 106 "
         "106 19 106 106 12 12 78 107 24.04 13 106 16.8 1 200 165 12 23 44 44 0 0 102 97 0 5 163 128 24 11 196 105 62 29 55 48 0 "
         "7 29 26 0 3 4 4 0 0 12 10 1 1 805 627 99 79 95 30 68 57 7 3 1 0.1.0 17 42,600"), "tests/oracle/README.md": "3.11", PAGE: "0 120 120", "tools/own_core/ci.md": "4 12",

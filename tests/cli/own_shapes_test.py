@@ -149,6 +149,28 @@ class Shapes(InstalledPackage):
         self.expect(AGREED, "bless", "fling.json", "--golden", "golden", "--reason", "x")
         self.expect(AGREED, "check", "fling.json", "--golden", "golden")
 
+    def test_parameters_go_by_the_cores_own_names_and_give_the_bits_of_a_core_that_has_them(self):
+        self.write("as-moon.json", {**self.fling(), "parameters": {name: value for name, (_, value) in MOON.items()}})
+        as_moon = self.expect(AGREED, "run", "as-moon.json", "--json").json["runs"][0]
+        paper = self.expect(AGREED, "run", "fling.json", "-o", "paper.h5", "--json").json["runs"][0]
+        drift = self.expect(AGREED, "drift", "as-moon.json", "--json").json["runs"][0]
+        self.write("as-paper.json", {**self.fling(), "parameters": {
+            own: next(value for each, value in vars(replay).items() if each.startswith(name)) for name, (own, _) in MOON.items()}})
+        self.write("floor.json", {**self.fling(), "parameters": {"FLOOR": 0.7}})
+        self.use("moon")
+        moon = self.expect(AGREED, "run", "fling.json", "--json").json["runs"][0]
+        self.assertEqual(as_moon["state_hash"], moon["state_hash"])
+        self.assertNotEqual(paper["state_hash"], moon["state_hash"])
+        self.assertEqual(drift["worst"], self.expect(AGREED, "drift", "fling.json", "--json").json["runs"][0]["worst"])
+        self.assertEqual(self.expect(AGREED, "run", "as-paper.json", "--json").json["runs"][0]["state_hash"], paper["state_hash"])
+        self.assertIn("with FLOOR 0.7, not the core's own 0.65\n", self.expect(AGREED, "run", "floor.json").out)
+        self.expect(BAD_INPUT, "run", "as-moon.json", says="/parameters/AIR_DRAG: unknown constant of the core (found AIR_DRAG); allowed: PULL, AIR, ")
+        self.use("spin")
+        for command in ("run", "check", "drift"):
+            outcome = self.hyrax_sim(command, "floor.json")
+            self.assertEqual(outcome.exit_code, BAD_INPUT)
+        self.expect(BAD_INPUT, "run", "floor.json", says="floor.json: /parameters: needs a core of the same shape")
+
     def test_another_shape_is_refused_by_its_first_expression_and_has_the_rest(self):
         for name, (_, _, expression) in SHAPES.items():
             with self.subTest(name):

@@ -1,5 +1,7 @@
 #include "tools/files/scenario_reader.h"
 
+#include <algorithm>
+
 #include "tools/files/failure.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/json_reader.h"
@@ -21,17 +23,26 @@ void read_start(const JsonPlace& here, Scenario& scenario) {
                              here.member("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
 }
 
+// Which names there are the core says.
+void read_parameters(const JsonPlace& here, Scenario& scenario) {
+  here.each_member([&](const std::string& name, const JsonPlace& place) {
+    scenario.parameters.push_back({name, place.number({-kParameterMax, kParameterMax}).value_or(0.0)});
+  });
+  std::ranges::sort(scenario.parameters, {}, &Parameter::name);
+}
+
 Scenario read_document(const JsonPlace& document, const std::string& fallback_name) {
   Scenario scenario;
   if (is_of_other_core(document, "")) return scenario;
   if (!document.is_object_of({"$schema", "format", "name", "description", "window", "sprite", "start",
-                              "clock", "steps", "duration_s", "events", "record", "expect"}))
+                              "clock", "steps", "duration_s", "events", "parameters", "record", "expect"}))
     return scenario;
   read_names(document, fallback_name, scenario);
   scenario.window = read_window(document.required("window"));
   scenario.sprite = read_sprite(document.required("sprite"));
   read_start(document.required("start"), scenario);
   read_events(document.member("events"), read_frames(document, scenario), scenario);
+  read_parameters(document.member("parameters"), scenario);
   read_record(document, scenario);
   if (const JsonPlace expect = document.member("expect"); expect.is_there())
     scenario.expect = read_expect(expect);

@@ -61,6 +61,9 @@ Json to_json(const Scenario& scenario) {
   Json::Array events;
   for (const Event& event : scenario.events) events.push_back(to_json(event));
   if (!events.empty()) document.emplace_back("events", std::move(events));
+  Object parameters;
+  for (const auto& [name, value] : scenario.parameters) parameters.emplace_back(name, value);
+  if (!parameters.empty()) document.emplace_back("parameters", std::move(parameters));
   add_record(scenario, document);
   if (scenario.expect) document.emplace_back("expect", to_json(*scenario.expect));
   return document;

@@ -11,6 +11,7 @@
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unreferenced_golden.h"
+#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
@@ -43,8 +44,9 @@ void add_sentence(std::string& sentences, const std::string& sentence) {
   if (!sentence.empty()) sentences += (sentences.empty() ? "" : "; ") + sentence;
 }
 
-void judge_into(const Core& core, const Scenario& scenario, const std::string& golden_folder,
+void judge_into(const Core& own_core, const Scenario& scenario, const std::string& golden_folder,
                 ScenarioVerdict& verdict) {
+  const Core core = run_core(own_core, verdict.path, scenario);
   const auto place = golden_place(verdict.path, golden_folder);
   const bool has_golden = place && has_golden_file(*place);
   const RunSummary summary = play(core, scenario);

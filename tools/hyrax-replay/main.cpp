@@ -18,6 +18,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/unknown_word.h"
 #include "tools/hyrax-replay/check.h"
+#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
@@ -38,7 +39,7 @@ ExitCode judge_hash(const std::string& path, const Scenario& scenario, const Run
 
 ExitCode replay_file(const Core& core, const std::string& path) try {
   const Scenario scenario = load_scenario(path);
-  const RunSummary summary = replay(core, scenario);
+  const RunSummary summary = replay(run_core(core, path, scenario), scenario);
   print_text(hex(summary.state_hash) + "  " + path + "\n");
   return judge_hash(path, scenario, summary);
 } catch (const Failure& failure) {

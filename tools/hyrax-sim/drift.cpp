@@ -6,6 +6,7 @@
 #include "tools/app/command_line/command_results.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/command_line/shell_command.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/drift/drift.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/path.h"
@@ -16,6 +17,7 @@
 #include "tools/report/figure_svg.h"
 #include "tools/report/page_file.h"
 #include "tools/report/result_page.h"
+#include "tools/run_core/run_core.h"
 #include "tools/store/output_guard.h"
 #include "tools/store/trajectory_file.h"
 
@@ -104,7 +106,9 @@ ShownResult shown_drift(const DriftReport& report) {
 void measure_one(const Core& own_core, const DriftRequest& request, const std::optional<GslOptions>& gsl,
                  const DriftInput& input, std::vector<ShownResult>& shown, CommandResults& results) {
   if (input.failure) throw *input.failure;
-  const Core core = input.is_file ? core_of_file(own_core, input.path, *input.head) : own_core;
+  const Core core = input.is_file ? core_of_file(own_core, input.path, *input.head)
+                                  : run_core(own_core, input.path, input.head->scenario);
+  require_paper_core(core, input.path);
   DriftReport measured{.run = measure(core, request, input,
                                       {.gsl = gsl,
                                        .keeps_rows = !request.figures.empty() || !request.page.empty(),

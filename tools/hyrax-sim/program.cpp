@@ -59,7 +59,8 @@ std::string first_screen(const Core& core, const std::vector<Command>& commands)
 
 }  // namespace
 
-int run_hyrax_sim(const Core& core, int argc, char** argv, bool is_own_program) {
+int run_hyrax_sim(const Core& own_core, int argc, char** argv, bool is_own_program) {
+  const Core core = with_header_names(own_core);
   const std::vector<Command> commands = all_commands();
   CommandProgram program;
   program.commands = commands;

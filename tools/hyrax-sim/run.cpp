@@ -7,6 +7,7 @@
 #include "tools/files/path.h"
 #include "tools/files/table_text.h"
 #include "tools/report/page_file.h"
+#include "tools/run_core/run_core.h"
 #include "tools/store/csv_file.h"
 
 namespace hyrax {
@@ -60,9 +61,11 @@ void write_page(const Core& core, const PaperRunRequest& request, const Scenario
   print_written(request, request.page);
 }
 
-void run_one(const Core& core, const PaperRunRequest& request, const std::optional<DriftOptions>& drift,
+void run_one(const Core& own_core, const PaperRunRequest& request, const std::optional<DriftOptions>& drift,
              const std::string& path, const Scenario& scenario, const std::string& output,
              CommandResults& results) {
+  const Core core = run_core(own_core, path, scenario);
+  if (drift) require_paper_core(core, path + ": --drift");
   require_measurable(core, path, scenario);
   std::optional<RunPicture> picture;
   if (!request.figure.empty()) picture.emplace(scenario);
@@ -72,7 +75,8 @@ void run_one(const Core& core, const PaperRunRequest& request, const std::option
                     .skips_repetition = !request.computes_all,
                     .compares = request.overrides.empty(),
                     .drift = drift,
-                    .measures_start = request.printing.is_verbose() && !drift && core.constants,
+                    .measures_start = request.printing.is_verbose() && !drift &&
+                                      is_measurable(core.constants, reference_model(core)),
                     .picture = picture ? &*picture : nullptr});
   if (run.drift) results.add(drift_exit_code(*run.drift));
   if (!run.is_as_expected()) results.add(ExitCode::disagreed);

@@ -5,14 +5,16 @@
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
 
 ScenarioSize size_of(const Scenario& scenario) { return {step_count(scenario), std::ssize(scenario.events)}; }
 
-SmallerScenario find_smaller(const Core& core, const std::string& path, const ShrinkLimits& limits) {
+SmallerScenario find_smaller(const Core& own_core, const std::string& path, const ShrinkLimits& limits) {
   const Scenario scenario = load_scenario(path);
+  const Core core = run_core(own_core, path, scenario);
   require_measurable(core, path, scenario);
   ShrunkRun run = shrink_run(core, path, scenario, limits);
   if (!run.shrunk.fails_again)

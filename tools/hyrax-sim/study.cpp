@@ -1,14 +1,17 @@
 // The command study over the studies of sim/study.
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <set>
 
 #include "sim/study/study.h"
 #include "tools/app/core/accepted_core.h"
+#include "tools/app/core/core_requirements.h"
 #include "tools/app/study/study_command.h"
 #include "tools/files/failure.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/program.h"
+#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
@@ -36,11 +39,18 @@ Result run_study(const Study& study, const StudyInput& input) {
   std::set<std::string> names;
   for (const std::string& path : input.scenarios) {
     request.scenarios.push_back({path, load_scenario(path)});
-    const std::string& name = request.scenarios.back().scenario.name;
+    const Scenario& scenario = request.scenarios.back().scenario;
+    require_paper_core(run_core(input.core, path, scenario), path);
+    const std::string& name = scenario.name;
     if (!names.insert(name).second)
       refuse_input(path + ": /name: duplicate scenario name (found " + name +
                    "); scenarios of one study need different names");
   }
+  const auto has_other_parameters = [&](const NamedScenario& named) {
+    return named.scenario.parameters != request.scenarios.front().scenario.parameters;
+  };
+  if (!input.scenarios.empty() && std::ranges::none_of(request.scenarios, has_other_parameters))
+    request.core = run_core(input.core, input.scenarios.front(), request.scenarios.front().scenario);
   try {
     return study.run(request);
   } catch (const RequestRefused& refused) {

@@ -5,6 +5,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax/arithmetic_pin.h"
 #include "tools/hyrax/report.h"
+#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
@@ -36,7 +37,8 @@ App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
   if (options.record_path) recorder_.start(*options.record_path, clock_ticks());
   if (options.log_path) log_.emplace(*options.log_path);  // Last: it creates the file.
   if (scenario_) {
-    playback_.emplace(core, *scenario_, clock_ticks_per_s(), clock_ticks());
+    playback_.emplace(run_core(core, *options.replay_path, *scenario_), *scenario_, clock_ticks_per_s(),
+                      clock_ticks());
     show(playback_->now(), Pose::fly, false);
   } else {
     pet_.skip_time(clock_ticks());

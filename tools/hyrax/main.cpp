@@ -15,6 +15,7 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax/app.h"
 #include "tools/hyrax/report.h"
+#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
@@ -37,7 +38,8 @@ ExitCode run(const Core& core, HINSTANCE instance) {
   if (const auto fault = arithmetic_fault())
     throw Failure(ExitCode::not_strict_ieee, "hyrax: " + std::string(*fault));
   if (options.only_exits) {
-    const PlaybackVerdict verdict = replayed(core, load_scenario(*options.replay_path));
+    const Scenario scenario = load_scenario(*options.replay_path);
+    const PlaybackVerdict verdict = replayed(run_core(core, *options.replay_path, scenario), scenario);
     report(verdict);
     return verdict.exit_code;
   }

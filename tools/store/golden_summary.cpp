@@ -154,6 +154,8 @@ std::string golden_summary_text(const StoredRun& run, const RunSummary& summary,
   const Row& end = summary.final;
   std::string text = fmt::format("scenario: {}\nphysics: {}\nsteps: {}\n{}{}\n", run.scenario.name,
                                  run.physics, run.steps, kStateHashKey, run.state_hash);
+  for (const auto& [name, value] : run.scenario.parameters)
+    text += fmt::format("parameter: {} {}\n", name, value);
   text += fmt::format("contacts: {}\n", contacts_text(summary, true));
   text += list_of(run);
   text += waypoints_text(waypoints);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/core/listing_core.h"
 #include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_case.h"
@@ -70,7 +71,8 @@ struct InvariantCount {
 std::vector<HardCase> cases_of(const StudyRequest& request) {
   std::vector<HardCase> cases;
   for (const NamedScenario& named : request.scenarios)
-    for (HardCase& hard_case : hard_cases_of(request.core, named.scenario))
+    for (HardCase& hard_case :
+         hard_cases_of(with_parameters(request.core, named.scenario.parameters).value(), named.scenario))
       if (!(hard_case.is_long && request.is_quick)) cases.push_back(std::move(hard_case));
   if (cases.empty())
     throw RequestRefused("hyrax-sim study hard-cases: no case is left with --quick; run it without");
@@ -83,7 +85,8 @@ std::vector<PlayedCase> play(std::vector<HardCase> cases, const StudyRequest& re
   std::vector<PlayedCase> played;
   for (HardCase& hard_case : cases) {
     const std::int64_t more = step_count(hard_case.scenario);
-    played.push_back(play_hard_case(request.core, std::move(hard_case), [&](std::int64_t checked) {
+    const Core core = with_parameters(request.core, hard_case.scenario.parameters).value();
+    played.push_back(play_hard_case(core, std::move(hard_case), [&](std::int64_t checked) {
       if (request.report_progress) request.report_progress("steps", done + checked, steps);
     }));
     done += more;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/core/listing_core.h"
 #include "sim/result/number_text.h"
 #include "sim/study/needs/needs.h"
 #include "sim/study/study.h"
@@ -292,7 +293,11 @@ Result run_needs(const StudyRequest& request) {
   for (const NamedScenario& named : request.scenarios) {
     if (request.report_progress)
       request.report_progress("scenarios", std::ssize(scenarios), std::ssize(request.scenarios));
-    scenarios.push_back(study_needs(request.core, named.scenario, options, request.now_ns));
+    const Core core = with_parameters(request.core, named.scenario.parameters).value();
+    if (request.core_step && !core.parameters.empty())
+      options.core_step = make_step_program(listing_step(*core.constants));
+    scenarios.push_back(study_needs(core, named.scenario, options, request.now_ns));
+    options.core_step = request.core_step;
   }
   const double within_px = options.within_px;
   Result result{.tables = {part_table(scenarios), coverage_table(scenarios), cheapest_table(scenarios)},

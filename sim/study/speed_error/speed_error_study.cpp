@@ -206,6 +206,10 @@ std::vector<Problem> problems_of(const StudyRequest& request) {
   std::set<std::string> names;
   for (const Problem& problem : problems) names.insert(problem.name);
   for (const NamedScenario& given : request.scenarios) {
+    if (given.scenario.parameters != request.core.parameters)
+      throw RequestRefused(given.path +
+                           ": /parameters: differ from another scenario's; a study of speed against error "
+                           "compares methods for one set of constants");
     const ScenarioProblem made = problem_of(given.scenario);
     if (!made.problem)
       throw RequestRefused(given.path + ": cannot be studied for speed against error: " + made.why_not);

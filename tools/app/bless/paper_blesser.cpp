@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "sim/cause/cause.h"
-#include "sim/study/reference_model.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/causes/difference_group.h"
 #include "tools/app/check/check_verdict.h"
@@ -15,6 +14,7 @@
 #include "tools/files/non_finite_text.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
+#include "tools/run_core/run_core.h"
 #include "tools/store/golden_file.h"
 #include "tools/store/golden_summary.h"
 
@@ -23,6 +23,7 @@ namespace {
 
 struct BlessedRun final : PairVerdict {
   Scenario scenario;  ///< As it is blessed.
+  Core core;          ///< That plays it.
 };
 BlessedRun& run_of(ScenarioVerdict& verdict) { return static_cast<BlessedRun&>(verdict); }
 
@@ -55,16 +56,17 @@ class PaperBlesser final : public Blesser {
   void parse(ScenarioVerdict& verdict, const std::string& text) const override {
     BlessedRun& run = run_of(verdict);
     run.scenario = parse_scenario_file(text, run.path);
-    require_measurable(core_, run.path, run.scenario);
+    run.core = run_core(core_, run.path, run.scenario);
+    require_measurable(run.core, run.path, run.scenario);
   }
 
   void compare(Blessing& blessing) const override {
     BlessedRun& run = run_of(*blessing.verdict);
-    PairComparison pair = *compare_with_pair(core_, run.scenario, *run.golden, true, core_);
+    PairComparison pair = *compare_with_pair(run.core, run.scenario, *run.golden, true, run.core);
     blessing.status =
         pair.is_proved || pair.is_kept ? Blessing::Status::unchanged : Blessing::Status::changed;
     blessing.keeps_h5 = has_golden_file(*run.golden) && blessing.status == Blessing::Status::changed &&
-                        is_h5_current(core_, run.scenario, *run.golden);
+                        is_h5_current(run.core, run.scenario, *run.golden);
     if (pair.is_proved) renew_older_layout(blessing);
     static_cast<PairComparison&>(run) = std::move(pair);
     run.state_hash = hex(run.summary.state_hash);
@@ -77,32 +79,33 @@ class PaperBlesser final : public Blesser {
     BlessedRun& run = run_of(*blessing.verdict);
     run.comparison.agrees = blessing.unreadable.empty();
     if (!run.comparison.agrees) run.comparison.difference = DifferenceClass::shape;
-    run.summary = play(core_, run.scenario);
+    run.summary = play(run.core, run.scenario);
     run.state_hash = hex(run.summary.state_hash);
   }
 
   void judge(ScenarioVerdict& verdict) const override {
     BlessedRun& run = run_of(verdict);
     run.expects_hash = run.scenario.expect && run.scenario.expect->state_hash;
-    run.broken = broken_expectations(core_, run.scenario, run.summary, reference_model(core_));
+    run.broken = broken_expectations(run.core, run.scenario, run.summary);
     const std::string non_finite = non_finite_text(run.scenario, run.summary.final);
     if (!non_finite.empty())
       run.faults = {non_finite};
-    else if (play(core_, run.scenario).state_hash != run.summary.state_hash)
+    else if (play(run.core, run.scenario).state_hash != run.summary.state_hash)
       run.faults = {std::string(kNotRepeated)};
   }
 
   void write_pair(const Blessing& blessing, const std::string& reason) const override {
     const BlessedRun& run = run_of(*blessing.verdict);
     const auto& [h5_path, txt_path, is_reserved, folder] = *run.golden;
-    const FreshRun fresh = play_for_golden(core_, run.scenario, core_);
+    const FreshRun fresh = play_for_golden(run.core, run.scenario, run.core);
     const std::string core_name = core_.record.checksum();
     if (blessing.keeps_h5)
-      return write_text_file(txt_path, summary_of(core_, fresh, reason, file_checksum(h5_path), core_name));
+      return write_text_file(txt_path,
+                             summary_of(run.core, fresh, reason, file_checksum(h5_path), core_name));
     AtomicFile rows(h5_path);
     AtomicFile summary(txt_path);
     write_golden(rows, h5_path, fresh.run);
-    summary.write(summary_of(core_, fresh, reason, file_checksum(rows.part_path()), core_name));
+    summary.write(summary_of(run.core, fresh, reason, file_checksum(rows.part_path()), core_name));
     // The rows come last: until they are there, `check` compares with the old ones and reports it.
     summary.commit();
     rows.commit();
@@ -112,8 +115,9 @@ class PaperBlesser final : public Blesser {
                                                        const std::string& golden_option) const override {
     auto verdict =
         std::make_shared<CheckVerdict>(check_scenario(core_, path, {.golden_folder = golden_option}));
-    if (verdict->status == CheckStatus::agreed &&
-        play(core_, load_scenario(path)).state_hash != verdict->summary.state_hash)
+    if (verdict->status != CheckStatus::agreed) return verdict;
+    const Scenario scenario = load_scenario(path);
+    if (play(run_core(core_, path, scenario), scenario).state_hash != verdict->summary.state_hash)
       verdict->faults = {std::string(kNotRepeated)};
     return verdict;
   }
@@ -152,7 +156,7 @@ class PaperBlesser final : public Blesser {
   // A summary of an older layout says something else of the same run.
   void renew_older_layout(Blessing& blessing) const {
     const BlessedRun& run = run_of(*blessing.verdict);
-    std::string renewed = renewed_summary(core_, run.scenario, *run.golden);
+    std::string renewed = renewed_summary(run.core, run.scenario, *run.golden);
     if (renewed == read_text_file(run.golden->txt_path)) return;
     blessing.status = Blessing::Status::changed;
     blessing.keeps_h5 = true;

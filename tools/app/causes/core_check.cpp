@@ -86,7 +86,7 @@ void CoreCheck::compare() {
     return;
   }
   accepted_step_ = read_step(accepted_->step);
-  if (accepted_step_) accepted_core_ = traced_core(*accepted_step_);
+  if (accepted_step_) accepted_core_ = playable_step(*accepted_step_, core_);
   verdict_.changes = core_changes(*accepted_, program, std::string(core_.record.path));
   if (accepted_->has_same_files(program) && accepted_->step == program.step) {
     verdict_.status = CoreStatus::accepted;
@@ -134,7 +134,8 @@ void CoreCheck::take_core_runs(const std::vector<const StoredRun*>& fresh) {
     return;  // Something else changed, too: a constant alone proves nothing.
   for (HeaderChange& change : verdict_.changes) {
     if (change.kind != HeaderChangeKind::constant) continue;
-    const auto alone = traced_core(with_constants(*accepted_step_, {{change.from.value, change.to.value}}));
+    const auto alone =
+        playable_step(with_constants(*accepted_step_, {{change.from.value, change.to.value}}), core_);
     change.scenarios = std::ranges::count_if(
         fresh, [&](const StoredRun* run) { return match(*alone, run->scenario, *run).rows; });
   }
@@ -146,7 +147,7 @@ void CoreCheck::measure_beyond_library(std::int64_t flings) {
     return;
   }
   Core accepted = *accepted_core_;
-  accepted.constants = match_paper(*accepted_step_).constants;
+  accepted.constants = accepted.paper_match.constants;
   const bool has_constant_changed = std::ranges::any_of(
       verdict_.changes, [](const HeaderChange& change) { return change.kind == HeaderChangeKind::constant; });
   verdict_.beyond = measure_beyond(accepted, core_, flings,

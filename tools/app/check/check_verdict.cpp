@@ -1,7 +1,6 @@
 #include "tools/app/check/check_verdict.h"
 
 #include "sim/cause/watched_core.h"
-#include "sim/study/reference_model.h"
 #include "sim/trace/step_program.h"
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"
@@ -11,12 +10,14 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
+#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
 
-void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& options,
+void judge_into(const Core& own_core, const Scenario& scenario, const CheckOptions& options,
                 CheckVerdict& verdict) {
+  const Core core = run_core(own_core, verdict.path, scenario);
   require_measurable(core, verdict.path, scenario);
   verdict.golden = golden_place(verdict.path, options.golden_folder);
   const bool has_golden = verdict.has_golden = verdict.golden && has_golden_file(*verdict.golden);
@@ -25,13 +26,14 @@ void judge_into(const Core& core, const Scenario& scenario, const CheckOptions& 
         bodies.front().update(input);
         verdict.paths_taken.insert(bodies.front().path());
       });
-  const Core& playing = options.watched_step ? watched_core : core;
+  // Other constants may take other paths than the step that is watched.
+  const Core& playing = options.watched_step && scenario.parameters.empty() ? watched_core : core;
   auto pair = has_golden ? compare_with_pair(core, scenario, *verdict.golden, options.reads_golden, playing)
                          : PairComparison{{.summary = play(playing, scenario)}};
   verdict.is_undecided = !pair;
   if (!pair) return;
   static_cast<PairComparison&>(verdict) = *std::move(pair);
-  verdict.broken = broken_expectations(core, scenario, verdict.summary, reference_model(core));
+  verdict.broken = broken_expectations(core, scenario, verdict.summary);
   if (!has_golden) verdict.state_hash = hex(verdict.summary.state_hash);
   if (std::string text = non_finite_text(scenario, verdict.summary.final); !text.empty())
     verdict.faults = {std::move(text)};

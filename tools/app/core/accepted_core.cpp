@@ -237,10 +237,18 @@ std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder)
   return core;
 }
 
-std::optional<Core> accepted_step(const std::string& golden_folder) try {
+std::optional<Core> playable_step(const TracedStep& step, const Core& program) {
+  std::optional<Core> core = traced_core(step);
+  if (!core) return core;
+  core->paper_match = match_paper(step);
+  core->constant_names = program.constant_names;
+  return core;
+}
+
+std::optional<Core> accepted_step(const std::string& golden_folder, const Core& program) try {
   const std::optional<AcceptedCore> accepted = read_accepted_core(golden_folder);
   const std::optional<TracedStep> step = accepted ? read_step(accepted->step) : std::nullopt;
-  return step ? traced_core(*step) : std::nullopt;
+  return step ? playable_step(*step, program) : std::nullopt;
 } catch (const Failure&) {
   return std::nullopt;  // `check` reports it.
 }

@@ -95,8 +95,10 @@ struct CoreCommands {
 /// written or edited by hand; Failure(cannot_access) where a file cannot be read.
 [[nodiscard]] std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder);
 
-/// Plays its step; nothing if there is none that can be played.
-[[nodiscard]] std::optional<Core> accepted_step(const std::string& golden_folder);
+/// Plays the step, with parameters by the names of the program's core; nothing if it cannot be played.
+[[nodiscard]] std::optional<Core> playable_step(const TracedStep& step, const Core& program);
+/// Plays the accepted step; nothing if there is none that can be played.
+[[nodiscard]] std::optional<Core> accepted_step(const std::string& golden_folder, const Core& program);
 
 /// Replaces it. A killed program leaves the old one, or one that read_accepted_core calls half written.
 /// ERRORS: Failure(cannot_access).

@@ -8,6 +8,10 @@
 
 namespace hyrax {
 
+/// A core whose class has none of the paper's names for the constants of its step, with those of its header:
+/// where one constant of the header, a double, and no other number in it has the value.
+[[nodiscard]] Core with_header_names(Core core);
+
 /// ERRORS: Failure(bad_input) "WHAT: needs the paper's step ..." with the first expression that is not the
 /// paper's, if this program's core has another; or if the reference does not allow its constants.
 void require_paper_core(const Core& core, const std::string& what);

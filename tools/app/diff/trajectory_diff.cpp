@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/trajectory/run_summary.h"
 #include "tools/app/play/played_rows.h"
@@ -31,13 +32,14 @@ struct FileRows {
   bool are_played = false;
   bool are_all = true;
 };
-FileRows rows_of(const Core& core, const TrajectoryFile& file) {
+FileRows rows_of(const Core& own_core, const TrajectoryFile& file) {
   FileRows rows{{batches_of(file), file.inputs()}};
   if (holds_every_row(file)) return rows;
   const Scenario& scenario = file.head().scenario;
-  rows.are_all = rows.are_played = step_count(scenario) <= kRowsPlayedMax &&
-                                   hex(replay(core, scenario).state_hash) == file.head().state_hash;
-  if (rows.are_played) rows.run.rows = played_rows(core, scenario);
+  const std::optional<Core> core = with_parameters(own_core, scenario.parameters);
+  rows.are_all = rows.are_played = core && step_count(scenario) <= kRowsPlayedMax &&
+                                   hex(replay(*core, scenario).state_hash) == file.head().state_hash;
+  if (rows.are_played) rows.run.rows = played_rows(*core, scenario);
   return rows;
 }
 

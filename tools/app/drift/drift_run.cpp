@@ -84,11 +84,13 @@ Core core_of_file(const Core& core, const std::string& path, const FileHead& hea
   if (!head.constants)
     refuse_input(path + ": needs the paper's step, with any constants (found the core " + head.physics +
                  ", whose step is another)");
-  if (is_same_model(head.physics, core.name) && core.constants &&
-      numbers_of(*head.constants) == numbers_of(*core.constants))
-    return core;
+  if (const auto played = with_parameters(core, head.scenario.parameters);
+      played && is_same_model(head.physics, core.name) && played->constants &&
+      numbers_of(*head.constants) == numbers_of(*played->constants))
+    return *played;
   Core other = listing_core(*head.constants);
   other.name = head.physics;
+  other.parameters = head.scenario.parameters;
   require_paper_core(other, path);
   return other;
 }

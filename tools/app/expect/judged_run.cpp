@@ -23,12 +23,13 @@ RunSummary play(const Core& core, const Scenario& scenario) {
 }
 
 std::vector<Expectation> judge_run(const Core& core, const Scenario& scenario, const RunSummary& summary,
-                                   std::optional<DriftSummary> measured, const Model& model) {
+                                   std::optional<DriftSummary> measured) {
   if (!scenario.expect) return {};
   if (!bounds_errors(*scenario.expect)) return judge(*scenario.expect, summary);
   if (!measured) {
     DriftSink ignored;
-    DriftMeter meter(scenario, inputs_of(scenario, summary.steps), ignored, nullptr, model);
+    DriftMeter meter(scenario, inputs_of(scenario, summary.steps), ignored, nullptr,
+                     reference_model(core.name, core.constants, core.parameters));
     replay(core, scenario, meter);
     measured = meter.finish();
   }
@@ -38,9 +39,9 @@ std::vector<Expectation> judge_run(const Core& core, const Scenario& scenario, c
 }
 
 std::vector<Expectation> broken_expectations(const Core& core, const Scenario& scenario,
-                                             const RunSummary& summary, const Model& model) {
+                                             const RunSummary& summary) {
   std::vector<Expectation> broken;
-  for (Expectation& expectation : judge_run(core, scenario, summary, std::nullopt, model))
+  for (Expectation& expectation : judge_run(core, scenario, summary))
     if (!expectation.holds) broken.push_back(std::move(expectation));
   return broken;
 }

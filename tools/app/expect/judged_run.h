@@ -22,16 +22,13 @@ namespace hyrax {
 
 /// The verdicts on the scenario's `expect`.
 /// @param measured the errors against the reference; without it the run is played again where one is bounded.
-/// @param model the laws it is measured by.
 [[nodiscard]] std::vector<Expectation> judge_run(const Core& core, const Scenario& scenario,
                                                  const RunSummary& summary,
-                                                 std::optional<DriftSummary> measured = std::nullopt,
-                                                 const Model& model = {});
+                                                 std::optional<DriftSummary> measured = std::nullopt);
 
 /// Those that do not hold.
 [[nodiscard]] std::vector<Expectation> broken_expectations(const Core& core, const Scenario& scenario,
-                                                           const RunSummary& summary,
-                                                           const Model& model = {});
+                                                           const RunSummary& summary);
 
 /// Whether a run can give an expectation that does not hold a new range: a count, a range with two ends. No
 /// error bound or one-sided limit, and nothing that the run does not have.

@@ -54,8 +54,9 @@ void send_decisive_rows(const Core& core, const StoredRun& run, RowSink& sink) {
 // Empty for a core with another step: the margin is measured by the paper's laws.
 std::string margin_in_summary(const Core& core, const FreshRun& fresh) {
   const StoredRun& run = fresh.run;
-  if (!run.constants) return "";
-  MarginMeter meter(run.scenario, run.inputs, reference_model(run.physics, run.constants));
+  const Model model = reference_model(run.physics, run.constants, run.scenario.parameters);
+  if (!is_measurable(run.constants, model)) return "";
+  MarginMeter meter(run.scenario, run.inputs, model);
   if (run.blocks.empty())
     meter.rows(run.rows);
   else
@@ -87,11 +88,13 @@ std::string changed_text(const std::string& fault) {
 }
 
 // The cores that a file's rows may be of.
-std::vector<Core> cores_of(const StoredRun& kept, const GoldenPlace& place) {
+std::vector<Core> cores_of(const Core& core, const StoredRun& kept, const GoldenPlace& place) {
   std::vector<Core> cores;
   if (kept.blocks.empty()) return cores;
   if (kept.constants) cores.push_back(listing_core(*kept.constants));
-  if (auto accepted = accepted_step(place.folder)) cores.push_back(*std::move(accepted));
+  if (const auto accepted = accepted_step(place.folder, core))
+    if (auto played = with_parameters(*accepted, kept.scenario.parameters))
+      cores.push_back(*std::move(played));
   return cores;
 }
 
@@ -100,7 +103,7 @@ PairComparison read_and_compare(const Core& core, const Scenario& scenario, cons
                                 const std::string& text, FreshRun fresh, const std::string& h5_checksum) {
   StoredRun kept = read_golden(place.h5_path);
   require_own_core(core, place.h5_path, kept.physics);
-  PairComparison pair{compare_with(core, kept, scenario, cores_of(kept, place))};
+  PairComparison pair{compare_with(core, kept, scenario, cores_of(core, kept, place))};
   pair.is_proved = false;
   const std::optional<std::string> blessed_checksum = summary_file_checksum(text);
   const bool is_blessed_file = !blessed_checksum || *blessed_checksum == h5_checksum;

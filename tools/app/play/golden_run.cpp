@@ -5,6 +5,7 @@
 
 #include "sim/compare/run_comparer.h"
 #include "sim/core/core.h"
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
@@ -137,8 +138,9 @@ ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario
 }
 
 bool gives_its_rows(const Core& core, const StoredRun& kept) {
-  return kept.steps <= kRowsPlayedMax && step_count(kept.scenario) == kept.steps &&
-         compare_with(core, kept, kept.scenario).comparison.agrees;
+  const std::optional<Core> played = with_parameters(core, kept.scenario.parameters);
+  return played && kept.steps <= kRowsPlayedMax && step_count(kept.scenario) == kept.steps &&
+         compare_with(*played, kept, kept.scenario).comparison.agrees;
 }
 
 FreshRun play_for_golden(const Core& core, const Scenario& scenario, const Core& recording) {

@@ -20,6 +20,7 @@
 #include "tools/files/non_finite_text.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/report/wasm/scenario_record.h"
+#include "tools/run_core/run_core.h"
 #include "tools/store/trajectory_file.h"
 
 namespace hyrax {
@@ -182,8 +183,9 @@ ScenarioRun played(const Core& core, const TrajectoryFile& file) {
   run.scenario = file.head().scenario;
   run.rows_recorded = file.row_count();
   std::optional<DriftRecorder> recorder;
-  if (file.head().constants)
-    recorder.emplace(run.scenario, reference_model(file.head().physics, file.head().constants));
+  const FileHead& head = file.head();
+  const Model model = reference_model(head.physics, head.constants, run.scenario.parameters);
+  if (is_measurable(head.constants, model)) recorder.emplace(run.scenario, model);
   run.summary = play_with_progress(core, run.scenario, recorder ? recorder->sinks() : std::vector<RowSink*>(),
                                    judged_options(run.scenario));
   if (recorder) run.drift = recorder->finish(run.summary.steps, run.summary.simulated_s);
@@ -199,8 +201,9 @@ Json provenance_json(const Provenance& provenance) {
   return object;
 }
 
-Json run_data(const Core& core, const TrajectoryFile& file) {
+Json run_data(const Core& own_core, const TrajectoryFile& file) {
   const FileHead& head = file.head();
+  const Core core = run_core(own_core, file.path(), head.scenario);
   const ScenarioRun run = played(core, file);
   const Evidence evidence = evidence_of(core, file);
   Json::Object data{
@@ -213,11 +216,14 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
       {"state_hash", head.state_hash},
       {"physics", head.physics},
       {"constants", head.constants ? constants_json(*head.constants) : Json()},
-      {"model", head.constants ? constants_json(reference_model(head.physics, head.constants)) : Json()},
+      {"model", head.constants
+                    ? constants_json(reference_model(head.physics, head.constants, head.scenario.parameters))
+                    : Json()},
       {"record", doubles_json(record_of(head.scenario))},
       {"rows", rows_json(evidence.rows)},
       {"blocks", blocks_json(evidence.blocks)},
-      {"contacts", is_paper_model(core.name) ? Json() : contacts_json(file.contacts())},
+      {"contacts",
+       is_paper_model(core.name) && core.parameters.empty() ? Json() : contacts_json(file.contacts())},
       {"inputs", inputs_json(file.inputs())},
       {"result", run_json(core, run)},
       {"expect", list_of(run.expectations, expectation_line)},
@@ -225,6 +231,8 @@ Json run_data(const Core& core, const TrajectoryFile& file) {
       {"non_finite", non_finite_text(head.scenario, run.summary.final)},
       {"margin", run.drift ? margin_text(run.drift->margin) : ""},
       {"provenance", provenance_json(file.provenance())}};
+  if (!core.parameters.empty())
+    data.emplace_back("no_replay", "a page plays the core's own constants; this run has parameters");
   const std::string text = scenario_file_text(head.scenario);
   if (text.size() <= kScenarioTextMax) data.emplace_back("scenario_text", text);
   return data;
@@ -274,7 +282,12 @@ Json report_data(const Core& core, const ReportRequest& request) {
       {"command", request.command},
       {"runs", std::move(runs)}};
   if (against)
-    data.emplace_back("against", Json::Object{{"rows", rows_json(evidence_of(core, *against).rows)}});
+    data.emplace_back(
+        "against",
+        Json::Object{
+            {"rows",
+             rows_json(
+                 evidence_of(run_core(core, request.against, against->head().scenario), *against).rows)}});
   return data;
 }
 

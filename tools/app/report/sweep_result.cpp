@@ -155,8 +155,12 @@ ShownResult sweep_result(const Core& core, const std::string& path) {
     text.emplace_back(computed_by.empty()
                           ? "No member is replayed: the file does not name the core that computed it."
                           : "No member is replayed: another core than this program's computed them.");
+  const bool has_parameters = !sweep.base.parameters.empty();
+  if (has_parameters)
+    text.emplace_back("No member is replayed: a page plays the core's own constants, not parameters.");
   result.verdict.text = std::move(text);
-  if (is_own && is_paper_model(core.name)) result.members = members_json(core, reader, sweep, numbers);
+  if (is_own && is_paper_model(core.name) && !has_parameters)
+    result.members = members_json(core, reader, sweep, numbers);
   return result;
 }
 

@@ -116,6 +116,18 @@ void print_motion(const Core& core, const RunSummary& summary) {
     print_text("  not settled    {}\n", summary.why_not_settled());
 }
 
+// "with GRAVITY 980, not the core's own 1200"; several are joined by "; ".
+std::string parameters_text(const Core& core) {
+  std::string text;
+  const Constants& own = core.own->paper_match.constants.value();
+  for (std::size_t place = 0; place < core.constant_names.size(); ++place)
+    for (const auto& [name, value] : core.parameters)
+      if (name == core.constant_names[place])
+        text += fmt::format("{} {} {}, not the core's own {}", text.empty() ? "with" : ";", name, value,
+                            own.*kConstantFields[place]);
+  return text;
+}
+
 void print_details(const RunSummary& summary) {
   print_text("  clamped steps  {}; rest rule {}\n", counts_text(summary.clamped_steps), summary.rest_steps);
   if (summary.periodic_from_step)
@@ -155,6 +167,7 @@ void print_run(const Core& core, const ScenarioRun& run, const Printing& printin
     print_text("{}: {}; the run ended there\n", VerdictWord{"NOT FINITE", false}, text);
   print_text("{}\n", title_of(run.scenario, summary.steps, summary.simulated_s));
   if (!is_paper_model(core.name)) print_text("  core           {}\n", core.name);
+  if (!core.parameters.empty()) print_text("  parameters     {}\n", parameters_text(core));
   print_motion(core, summary);
   if (printing.is_verbose()) print_details(summary);
   if (run.start) print_text("{}\n", start_text(*run.start, true));
@@ -196,6 +209,11 @@ Json run_json(const Core& core, const ScenarioRun& run) {
                       {"never_touched", list_json(coverage.never_touched)},
                       {"not_computed", list_json(coverage.not_computed)}};
   if (run.start) add_members(object, {margin_table(*run.start)});
+  if (!core.parameters.empty()) {
+    Json::Object parameters;
+    for (const auto& [name, value] : core.parameters) parameters.emplace_back(name, value);
+    object.emplace_back("parameters", std::move(parameters));
+  }
   if (summary.non_finite_step) object.emplace_back("non_finite_step", *summary.non_finite_step);
   return object;
 }

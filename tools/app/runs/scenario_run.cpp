@@ -104,10 +104,12 @@ ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenar
   const bool measures = scenario.expect && bounds_errors(*scenario.expect) && !options.drift;
   DriftSink ignored;
   const Model model = reference_model(core);
-  DriftMeter meter(scenario, inputs_of(scenario, step_count(scenario)), ignored, nullptr, model);
+  std::optional<DriftMeter> meter;
   std::vector<RowSink*> also;
   if (options.picture != nullptr) also.push_back(options.picture);
-  if (measures) also.push_back(&meter);
+  if (measures)
+    also.push_back(
+        &meter.emplace(scenario, inputs_of(scenario, step_count(scenario)), ignored, nullptr, model));
   std::optional<MarginMeter> margin;
   if (options.measures_start)
     also.push_back(&margin.emplace(scenario, inputs_of(scenario, step_count(scenario)), model));
@@ -137,7 +139,7 @@ ScenarioRun run_scenario(const Core& core, const std::string& path, const Scenar
   if (margin) run.start = margin->margin();
   run.expectations = judge_run(core, scenario, run.summary,
                                run.drift  ? std::optional(run.drift->summary)
-                               : measures ? std::optional(meter.finish())
+                               : measures ? std::optional(meter->finish())
                                           : std::nullopt);
   return run;
 }

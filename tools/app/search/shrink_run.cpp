@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/run_check.h"
 #include "sim/search/scenario_edit.h"
-#include "sim/study/reference_model.h"
 #include "tools/app/command_line/progress.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/expect/judged_run.h"
@@ -72,7 +72,7 @@ std::string broken_names(const Core& core, const Scenario& scenario, bool stops_
 // A state hash has no side: any other run would differ, too.
 std::string broken_sides(const Core& core, const Scenario& scenario, const RunSummary& run) {
   std::string sides;
-  for (const Expectation& each : broken_expectations(core, scenario, run, reference_model(core))) {
+  for (const Expectation& each : broken_expectations(core, scenario, run)) {
     if (each.rule == "state_hash") continue;
     const auto* const measured = std::get_if<double>(&each.measured);
     sides += each.rule +
@@ -169,12 +169,14 @@ class Player {
 
   [[nodiscard]] std::string find_here(FindingKind kind, const Scenario& scenario,
                                       bool stops_everywhere) const {
-    if (kind == FindingKind::invariant) return broken_names(core_, scenario, stops_everywhere);
-    const RunSummary run = play(core_, scenario);
+    const Core core = with_parameters(core_, scenario.parameters).value();
+    if (kind == FindingKind::invariant) return broken_names(core, scenario, stops_everywhere);
+    const RunSummary run = play(core, scenario);
     if (kind == FindingKind::non_finite) return non_finite_name(scenario, run);
-    if (kind == FindingKind::expectation) return broken_sides(core_, scenario, run);
-    const bool is_other = kind == FindingKind::other_bits && accepted_ &&
-                          play(*accepted_, scenario).state_hash != run.state_hash;
+    if (kind == FindingKind::expectation) return broken_sides(core, scenario, run);
+    const auto accepted = accepted_ ? with_parameters(*accepted_, scenario.parameters) : std::nullopt;
+    const bool is_other =
+        kind == FindingKind::other_bits && accepted && play(*accepted, scenario).state_hash != run.state_hash;
     return is_other ? "other bits than the accepted core's\n" : "";
   }
 
@@ -235,7 +237,7 @@ std::optional<ShrunkRun> from_line(const std::string& line) {
 
 ShrunkRun shrink_run(const Core& core, const std::string& path, const Scenario& scenario,
                      const ShrinkLimits& limits) {
-  const std::optional<Core> accepted = accepted_step(golden_folder_of(path));
+  const std::optional<Core> accepted = accepted_step(golden_folder_of(path), core);
   const SteadyClock::time_point end =
       SteadyClock::now() + std::chrono::milliseconds(std::llround(1e3 * std::min(limits.search_s, 1e9)));
   const auto search_in = [&](bool is_guarded) {

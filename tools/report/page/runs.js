@@ -205,7 +205,8 @@ async function coreOfPage() {
 }
 
 async function replayed({ core, reason }, run, share) {
-  if (!core) return { run, file: rowsOf(run), rows: rowsOf(run), contacts: contactsIn(run), outcome: 'none', reason };
+  if (!core || run.no_replay)
+    return { run, file: rowsOf(run), rows: rowsOf(run), contacts: contactsIn(run), outcome: 'none', reason: reason ?? run.no_replay };
   return replay(core, run, share);
 }
 
@@ -222,8 +223,10 @@ export async function showRuns() {
   const painter = new Painter(element('replay'), () => view?.paint());
   let view = null;
   const open = index => {
+    const itsCore = results[index].run.no_replay ? null : core;
     view?.end();
-    view = new View(core, painter, results[index]);
+    view = new View(itsCore, painter, results[index]);
+    element('mode-fling').disabled = !itsCore;
   };
   const picker = element('run');
   picker.append(...results.map(({ run }, i) => make('option', { value: i }, `${run.name} (${run.file})`)));
@@ -231,7 +234,6 @@ export async function showRuns() {
   picker.addEventListener('change', () => open(Number(picker.value)));
   element('mode-replay').addEventListener('click', () => root.dataset.mode === 'fling' && open(Number(picker.value)));
   element('mode-fling').addEventListener('click', () => view.setMode('fling'));
-  element('mode-fling').disabled = !core;
   addEventListener('hashchange', () => view.openLink());
   new ResizeObserver(() => view?.fit()).observe(document.querySelector('.columns'));
   followLook(() => view.repaint());

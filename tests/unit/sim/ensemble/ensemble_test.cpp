@@ -102,9 +102,41 @@ TEST(Ensemble, EqualsTheReplayAtEveryEndOfABlockAtEveryRateAndInLongRuns) {
 TEST(Ensemble, EqualsTheReplayWithConstantsOfItsOwn) {
   for (const Constants& constants : {Constants{980.0, 0.75, 0.9985, 0.65, 12.0},
                                      {1200.0, 0.6, 1.0, 1.0, 5.0},
-                                     {1200.0, 0.6, 1.0, 1.02, 5.0}})
+                                     {1200.0, 0.6, 1.0, 1.02, 5.0},
+                                     {-700.0, 0.6, 0.999, 0.8, 5.0},
+                                     {1200.0, 1.3, 1.01, -0.8, 5.0},
+                                     {0.0, -0.6, -0.999, 0.8, -5.0},
+                                     {1e12, 0.0, 0.0, 1e12, 1e12}})
     expect_same(sweep_over(fling_at(60.0, 900), 40), std::to_string(constants.ground_friction),
                 {kAllButTheHash, kFinalOnly}, listing_core(constants));
+}
+
+// Those of the base by the kernels, varied ones step by step.
+TEST(Ensemble, PlaysParametersAsTheConstantsOfACoreThatHasThem) {
+  Constants changed = shipped_core().constants.value();
+  changed.gravity_px_per_s2 = 980.5;
+  changed.restitution = 0.75;
+  Sweep sweep = sweep_over(fling_at(60.0, 900), 40);
+  std::vector<MemberResult> expected(40), found(40);
+  const StepTally as_own = EnsemblePlayer(listing_core(changed), sweep).play({}, 0, expected);
+  sweep.base.parameters = {{"GRAVITY", 980.5}, {"RESTITUTION", 0.75}};
+  const StepTally tally = EnsemblePlayer(shipped_core(), sweep).play({}, 0, found);
+  EXPECT_EQ(tally.computed, as_own.computed) << "by the same kernels";
+  for (std::size_t member = 0; member < found.size(); ++member)
+    EXPECT_EQ(difference(found[member], expected[member], sweep.keep), "") << member;
+
+  sweep.vary.push_back({"/parameters/GRAVITY", ScenarioNumberKind::real, UniformDraw{500.0, 1500.0}});
+  EnsemblePlayer(shipped_core(), sweep).play({}, 0, found);
+  SweepMembers members(sweep);
+  for (std::size_t member = 0; member < found.size(); ++member) {
+    const Scenario& scenario = members.scenario(static_cast<std::int64_t>(member));
+    EXPECT_NE(changed.gravity_px_per_s2, scenario.parameters[0].value);
+    Constants own = changed;
+    own.gravity_px_per_s2 = scenario.parameters[0].value;
+    MemberResult alone;
+    play_member(listing_core(own), scenario, sweep.keep, alone);
+    EXPECT_EQ(difference(found[member], alone, sweep.keep), "") << member;
+  }
 }
 
 TEST(Ensemble, EqualsTheReplayWhereMembersHaveDifferentLengthsAndRates) {

@@ -164,13 +164,13 @@ constexpr Constants kOthers{.gravity_px_per_s2 = 900.0,
                             .rest_threshold_px_per_s = 4.0};
 
 TEST(ReferenceModel, HasTheConstantsOfACoreOfItsOwnModelAndThePapersTableOfAnyOther) {
-  const Model own = reference_model("mine/1", kOthers);
+  const Model own = reference_model("mine/1", kOthers, {});
   EXPECT_TRUE(same_bits({own.gravity_px_per_s2, own.restitution, own.air_drag, own.ground_friction,
                          own.rest_threshold_px_per_s},
                         kOthers));
   EXPECT_EQ(own.model_rate_hz, 60.0);
-  EXPECT_EQ(reference_model(kPhysicsModel, kOthers).air_drag, 0.999) << "a changed constant is an error";
-  EXPECT_EQ(reference_model("mine/1", {}).air_drag, 0.999);
+  EXPECT_EQ(reference_model(kPhysicsModel, kOthers, {}).air_drag, 0.999) << "a changed constant is an error";
+  EXPECT_EQ(reference_model("mine/1", {}, {}).air_drag, 0.999);
 }
 
 TEST(WhyNotMeasurable, NamesTheConstantAndWhatIsAllowed) {

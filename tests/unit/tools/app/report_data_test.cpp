@@ -5,6 +5,7 @@
 #include <cstring>
 #include <regex>
 
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
@@ -119,6 +120,23 @@ TEST(ReportData, OfASweepThatAnotherCoreComputedHasNoMembersToReplayAndSaysSo) {
     EXPECT_TRUE(page.members.is_null());
   }
   EXPECT_FALSE(sweep_page(folder, shipped_core().record.checksum()).members.is_null());
+}
+
+// The page's core has its own constants.
+TEST(ReportData, OfARunWithParametersSaysThatItIsNotReplayed) {
+  const TempFolder folder;
+  Scenario scenario = eventful_fling();
+  const auto data_of = [&](const std::string& path) {
+    const Core core = with_parameters(shipped_core(), scenario.parameters).value();
+    static_cast<void>(write_run(core, path, scenario, {}));
+    const Json data = report_data(shipped_core(), {.files = {path}, .output = "page.html", .command = "c"});
+    return data.find("runs")->get<Json::Array>()->front();
+  };
+  EXPECT_EQ(data_of(folder.at("own.h5")).find("no_replay"), nullptr);
+  scenario.parameters = {{"GRAVITY", 980.0}};
+  const Json run = data_of(folder.at("other.h5"));
+  EXPECT_NE(run.find("no_replay"), nullptr);
+  EXPECT_FALSE(run.find("contacts")->is_null());
 }
 
 TEST(ReportData, HasTheFirstInputsAndEveryResize) {

@@ -46,7 +46,7 @@ TEST(SweepLimits, OfSizesPositionsAndSpeedsAreTheReaders) {
         "/start/y_px", "/start/vx_px_per_s", "/start/vy_px_per_s", "/events/0/fling/vx_px_per_s",
         "/events/0/fling/vy_px_per_s", "/events/1/place/x_px", "/events/1/place/y_px",
         "/events/4/release/vx_px_per_s", "/events/4/release/vy_px_per_s", "/events/5/resize/window/width_px",
-        "/events/5/resize/sprite/height_px", "/clock/jitter/fraction"})
+        "/events/5/resize/sprite/height_px", "/clock/jitter/fraction", "/parameters/GRAVITY"})
     expect_same_limits(document(), pointer);
   expect_same_limits(document(), "/record/every", false);  // The reader lowers a larger one.
 }
