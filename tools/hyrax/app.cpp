@@ -2,10 +2,8 @@
 
 #include <limits>
 
-#include "tools/files/scenario_reader.h"
 #include "tools/hyrax/arithmetic_pin.h"
 #include "tools/hyrax/report.h"
-#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
@@ -28,7 +26,7 @@ App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
       recorder_(pet_, saver_, clock_ticks_per_s(),
                 {.notify = [this](const std::string& sentence) { notify(sentence); },
                  .new_path = new_recording_path}),
-      scenario_(options.replay_path ? std::optional(load_scenario(*options.replay_path)) : std::nullopt),
+      scenario_(options.replay_path ? std::optional(load_for_pet(*options.replay_path)) : std::nullopt),
       end_ticks_(end_of(options)),
       window_(instance,
               [this](UINT message, WPARAM wide, LPARAM low) { return on_message(message, wide, low); }) {
@@ -37,8 +35,7 @@ App::App(const Core& core, const PetOptions& options, HINSTANCE instance)
   if (options.record_path) recorder_.start(*options.record_path, clock_ticks());
   if (options.log_path) log_.emplace(*options.log_path);  // Last: it creates the file.
   if (scenario_) {
-    playback_.emplace(run_core(core, *options.replay_path, *scenario_), *scenario_, clock_ticks_per_s(),
-                      clock_ticks());
+    playback_.emplace(core, *scenario_, clock_ticks_per_s(), clock_ticks());
     show(playback_->now(), Pose::fly, false);
   } else {
     pet_.skip_time(clock_ticks());

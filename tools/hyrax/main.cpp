@@ -12,10 +12,8 @@
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
 #include "tools/files/path.h"
-#include "tools/files/scenario_reader.h"
 #include "tools/hyrax/app.h"
 #include "tools/hyrax/report.h"
-#include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
@@ -38,8 +36,7 @@ ExitCode run(const Core& core, HINSTANCE instance) {
   if (const auto fault = arithmetic_fault())
     throw Failure(ExitCode::not_strict_ieee, "hyrax: " + std::string(*fault));
   if (options.only_exits) {
-    const Scenario scenario = load_scenario(*options.replay_path);
-    const PlaybackVerdict verdict = replayed(run_core(core, *options.replay_path, scenario), scenario);
+    const PlaybackVerdict verdict = replayed(core, load_for_pet(*options.replay_path));
     report(verdict);
     return verdict.exit_code;
   }

@@ -3,6 +3,8 @@
 #include <cassert>
 
 #include "tools/files/non_finite_text.h"
+#include "tools/files/printable.h"
+#include "tools/files/scenario_reader.h"
 
 namespace hyrax {
 namespace {
@@ -24,6 +26,14 @@ PlaybackVerdict verdict_on(const Scenario& scenario, const RunSummary& run) {
 }
 
 }  // namespace
+
+Scenario load_for_pet(const std::string& path) {
+  Scenario scenario = load_scenario(path);
+  if (!scenario.parameters.empty())
+    refuse_input(printable(path) +
+                 ": /parameters: hyrax plays its own constants only; hyrax-sim run plays these");
+  return scenario;
+}
 
 PlaybackVerdict replayed(const Core& core, const Scenario& scenario) {
   return verdict_on(scenario, replay(core, scenario));

@@ -16,6 +16,10 @@ struct PlaybackVerdict {
   std::string sentence;
 };
 
+/// A scenario to be played by the pet. ERRORS: as load_scenario's; Failure(bad_input) for one of other
+/// constants than the pet's.
+[[nodiscard]] Scenario load_for_pet(const std::string& path);
+
 /// Plays a scenario at once: whether it has the state hash that it expects; without one it agrees.
 [[nodiscard]] PlaybackVerdict replayed(const Core& core, const Scenario& scenario);
 
