@@ -11,36 +11,26 @@ namespace {
 constexpr double kUntilMost_s = 60.0;
 constexpr double kWordsMost = 2e7;  // Of the rows of a run that is kept.
 
-// When each row of the scenario is, from its row 0 on, up to that of frame `frames`.
-std::vector<double> times_s(const DescribedScenario& scenario, std::int64_t frames) {
-  const FrameClock clock(scenario.clock);
-  Timeline timeline;
-  std::vector<double> times = {0.0};
-  for (std::int64_t frame = 0; frame < frames; ++frame) {
-    timeline.play(clock.dt_s(frame));
-    times.push_back(timeline.time_s());
-  }
-  return times;
-}
-
-// Without a clock of its own: by time.
+// Without a clock of its own: by time, up to `until_most_s`, whatever comes behind it.
 DescribedScenario by_time(const DescribedScenario& scenario, RateLadder& ladder, double until_most_s) {
   DescribedScenario timed = scenario;
-  const std::int64_t steps = step_count(scenario);
-  const std::vector<double> times = times_s(scenario, steps);
-  ladder.until_s = std::min(times.back(), until_most_s);
-  ladder.is_cut = ladder.until_s < times.back();
-  timed.length = ladder.until_s;
   timed.events.clear();
-  const std::vector<std::int64_t> frames = event_frames(scenario, steps);
-  for (std::size_t index = 0; index < scenario.events.size(); ++index) {
-    const DescribedEvent& event = scenario.events[index];
-    const double at_s = times[static_cast<std::size_t>(frames[index])];
-    if (std::holds_alternative<Hitch>(event.action))
-      ladder.has_hitches = true;
-    else if (at_s < ladder.until_s)
-      timed.events.push_back({at_s, event.action});
-  }
+  const FrameClock clock(scenario.clock);
+  const std::int64_t steps = step_count(scenario);
+  const std::vector<TimedEvent> events = timed_events(scenario, steps);
+  auto event = events.begin();
+  Timeline timeline;
+  std::int64_t frame = 0;
+  for (; frame < steps && timeline.time_s() < until_most_s; timeline.play(clock.dt_s(frame++)))
+    for (; event != events.end() && event->frame == frame; ++event) {
+      if (std::holds_alternative<Hitch>(*event->action))
+        ladder.has_hitches = true;
+      else
+        timed.events.push_back({timeline.time_s(), *event->action});
+    }
+  ladder.until_s = std::min(timeline.time_s(), until_most_s);
+  ladder.is_cut = frame < steps || ladder.until_s < timeline.time_s();
+  timed.length = ladder.until_s;
   return timed;
 }
 

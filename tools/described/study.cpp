@@ -84,13 +84,17 @@ std::string convergence_text(const NamedLadder& each) {
   return text + ".";
 }
 
+std::string px_text(double px) {
+  return std::isnan(px) ? "an unknown distance" : fmt::format("up to {:.3g} px", px);
+}
+
 std::string answer_of(const std::vector<NamedLadder>& ladders) {
   const std::vector<RateRow> worst = worst_rows(ladders);
   const auto at = [&](double rate_hz) -> const RateRow& {
     return *std::ranges::find(worst, rate_hz, [](const RateRow& row) { return row.run->rate_hz; });
   };
-  return fmt::format("From {:g} Hz, 60 Hz is up to {:.3g} px away, 240 Hz up to {:.3g} px.", kFinestRate_hz,
-                     at(60.0).off_px(), at(240.0).off_px());
+  return fmt::format("From {:g} Hz, 60 Hz is {} away, 240 Hz {}.", kFinestRate_hz, px_text(at(60.0).off_px()),
+                     px_text(at(240.0).off_px()));
 }
 
 Figure figure_of(const std::vector<NamedLadder>& ladders) {
