@@ -154,6 +154,48 @@ class ReportTest(browser.BrowserTest):
         whole = self.expect(AGREED, "drift", "same.h5", "--json").json["runs"][0]["whole"]
         self.assertAlmostEqual(float(distances["144 Hz"].replace(",", "")), whole["end_px"], delta=0.06)
 
+    def test_what_sliders_change_is_drawn_and_saved_as_a_scenario_of_the_same_bits(self):
+        events = [{"step": 30, "fling": {"vx_px_per_s": 900, "vy_px_per_s": -900}}, {"at_s": 1.5, "hitch": {"dt_s": 0.2}},
+                  {"step": 150, "resize": {"window": {"width_px": 1500, "height_px": 900}}}, {"step": 200, "grab": {}},
+                  {"step": 210, "release": {"vx_px_per_s": -900, "vy_px_per_s": -900}}, {"step": 299, "stop": {}}]
+        clocks = {"fixed": {"rate_hz": 60}, "jittered": {"dt_s": 1 / 75, "jitter": {"kind": "normal", "sigma_s": 0.002, "seed": 2**64 - 1}},
+                  "trace": {"dt_s": [0.01, 0.02, 0.03] * 100}}
+        change = "for (const [key, value] of %s) { const slider = document.getElementById(`what-if-${key}`); slider.value = value; slider.dispatchEvent(new Event('input')); }"
+        shown = "document.getElementById('not-the-file').checkVisibility() && document.getElementById('what-if-note').textContent"
+        for name, clock in clocks.items():
+            self.played(name, program.fling(name=name, clock=clock, events=events, parameters={"GRAVITY": 700, "REST_THRESHOLD": 30}))
+            saved = [self.folder / f"{name}-{part}.json" for part in ("own", "slower", "moon")]
+            (page,) = self.open({**self.report(name), "actions": [
+                ["evaluate", "document.getElementById('what-if').open = true"], ["download", "#save-scenario", str(saved[0])], ["evaluate", shown],
+                ["evaluate", change % '[["rate", 41], ["speed", 1234], ["angle", 61]]'], ["wait", shown], ["download", "#save-scenario", str(saved[1])],
+                ["evaluate", change % '[["GRAVITY", 320], ["RESTITUTION", 0.75], ["AIR_DRAG", 0.9995], ["GROUND_FRICTION", 0.5]]'],
+                ["evaluate", "new Promise(requestAnimationFrame)"], ["evaluate", shown], ["download", "#save-scenario", str(saved[2])],
+                ["axe"], ["click", "#file-run"], ["evaluate", shown]]})
+            self.assertEqual((page["attributes"]["replay"], page["errors"], page["values"][2], page["values"][-3:]), ("agrees", [], False, [[], None, False]), name)
+            documents = [json.loads(path.read_text(encoding="utf-8")) for path in saved]
+            for path, document in zip(saved, documents):
+                self.expect(AGREED, "validate", path)
+                self.assertEqual(self.hash_of(path.name, f"{path.stem}.h5"), document["expect"]["state_hash"], path)
+            own, slower, moon = documents
+            self.assertEqual([own["parameters"], own["clock"], len(own["events"])], [{"GRAVITY": 700, "REST_THRESHOLD": 30}, clock, 6])
+            self.assertEqual([slower["parameters"], slower["clock"]["rate_hz"]], [own["parameters"], 41])
+            self.assertEqual(moon["parameters"], {"GRAVITY": 320, "REST_THRESHOLD": 30, "RESTITUTION": 0.75, "AIR_DRAG": 0.9995, "GROUND_FRICTION": 0.5})
+            with h5py.File(self.folder / f"{name}-moon.h5") as changed, h5py.File(self.folder / f"{name}.h5") as file:
+                ends = [[run[f"trajectory/{axis}"][-1] for axis in "xy"] for run in (changed, file)]
+            away, error = (float(each.replace(",", "")) for each in re.search(r"px, ([\d.,]+) px from.*error ([\d.,]+) px,", page["values"][8]).groups())
+            self.assertAlmostEqual(away, sum((a - b) ** 2 for a, b in zip(*ends)) ** 0.5, delta=0.006 * away)
+            worst = self.expect(AGREED, "drift", f"{name}-moon.h5", "--json").json["runs"][0]["worst"]["truncation_px"]
+            self.assertAlmostEqual(error, worst, delta=0.006 * worst)
+
+    def test_a_fling_in_a_page_of_a_run_with_parameters_has_them(self):
+        self.played("moon", program.fling(parameters={"GRAVITY": 300}))
+        flung = self.folder / "flung.json"
+        (page,) = self.open({**self.report("moon"), "actions": [*PLAYGROUND, ["wait", f"{number('row')} > 30"], ["download", "#download-scenario", str(flung)],
+                                                                ["evaluate", "document.getElementById('name').textContent"]]})
+        document = json.loads(flung.read_text(encoding="utf-8"))
+        self.assertEqual((page["attributes"]["replay"], page["values"][-1], document["parameters"]), ("agrees", "Your fling", {"GRAVITY": 300}))
+        self.assertEqual(self.hash_of("flung.json", "flung.h5"), document["expect"]["state_hash"])
+
     def test_names_and_descriptions_are_text(self):
         self.played("fling", program.fling(description=HOSTILE))
         (self.folder / "fling.h5").rename(self.folder / "<img src=x onerror=alert(3)>.h5")
@@ -265,9 +307,9 @@ class ReportTest(browser.BrowserTest):
 
     def test_tab_goes_through_the_controls_in_order(self):
         self.played("fling", program.fling())
-        (page,) = self.open({**self.report("fling"), "actions": [["tab", 9]]})
+        (page,) = self.open({**self.report("fling"), "actions": [["tab", 10]]})
         self.assertEqual(page["values"][0], ["mode-replay", "mode-fling", "replay", "first", "back", "play", "forward",
-                                             "speed", "time"])
+                                             "speed", "time", "Change frame rate, start and parameters"])
 
 
 if __name__ == "__main__":

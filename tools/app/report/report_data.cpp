@@ -206,33 +206,30 @@ Json run_data(const Core& own_core, const TrajectoryFile& file) {
   const Core core = run_core(own_core, file.path(), head.scenario);
   const ScenarioRun run = played(core, file);
   const Evidence evidence = evidence_of(core, file);
-  Json::Object data{
-      {"file", file.path()},
-      {"name", head.scenario.name},
-      {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
-      {"description", head.scenario.description.value_or("")},
-      {"steps", head.steps},
-      {"row_count", file.row_count()},
-      {"state_hash", head.state_hash},
-      {"physics", head.physics},
-      {"constants", head.constants ? constants_json(*head.constants) : Json()},
-      {"model", head.constants
-                    ? constants_json(reference_model(head.physics, head.constants, head.scenario.parameters))
-                    : Json()},
-      {"record", doubles_json(record_of(head.scenario))},
-      {"rows", rows_json(evidence.rows)},
-      {"blocks", blocks_json(evidence.blocks)},
-      {"contacts",
-       is_paper_model(core.name) && core.parameters.empty() ? Json() : contacts_json(file.contacts())},
-      {"inputs", inputs_json(file.inputs())},
-      {"result", run_json(core, run)},
-      {"expect", list_of(run.expectations, expectation_line)},
-      {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
-      {"non_finite", non_finite_text(head.scenario, run.summary.final)},
-      {"margin", run.drift ? margin_text(run.drift->margin) : ""},
-      {"provenance", provenance_json(file.provenance())}};
-  if (!core.parameters.empty())
-    data.emplace_back("no_replay", "a page plays the core's own constants; this run has parameters");
+  Json::Object data{{"file", file.path()},
+                    {"name", head.scenario.name},
+                    {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
+                    {"description", head.scenario.description.value_or("")},
+                    {"steps", head.steps},
+                    {"row_count", file.row_count()},
+                    {"state_hash", head.state_hash},
+                    {"physics", head.physics},
+                    {"constants", head.constants ? constants_json(*head.constants) : Json()},
+                    {"model", head.constants ? constants_json(reference_model(head.physics, head.constants,
+                                                                              head.scenario.parameters))
+                                             : Json()},
+                    {"record", doubles_json(record_of(head.scenario))},
+                    {"rows", rows_json(evidence.rows)},
+                    {"blocks", blocks_json(evidence.blocks)},
+                    {"contacts", is_paper_model(core.name) ? Json() : contacts_json(file.contacts())},
+                    {"parameters", parameters_json(core)},
+                    {"inputs", inputs_json(file.inputs())},
+                    {"result", run_json(core, run)},
+                    {"expect", list_of(run.expectations, expectation_line)},
+                    {"errors", run.drift ? errors_json(run.drift->summary) : Json()},
+                    {"non_finite", non_finite_text(head.scenario, run.summary.final)},
+                    {"margin", run.drift ? margin_text(run.drift->margin) : ""},
+                    {"provenance", provenance_json(file.provenance())}};
   const std::string text = scenario_file_text(head.scenario);
   if (text.size() <= kScenarioTextMax) data.emplace_back("scenario_text", text);
   return data;
@@ -253,6 +250,21 @@ Json inputs_json(const std::vector<Input>& inputs) {
     if (list.size() < kInputsShownMax || std::holds_alternative<Resize>(input.action))
       list.push_back(input_json(input));
   return list;
+}
+
+Json parameters_json(const Core& core) {
+  if (!core.paper_match.constants) return {};
+  Constants places;
+  for (std::size_t place = 0; place < kConstantFields.size(); ++place)
+    places.*kConstantFields[place] = static_cast<double>(place);
+  Json::Array names;
+  for (const double place : numbers_of(places))
+    names.emplace_back(std::string(core.constant_names[static_cast<std::size_t>(place)]));
+  Json::Object given;
+  for (const auto& [name, value] : core.parameters) given.emplace_back(name, value);
+  return Json::Object{{"names", std::move(names)},
+                      {"values", constants_json(*core.paper_match.constants)},
+                      {"given", std::move(given)}};
 }
 
 Json report_data(const Core& core, const ReportRequest& request) {

@@ -37,6 +37,11 @@ struct ReportRequest {
 /// The inputs of a run: all resizes, which the drawing needs, and the first of the others.
 [[nodiscard]] Json inputs_json(const std::vector<Input>& inputs);
 
+/// The constants that a run is played with, in the order of trajectory files: {"names": by the core's names
+/// of them, "values", "given": those that the scenario gives}. Null: the core's step is not the paper's.
+/// @param core with the run's parameters.
+[[nodiscard]] Json parameters_json(const Core& core);
+
 /// Writes the page of trajectories, or of sweeps if the first file is one.
 /// ERRORS: as report_data's, sweep_result's and write_page_file's; Failure(bad_input) if files of both kinds
 /// are given, sweeps are to be compared, or the first file is a study's.

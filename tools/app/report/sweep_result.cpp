@@ -14,6 +14,7 @@
 #include "tools/files/scenario_writer.h"
 #include "tools/files/sweep_reader.h"
 #include "tools/report/wasm/scenario_record.h"
+#include "tools/run_core/run_core.h"
 #include "tools/store/ensemble_file.h"
 
 namespace hyrax {
@@ -73,7 +74,7 @@ std::vector<double> values_of(const Sweep& sweep, std::size_t key, const std::ve
 
 // The sample's members as the page plays and shows them: the base as its core reads it and as text, what each
 // varied number is and where, and the results that differ.
-Json members_json(const Core& core, const EnsembleReader& reader, const Sweep& sweep,
+Json members_json(const Core& core, const std::string& path, const EnsembleReader& reader, const Sweep& sweep,
                   const std::vector<MemberNumbers>& numbers) {
   std::vector<double> members;
   for (std::int64_t row = 0; row < reader.rows(); row += rows_between_samples(reader))
@@ -91,6 +92,7 @@ Json members_json(const Core& core, const EnsembleReader& reader, const Sweep& s
       results.push_back(Json::Object{
           {"name", each.name()}, {"unit", each.unit()}, {"values", doubles_json(each.sample())}});
   return Json::Object{{"core_fingerprint", hex(fingerprint_of(core))},
+                      {"parameters", parameters_json(run_core(core, path, sweep.base))},
                       {"record", doubles_json(record_of(sweep.base))},
                       {"scenario", scenario_file_text(sweep.base)},
                       {"events", inputs_json(inputs_of(sweep.base, step_count(sweep.base)))},
@@ -155,12 +157,8 @@ ShownResult sweep_result(const Core& core, const std::string& path) {
     text.emplace_back(computed_by.empty()
                           ? "No member is replayed: the file does not name the core that computed it."
                           : "No member is replayed: another core than this program's computed them.");
-  const bool has_parameters = !sweep.base.parameters.empty();
-  if (has_parameters)
-    text.emplace_back("No member is replayed: a page plays the core's own constants, not parameters.");
   result.verdict.text = std::move(text);
-  if (is_own && is_paper_model(core.name) && !has_parameters)
-    result.members = members_json(core, reader, sweep, numbers);
+  if (is_own && is_paper_model(core.name)) result.members = members_json(core, path, reader, sweep, numbers);
   return result;
 }
 

@@ -1,5 +1,6 @@
 // The picture of a sweep's members as plain values: their numbers, cells or points, colours.
 import { doubles, firstAtLeast } from './data.js';
+import { constantsOf } from './replay.js';
 
 const cellsMax = 100; // Along an axis.
 const pointsMax = 5000;
@@ -50,13 +51,14 @@ export function itemsOf({ x, y, tint }) {
   return { edges, items: [...cells.values()].map(cell => ({ ...cell, value: cell.count ? cell.sum / cell.count : NaN })) };
 }
 
-/** The record of a sample's member, and its varied numbers as texts by pointer. */
+/** The record of a sample's member, the constants that it is played with, and its varied numbers as texts by pointer. */
 export function recordOf(sweep, numbers, row) {
-  const record = doubles(sweep.record), texts = {};
+  const record = doubles(sweep.record), constants = [...constantsOf(sweep)], texts = {};
   for (const [key, { name, place }] of sweep.inputs.entries()) {
     const { all, stride } = numbers[key], values = all.slice(stride * row, stride * (row + 1));
-    values.forEach((value, i) => (record[place + i] = value));
+    if (name.startsWith('/parameters/')) constants[sweep.parameters.names.indexOf(name.slice('/parameters/'.length))] = values[0];
+    else values.forEach((value, i) => (record[place + i] = value));
     texts[name] = stride === 1 ? String(values[0]) : String((BigInt(values[0]) << 32n) | BigInt(values[1]));
   }
-  return { record, texts };
+  return { record, constants, texts };
 }

@@ -17,17 +17,18 @@ export class Charts {
     moment.listen(() => this.show());
   }
 
-  /** The result of a run that goes on. */
-  update(result) {
-    this.result = result;
-    const charts = chartsOf(result, this.sizes);
-    if (charts.length !== this.#plots.length || charts.some(({ id }, i) => id !== this.#plots[i].chart.id)) this.#build(charts);
+  /** The result of a run that goes on, or of a changed one: then what is seen of the time stays. */
+  update(result, sizes = this.sizes) {
+    const { min, max } = this.#plots[0].plot.scales.x, isWhole = !result.isWhatIf;
+    Object.assign(this, { result, sizes });
+    const charts = chartsOf(result, sizes), kindOf = ({ id, series }) => `${id} ${series.map(({ name }) => name)}`;
+    if (charts.length !== this.#plots.length || charts.some((chart, i) => kindOf(chart) !== kindOf(this.#plots[i].chart))) this.#build(charts);
     this.#isZooming = true;
     charts.forEach((chart, i) => {
       this.#plots[i].chart = chart;
       this.#plots[i].plot.setData([result.rows.t, ...chart.series.map(({ values }) => this.#drawn(values))]);
     });
-    this.zoom(null);
+    this.zoom(isWhole ? null : [min, max]);
   }
 
   #build(charts) {

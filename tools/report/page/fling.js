@@ -3,8 +3,8 @@
 import { lastAtMost } from './data.js';
 import { element, make, report, root, save } from './document.js';
 import { fixed, rounded } from './numbers.js';
-import { scenarioText } from './record.js';
-import { placeAt, playedHere, sizesAt } from './replay.js';
+import { partsOf, scenarioText } from './record.js';
+import { constantsOf, placeAt, playedHere, sizesAt } from './replay.js';
 
 const longestFrame_s = 0.25; // A longer pause, as in a hidden tab, belongs to no frame.
 const stillFramesMax = 90;
@@ -25,6 +25,7 @@ export class Playground {
   /** `view` shows it: paint(), show(result) and its player. */
   constructor(core, view) {
     Object.assign(this, { core, view, painter: view.painter, size: sizesAt(view.sizes, 0) });
+    core.useConstants(constantsOf(view.run));
     core.measureBy(view.run.model);
     const on = (place, event, listener) => place.addEventListener(event, listener, { signal: this.#keys.signal });
     for (const [name, listener] of [['pointerdown', this.#down], ['pointermove', this.#move], ['pointerup', this.#up], ['pointercancel', this.#up]])
@@ -188,7 +189,8 @@ export class Playground {
 
   #download() {
     const { record, stateHash } = this.core.liveScenario();
-    const text = scenarioText(record, stateHash, 'fling', `Flung by hand in a report of ${this.view.run.name}, ${report.program}.`);
+    const text = scenarioText(partsOf(record), { stateHash, name: 'fling', description: `Flung by hand in a report of ${this.view.run.name}, ${report.program}.`,
+      parameters: this.view.run.parameters?.given });
     save('fling.json', 'application/json', text);
     element('fling-note').replaceChildren('Replay it: ', make('code', {}, 'hyrax-sim run fling.json'));
   }

@@ -161,7 +161,8 @@ class Stage {
   /** Plays a member of an explorer beside others, below the explorer's picture. */
   show(explorer, row, neighbours) {
     const played = each => {
-      const { record, texts } = recordOf(explorer.sweep, explorer.numbers, each);
+      const { record, constants, texts } = recordOf(explorer.sweep, explorer.numbers, each);
+      this.core.useConstants(constants);
       return { ...playedHere(this.core, record, { inputs: explorer.sweep.events }), record, texts };
     };
     const place = element('member'), result = played(row), { rows, contacts, check } = result;

@@ -23,11 +23,11 @@ export class Moment {
   listen(listener) {
     this.#listeners.push(listener);
   }
-  /** The last of other rows, as of a run that goes on. */
-  replace(rows) {
+  /** A row of others; the last, as of a run that goes on. */
+  replace(rows, index = rows.step.length - 1) {
     this.rows = rows;
     this.index = -1;
-    this.show(rows.step.length - 1);
+    this.show(index);
   }
   show(index) {
     const next = Math.max(0, Math.min(this.length - 1, Math.round(index)));

@@ -128,7 +128,7 @@ export class Painter {
     const context = this.#layer.getContext('2d');
     context.lineJoin = 'round';
     if (scene.other) {
-      this.#pen(context, 'bad', 1.5, true);
+      this.#pen(context, scene.tint ?? 'bad', 1.5, true);
       this.#path(context, scene.other);
     }
     if (!scene.rows) return;

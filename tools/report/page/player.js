@@ -20,12 +20,8 @@ export class Player {
 
   constructor(moment, contacts, run, resetZoom) {
     this.moment = moment;
-    this.contacts = contacts;
-    this.run = run;
     this.resetZoom = resetZoom;
     const slider = element('time');
-    slider.max = moment.length - 1;
-    slider.value = moment.index;
     const on = (id, event, listener) => element(id).addEventListener(event, listener, { signal: this.#keys.signal });
     on('time', 'input', () => this.seek(Number(slider.value)));
     on('play', 'click', () => this.toggle());
@@ -34,6 +30,14 @@ export class Player {
     on('forward', 'click', () => this.seek(moment.index + 1));
     addEventListener('keydown', event => this.#key(event), { signal: this.#keys.signal });
     moment.listen(() => (slider.value = moment.index));
+    this.follow(contacts, run);
+  }
+
+  /** The rows of the moment are others, with these contacts. */
+  follow(contacts, run) {
+    Object.assign(this, { contacts, run });
+    element('time').max = this.moment.length - 1;
+    element('time').value = this.moment.index;
     this.paintTicks();
   }
 
@@ -101,7 +105,7 @@ export class Player {
   #key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || root.dataset.mode === 'fling') return;
     const tag = event.target.tagName;
-    if (tag === 'SELECT' || (tag === 'BUTTON' && event.key === ' ') || tag === 'SUMMARY') return;
+    if (event.target.id?.startsWith('what-if-') || tag === 'SELECT' || (tag === 'BUTTON' && event.key === ' ') || tag === 'SUMMARY') return;
     const stride = event.shiftKey ? 10 : 1;
     const actions = {
       ' ': () => this.toggle(),

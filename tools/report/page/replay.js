@@ -18,12 +18,16 @@ async function playAll(core, steps, progress) {
   }
 }
 
+/** By which a run is played in place of the core's own; of one without parameters none. */
+export const constantsOf = ({ parameters }) => (Object.keys(parameters?.given ?? {}).length ? parameters.values : []);
+
 /**
  * The run as this browser computes it: rows, contacts, errors, and whether its bits are those of the file.
  * `outcome` is "agrees", "differs" or "none".
  */
 export async function replay(core, run, progress) {
   const file = rowsOf(run);
+  core.useConstants(constantsOf(run));
   core.measureBy(run.model);
   const steps = core.load(doubles(run.record), file, bytes(run.blocks));
   if (steps < 0) return { run, file, rows: file, outcome: 'none' };

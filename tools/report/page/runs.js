@@ -6,12 +6,14 @@ import { element, make, report, root, save } from './document.js';
 import { Playground } from './fling.js';
 import { contactsOf, coverageOf, expectationOf, inputsOf, originOf, shownMax } from './lists.js';
 import { Moment } from './moment.js';
-import { firstOf, fixed, rounded } from './numbers.js';
+import { count, firstOf, fixed, rounded } from './numbers.js';
 import { followLook, Painter, wallColors } from './painter.js';
 import { Player, showReadouts } from './player.js';
+import { partsOf } from './record.js';
 import { placeAt, replay, sizesOf } from './replay.js';
 import { distancesFrom, shownAt } from './series.js';
 import { verdictOf } from './verdict.js';
+import { WhatIf } from './what_if.js';
 
 const worst = { agrees: 0, none: 1, differs: 2 };
 
@@ -91,19 +93,19 @@ function otherOf(result) {
 const divergenceOf = ({ check, run }) => check?.firstDifference ?? run.golden?.first_divergence?.step ?? null;
 
 class View {
-  constructor(core, painter, result) {
-    const { run } = result;
+  constructor(core, painter, result, reopen) {
+    const { run } = result, record = doubles(run.record);
     Object.assign(this, { core, painter, result, run });
     result.other = otherOf(result);
     if (result.other) result.other.distances = distancesFrom(result.other.rows, result.rows);
     result.divergence = divergenceOf(result);
     root.toggleAttribute('data-red', Boolean(result.other));
-    this.sizes = sizesOf(doubles(run.record), run.inputs);
+    this.sizes = sizesOf(record, run.inputs);
     this.moment = new Moment(result.rows);
     showHead(run);
     showVerdict(result);
     showDetails(result, step => this.player.seekStep(step));
-    painter.setScene({ sizes: this.sizes, rows: result.rows, contacts: result.contacts, inputs: run.inputs, other: result.other?.rows });
+    this.#setScene(result, this.sizes);
     this.charts = new Charts(result, this.sizes, this.moment, index => this.player.seek(index));
     this.player = new Player(this.moment, result.contacts, run, () => this.charts.zoom(null));
     this.charts.followsMouse = () => !this.player.isPlaying && root.dataset.mode !== 'fling';
@@ -113,9 +115,14 @@ class View {
     element('charts-note').textContent = result.rows.step.length > 5_000 ? `${decimated}Of many rows to a pixel, the smallest and the largest value are drawn.` : decimated;
     element('stage-note').textContent = result.reason ? `No replay: ${result.reason}. Without it there are no errors, no causes of drift and nothing to fling.`
       : result.other ? `Dashed: the ${result.other.name}.` : '';
+    this.whatIf = new WhatIf(core, this, partsOf(record), reopen);
     this.setMode('replay');
     this.openLink() || this.#openWorst();
     this.paint();
+  }
+
+  #setScene({ rows, contacts, run, other }, sizes) {
+    this.painter.setScene({ sizes, rows, contacts, inputs: run.inputs, other: other?.rows, tint: other?.tint });
   }
 
   // Two runs: the second around their largest distance, again and again until the reader does something. Runs that settle
@@ -134,7 +141,7 @@ class View {
   paint() {
     const body = this.playground?.isLive ? this.playground.body : this.moment.body();
     const { other } = this.result;
-    const ghosts = other && !this.playground ? [{ at: placeAt(other.rows, body.t), tint: 'bad' }] : [];
+    const ghosts = other && !this.playground ? [{ at: placeAt(other.rows, body.t), tint: other.tint ?? 'bad' }] : [];
     this.painter.paint(body, this.playground?.look(body) ?? { ghosts });
     showReadouts({ ...body, row: body.frames ?? body.step });
     element('time').setAttribute('aria-valuetext', `row ${body.step}, ${fixed(body.t, 3)} s`);
@@ -158,18 +165,36 @@ class View {
   show(result) {
     this.result = result;
     this.charts.update(result);
-    this.player.contacts = result.contacts;
     this.moment.replace(result.rows);
+    this.player.follow(result.contacts, result.run);
     if (!this.playground.isHeld) showVerdict(result);
+    element('title').textContent = `${count(result.run.steps, 'frame')}, ${fixed(result.rows.t.at(-1), 1)} s, flung by hand`;
+    showContacts(result, step => this.player.seekStep(step));
+  }
+  /** What follows from other values than the file's, at a row of it. */
+  showChanged(result, record, index) {
+    const sizes = sizesOf(record, result.run.inputs);
+    this.player.pause();
+    this.result = result;
+    this.#setScene(result, sizes);
+    this.charts.update(result, sizes);
+    this.moment.replace(result.rows, index);
+    this.player.follow(result.contacts, result.run);
+    showVerdict(result);
     showContacts(result, step => this.player.seekStep(step));
   }
 
   setMode(mode) {
     root.dataset.mode = mode;
     const isFling = mode === 'fling';
+    if (isFling) {
+      this.whatIf.end();
+      showHead({ name: 'Your fling', title: ': ', description: '' });
+    }
     element('mode-replay').setAttribute('aria-pressed', !isFling);
     element('mode-fling').setAttribute('aria-pressed', isFling);
     element('replay-controls').hidden = isFling;
+    element('what-if').classList.toggle('unseen', isFling);
     element('fling-controls').hidden = !isFling;
     this.player.pause();
     this.playground?.end();
@@ -187,6 +212,7 @@ class View {
     this.fit();
   }
   end() {
+    this.whatIf.end();
     this.setMode('replay');
     this.player.end();
     clearTimeout(this.writing);
@@ -225,7 +251,7 @@ export async function showRuns() {
   const open = index => {
     const itsCore = results[index].run.no_replay ? null : core;
     view?.end();
-    view = new View(itsCore, painter, results[index]);
+    view = new View(itsCore, painter, results[index], () => open(index));
     element('mode-fling').disabled = !itsCore;
   };
   const picker = element('run');

@@ -29,6 +29,7 @@ function expectTile(expectations) {
 }
 
 function replayTile(result) {
+  if (result.isWhatIf) return tile('Not the file’s run', 'changed here', 'Save scenario writes it');
   const label = result.file ? 'Replayed in this browser' : 'What you flung, replayed';
   const { outcome, check, run } = result;
   if (outcome === 'none') return tile(label, 'not replayed', result.reason ?? 'the scenario cannot be played here');

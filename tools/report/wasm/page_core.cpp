@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/core/traced_core.h"
 #include "sim/reference/drift_columns.h"
@@ -55,7 +56,8 @@ struct Page {
   std::vector<double> input;   // Written by the page.
   std::vector<double> output;  // Read by it.
   std::string text;
-  Core core = shipped_core();  // What all is played by.
+  Core own = shipped_core();  // Or that of the step that the page carries.
+  Core core = own;            // What all is played by: it, or its step with other constants.
   std::optional<Model> model = Model();
   FileEvidence evidence;
   std::unique_ptr<ShownRun> run;
@@ -100,6 +102,12 @@ World start_in_input() {
   return {{n[0], n[1], n[2], n[3]}, size(4), size(6)};
 }
 
+// Of five numbers; nothing of none.
+std::optional<Constants> constants_in_input(std::int32_t count) {
+  const auto n = input(count);
+  return n.empty() ? std::nullopt : std::optional(Constants{n[0], n[1], n[2], n[3], n[4]});
+}
+
 constexpr ColumnOf<RowErrors> kErrorColumns[] = {
     {"step", "", "row", &RowErrors::step}, kDriftRowColumns[0], kDriftRowColumns[1], kDriftRowColumns[2]};
 
@@ -134,13 +142,18 @@ HYRAX_EXPORT(use_step) std::int32_t use_step(std::int32_t count) {
   for (const double byte : input(count)) text += static_cast<char>(byte);
   const std::optional<TracedStep> step = read_own_step(text);
   std::optional<Core> core = step ? traced_core(*step) : std::nullopt;
-  if (core) page().core = *std::move(core);
+  if (core) page().core = page().own = *std::move(core);
   return core ? 1 : 0;
+}
+/// From now on all is played by the paper's step with the five constants in the input; of none, by the core.
+HYRAX_EXPORT(use_constants) void use_constants(std::int32_t count) {
+  const std::optional<Constants> constants = constants_in_input(count);
+  page().core = constants ? listing_core(*constants) : page().own;
 }
 /// Runs are measured by the model of the five constants in the input, or, of none, not at all.
 HYRAX_EXPORT(measure_by) void measure_by(std::int32_t count) {
-  const auto n = input(count);
-  page().model = n.empty() ? std::nullopt : std::optional(Model(Constants{n[0], n[1], n[2], n[3], n[4]}));
+  const std::optional<Constants> constants = constants_in_input(count);
+  page().model = constants ? std::optional(Model(*constants)) : std::nullopt;
 }
 
 /// The file's rows: step, t, dt, x, y, vx, vy, contact of each.

@@ -56,6 +56,13 @@ test('the playground’s calls have their numbers in order', () => {
   assert.deepEqual(called, ['flight 24 20 1 2 3 4 5 6 7 8', 'live_start 1 2 3 4 5 6 7 8', 'live_grab 1 2 3', 'live_drag 4 5 6', 'live_release 7 8 9', 'live_velocity 10', 'live_frame 0.5', 'live_scenario']);
 });
 
+test('the constants are those that are given last', () => {
+  const { core, called } = cored({});
+  core.useConstants([1, 2, 3, 4, 5]);
+  core.useConstants([]);
+  assert.deepEqual(called, ['use_constants 5 1 2 3 4 5', 'use_constants 0']);
+});
+
 test('another core is named on top', () => {
   element('other-core').hidden = true;
   const { core } = cored({ fingerprint: { text: 'ab' } });

@@ -14,14 +14,15 @@ const flown = rate => (rate === 144 ? { t: [], x: [], y: [] } : { t: [0, 1, 2], 
 function opened(state = {}) {
   const said = [], say = (name, result) => (...values) => (said.push([name, ...values.map(value => (typeof value === 'object' ? JSON.stringify(value) : value))].join(' ')), result?.(...values));
   let frames = 0;
-  const core = { measureBy() {}, liveStart: say('start'), liveGrab: say('grab'), liveDrag: say('drag'), liveRelease: say('release', () => ({ x: 41, y: 31, vx: 300, vy: -400 })), liveVelocity: say('velocity', () => ({ vx: 6, vy: 8 })),
+  const core = { useConstants: say('constants'), measureBy() {}, liveStart: say('start'), liveGrab: say('grab'), liveDrag: say('drag'), liveRelease: say('release', () => ({ x: 41, y: 31, vx: 300, vy: -400 })), liveVelocity: say('velocity', () => ({ vx: 6, vy: 8 })),
     liveFrame: say('frame', dt => ({ t: ++frames / 10, x: 40 + frames, y: 30, vx: 1, vy: 2, contact: 0, frames, ...state })), liveScenario: () => ({ record, stateHash: 'ab' }),
     flight: say('flight', (_, rate) => flown(rate)), load: say('load', () => 1), playTo: say('play'), finish: () => ({ stateHash: 'ab', contacts: {}, steps: 1 }), rows: () => ({ step: [0], t: [0], x: [1], y: [2] }), contacts: () => ({}),
     errors: () => ({}), contactErrors: () => ({}), causes: () => ({}) };
   const canvas = new Element('canvas');
   const view = { painter: { canvas, scale: 4, pointOf: ({ clientX, clientY }) => [clientX, clientY] }, sizes: [{ step: 0, window: [100, 80], sprite: [10, 20] }], player: { pause() {}, play: say('loop') }, moment: { body: () => ({ x: 5, y: 5, vx: 0, vy: 0 }) },
-    run: { name: 'first', constants: [500] }, paint: () => {}, show: result => said.push(`show ${result.outcome}`) };
+    run: { name: 'first', constants: [500], parameters: { values: [9, 8], given: { GRAVITY: 9 } } }, paint: () => {}, show: result => said.push(`show ${result.outcome}`) };
   const playground = new Playground(core, view);
+  assert.equal(said.shift(), 'constants [9,8]'); // Of the run that it is flung beside.
   const hand = (type, clientX, clientY, timeStamp, more) => canvas.fire(type, { clientX, clientY, timeStamp, ...more });
   const told = () => said.splice(0);
   return { playground, view, core, hand, told };
@@ -138,8 +139,8 @@ test('what was flung is saved as a scenario of its own', () => {
   assert.deepEqual([element('download-scenario').disabled, element('fling-note').textContent], [false, '1 frames, 0.1 s']);
   saved.length = 0;
   element('download-scenario').fire('click');
-  const [[name, text]] = saved, { clock, expect, description } = JSON.parse(text);
-  assert.deepEqual([name, clock.dt_s, expect.state_hash, description.split(', ')[0]], ['fling.json', [0.016], 'ab', 'Flung by hand in a report of first']);
+  const [[name, text]] = saved, { clock, expect, description, parameters } = JSON.parse(text);
+  assert.deepEqual([name, parameters, clock.dt_s, expect.state_hash, description.split(', ')[0]], ['fling.json', { GRAVITY: 9 }, [0.016], 'ab', 'Flung by hand in a report of first']);
   assert.equal(element('fling-note').textContent, 'Replay it: hyrax-sim run fling.json');
   playground.end();
 });

@@ -12,9 +12,9 @@ async function showMembers(sweep, article) {
 }
 
 // The core's flight of a record goes a step of 10 px to the right, and down.
-const loaded = [], required = [];
+const loaded = [], required = [], used = [];
 let start = [], met = { left: 0, right: 2, top: 0, ground: 1 };
-Core.start = async () => ({ requireSame: fingerprint => required.push(fingerprint), load: record => loaded.push((start = [...record]).slice(4).join(' ')), playTo() {}, contacts: () => ({ step: [1], wall: [8], x: [start[4]], y: [60] }),
+Core.start = async () => ({ requireSame: fingerprint => required.push(fingerprint), useConstants: constants => used.push([...constants]), load: record => loaded.push((start = [...record]).slice(4).join(' ')), playTo() {}, contacts: () => ({ step: [1], wall: [8], x: [start[4]], y: [60] }),
   finish: () => ({ steps: 1, stateHash: 'ab', contacts: met }), errors: () => ({}), contactErrors: () => ({}), causes: () => ({}),
   rows: () => ({ step: [0, 1], t: [0, 2], x: [start[4], start[4] + 10], y: [start[5], 60], vx: [10, 10], vy: [90, 90], contact: [0, 8] }) });
 element('replay').parentElement = { clientWidth: 200 };

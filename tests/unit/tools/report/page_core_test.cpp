@@ -29,6 +29,7 @@ const char* text();
 std::int32_t text_length();
 void fingerprint();
 std::int32_t use_step(std::int32_t count);
+void use_constants(std::int32_t count);
 void measure_by(std::int32_t count);
 void expect_rows(std::int32_t count);
 void expect_blocks(std::int32_t count);
@@ -114,6 +115,10 @@ TEST(PageCore, PlaysAndMeasuresByTheStepThatItIsGiven) {
   measure_by(give({}));
   EXPECT_TRUE(std::isnan(PlayedInPage(scenario).came_to[7]));
   EXPECT_TRUE(columns(error_column).at("step").empty());
+  // Other constants serve until there are none; then the step does again.
+  use_constants(give({900.0, 0.5, 0.99, 0.75, 40.0}));
+  EXPECT_EQ(fingerprint_in_page(), hex(fingerprint_of(listing_core({900.0, 0.5, 0.99, 0.75, 40.0}))));
+  use_constants(give({}));
   // What is no step changes nothing.
   EXPECT_EQ(use_step(give({104.0, 121.0})), 0);
   EXPECT_EQ(fingerprint_in_page(), hex(fingerprint_of(listing_core(moon))));

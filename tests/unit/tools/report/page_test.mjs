@@ -4,8 +4,8 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { base64, count, frame, later, load, page, textOf } from './stand_in.mjs';
 
-const [cells, data, lists, { Moment }, numbers, { scenarioText }, replay, series, { verdictOf }] =
-  await Promise.all(['cells', 'data', 'lists', 'moment', 'numbers', 'record', 'replay', 'series', 'verdict'].map(load));
+const [cells, data, lists, { Moment }, numbers, { atRate, inputsIn, listOf, partsOf, scenarioText }, replay, series, { verdictOf }, whatIf] =
+  await Promise.all(['cells', 'data', 'lists', 'moment', 'numbers', 'record', 'replay', 'series', 'verdict', 'what_if'].map(load));
 
 // Five rows, of which every second step is recorded; the window and the sprite grow in step 5.
 const rows = { step: [0, 2, 4, 6, 8], t: [0, 0.5, 1, 2, 3], dt: [0, 0.25, 0.25, 0.5, 0.5], x: [0, 3, 6, 9, 12], y: [0, 10, 20, 30, 40],
@@ -133,7 +133,7 @@ test('a place looks the way it came from', () => {
 test('a run agrees only if every check of it does', async () => {
   const run = { record: '', blocks: '', rows: Object.fromEntries(data.rowFields.map(field => [field, base64([0])])), steps: 3, state_hash: 'a' };
   const checked = { firstDifference: null, isComplete: true, steps: 3, stateHash: 'a' };
-  const core = (found, steps = 3) => ({ measureBy() {}, load: () => steps, playTo: end => end, finish: () => ({ ...checked, ...found }), rows: () => rows, contacts: () => ({}),
+  const core = (found, steps = 3) => ({ useConstants() {}, measureBy() {}, load: () => steps, playTo: end => end, finish: () => ({ ...checked, ...found }), rows: () => rows, contacts: () => ({}),
     errors: () => ({}), contactErrors: () => ({}), causes: () => ({}) });
   const outcome = async (...found) => (await replay.replay(core(...found), run, () => {})).outcome;
   assert.deepEqual([await outcome({}), await outcome({}, -1)], ['agrees', 'none']);
@@ -147,7 +147,7 @@ test('a long run is played in pieces, which say how far it is', async () => {
     [40_000, 40_000, 61, [20_000, 30_000, 35_000, 37_500, 38_750, 39_750, 40_000], [0.5, 0.75, 0.875, 0.9375, 0.96875, 0.99375, 1]]]) {
     const played = [], reports = [];
     const playTo = end => (played.push(end), frame(performance.now() + took), Math.min(end, reaches));
-    const core = { measureBy() {}, load: () => steps, playTo, finish: () => ({}), rows: () => rows, contacts() {}, errors() {}, contactErrors() {}, causes() {} };
+    const core = { useConstants() {}, measureBy() {}, load: () => steps, playTo, finish: () => ({}), rows: () => rows, contacts() {}, errors() {}, contactErrors() {}, causes() {} };
     const { milliseconds } = await replay.replay(core, run, share => (reports.push(share), Promise.resolve().then(later)));
     assert.deepEqual([played, reports, milliseconds], [ends, shares, took * ends.length]);
   }
@@ -183,7 +183,12 @@ test('a member has its own record, seeds with all 64 bits', () => {
   const all = cells.numbersOf(sweep, [10, 20]);
   assert.deepEqual(all.map(({ label, isGrid, isInput, values }) => [label, isGrid, isInput, ...values]), [['/start/x_px', true, true, 5, 0.1],
     ['/clock/jitter/seed', undefined, true, 7, 2 ** 64], ['final_x, px', false, undefined, 1, 2], ['contacts', false, undefined, 3, 4]]);
-  const { record, texts } = cells.recordOf(sweep, all, 1);
+  const { record, texts, constants } = cells.recordOf(sweep, all, 1);
+  assert.deepEqual(constants, []);
+  // A varied parameter is one of the constants that it is played with.
+  const parameters = { names: ['GRAVITY', 'RESTITUTION'], values: [1200, 0.5], given: { RESTITUTION: 0.5 } }, varied = { ...sweep, parameters, inputs: [{ name: '/parameters/RESTITUTION', place: 5, values: base64([0.25, 0.75]) }] };
+  const moon = cells.recordOf(varied, cells.numbersOf(varied, [10, 20]), 1);
+  assert.deepEqual([[...moon.record], moon.constants, moon.texts], [[0, 0, 0, 0, 9], [1200, 0.75], { '/parameters/RESTITUTION': '0.75' }]);
   assert.deepEqual([...record], [0, 0.1, 0xffffffff, 0xfffffffe, 9]);
   assert.deepEqual(texts, { '/start/x_px': '0.1', '/clock/jitter/seed': '18446744073709551614' });
 });
@@ -194,11 +199,59 @@ test('the scale of colours is viridis', () => {
 
 test('a fling is written with each number and input', () => {
   const record = [800, 600, 64, 32, 1, 2, 3, 4, 1, 0, 0, 2, 3, 0.016, 0.017, -0, 0, 4, 0, 0, 5, 0, 0, 0, 0, 0, 1, 6, 10, 20, 0, 0, 0, 1, 1, 30, 40, 0, 0, 0, 2, 0, 50, 60, 0, 0];
-  const { events, ...rest } = JSON.parse(scenarioText(record, 'abc', 'fling', 'by hand'));
+  const { events, ...rest } = JSON.parse(scenarioText(partsOf(record), { stateHash: 'abc', name: 'fling', description: 'by hand' }));
   assert.deepEqual(events, [{ step: 0, grab: {} }, { step: 1, release: { vx_px_per_s: 10, vy_px_per_s: 20 } }, { step: 1, place: { x_px: 30, y_px: 40 } },
     { step: 2, fling: { vx_px_per_s: 50, vy_px_per_s: 60 } }]);
   assert.deepEqual(rest, { format: 'hyrax-scenario/1', name: 'fling', description: 'by hand', window: { width_px: 800, height_px: 600 }, sprite: { width_px: 64, height_px: 32 },
     start: { x_px: 1, y_px: 2, vx_px_per_s: 3, vy_px_per_s: 4 }, clock: { dt_s: [0.016, 0.017, -0] }, expect: { state_hash: 'abc' } });
+});
+
+test('a scenario of any kind goes through its parts, and is written with every key', () => {
+  const head = [800, 600, 64, 32, 1, 2, 3, -4, 3], events = [4, 0, 9, 3, 400, 300, -1, -1, 1, 0.5, 4, 0.25, 0, 0, 0, 0, 12, 2, 0, 0, 0, 0, 0, 20, 3, -1, -1, 8, 9];
+  for (const [clock, written] of [[[1, 60, 0, 120, 0], { steps: 60, clock: { rate_hz: 120 } }], [[2, 1.5, 1, 0.01, 1, 0, 0.2, 1, 7], { duration_s: 1.5, clock: { dt_s: 0.01, jitter: { kind: 'uniform', fraction: 0.2, seed: 2 ** 32 + 7 } } }],
+    [[0, 0, 2, 2, 0.5, 1, 0], { clock: { dt_s: [0.5, 1] } }]]) {
+    const list = [...head, ...clock, ...events];
+    assert.deepEqual(listOf(partsOf(list)), list);
+    const { events: found, record, parameters, ...rest } = JSON.parse(scenarioText(partsOf(list), { stateHash: 'a', name: 'n', description: '', parameters: { GRAVITY: 5e-324 } }));
+    assert.deepEqual([found, record, parameters], [[{ step: 9, resize: { window: { width_px: 400, height_px: 300 } } }, { at_s: 0.5, hitch: { dt_s: 0.25 } }, { step: 12, stop: {} }, { step: 20, resize: { sprite: { width_px: 8, height_px: 9 } } }],
+      { every: 3 }, { GRAVITY: 5e-324 }]);
+    for (const [key, value] of Object.entries(written)) assert.deepEqual(rest[key], value);
+    assert.deepEqual(Object.keys(rest).filter(key => key === 'steps' || key === 'duration_s'), Object.keys(written).filter(key => key !== 'clock'));
+  }
+  assert.match(scenarioText(partsOf([...head, 1, 60, 0, 120, 1, 2, 0.5, 2 ** 32 - 1, 2 ** 32 - 1, 0]), {}), /"missed_frames", "probability": 0.5, "seed": 18446744073709551615 }/);
+});
+
+test('at another rate a run is as long, and each event comes in the first frame of its time', () => {
+  const parts = (length, clock, events) => ({ window: [9, 9], length, clock, jitter: null, events: events.map(when => ({ when, action: 2, numbers: [] })) });
+  const at = (...which) => (({ length, clock, events }) => [length, clock, ...events.map(({ when }) => when)])(atRate(parts(...which.slice(0, 3)), which[3]));
+  const fixed = { kind: 0, values: [60] }, slow = { kind: 0, values: [30] };
+  assert.deepEqual(at([1, 600], fixed, [[0, 0], [0, 1], [0, 599], [1, 0.5]].slice(0, 3), 30), [[1, 300], slow, [0, 0], [0, 1]]); // The last begins after its last frame.
+  assert.deepEqual(at([1, 600], fixed, [[0, 1], [0, 7], [1, 0.5]], 144), [[1, 1440], { kind: 0, values: [144] }, [0, 3], [0, 17], [0, 72]]);
+  assert.deepEqual(at([2, 2.5], { kind: 1, values: [0.1] }, [[0, 7]], 30), [[1, 75], slow, [0, 21]]);
+  assert.deepEqual(at([0, 0], { kind: 2, values: [0.5, 0.25, 1] }, [[0, 1], [0, 2]], 30), [[1, 53], slow, [0, 15], [0, 23]]);
+  assert.deepEqual(inputsIn({ events: [[3, [100, 80, -1, -1]], [4, [0.5]], [0, [1, 2]]].map(([action, numbers], i) => ({ when: [0, i], action, numbers })) }), [{ frame: 0, kind: 'resize', window: [100, 80] }, { frame: 2, kind: 'fling' }]);
+});
+
+test('sliders stand at the run’s own values, and change only what is moved', () => {
+  const run = { model: [1200, 0.6, 0.999, 0.8, 40], parameters: { names: ['GRAVITY', '', 'AIR_DRAG', 'GROUND_FRICTION', 'REST'], values: [5000, 0.6, 0.999, 0.8, 40], given: { GRAVITY: 5000 } } };
+  const parts = partsOf([800, 600, 64, 32, 1, 2, 3, -4, 1, 1, 600, 0, 60, 0, 0]), sliders = whatIf.slidersOf(run, parts);
+  assert.deepEqual(sliders.map(({ key, own, low, high }) => [key, Math.round(own * 1000) / 1000, low, high]), [['rate', 60, 10, 360], ['speed', 5, 0, 4000], ['angle', 53.13, -180, 180],
+    ['GRAVITY', 5000, 0, 5000], ['AIR_DRAG', 0.999, 0.9, 1], ['GROUND_FRICTION', 0.8, 0, 1]]);
+  const own = Object.fromEntries(sliders.map(each => [each.key, each.own])), changed = values => whatIf.changedRun(run, parts, sliders, { ...own, ...values });
+  assert.deepEqual(changed({}), { parts, constants: run.parameters.values, model: run.model, parameters: { GRAVITY: 5000 } });
+  assert.deepEqual(changed({ GRAVITY: 900, AIR_DRAG: 1 }), { parts, constants: [900, 0.6, 1, 0.8, 40], model: [900, 0.6, 1, 0.8, 40], parameters: { GRAVITY: 900, AIR_DRAG: 1 } });
+  const [x, y, vx, vy] = changed({ speed: 10, rate: 30 }).parts.start;
+  assert.deepEqual([x, y, Math.round(vx * 1e9), Math.round(vy * 1e9), changed({ rate: 30 }).parts.length], [1, 2, 6e9, -8e9, [1, 300]]);
+  // Without the paper's step there are no constants to change, and of a trace the mean rate is shown.
+  assert.deepEqual(whatIf.slidersOf({ parameters: null }, { ...parts, clock: { kind: 2, values: [0.25, 0.75] } }).map(({ key, own }) => [key, own]).slice(0, 2), [['rate', 2], ['speed', 5]]);
+  assert.deepEqual(whatIf.changedRun({ parameters: null, model: null }, parts, sliders.slice(0, 3), own), { parts, constants: [], model: null, parameters: undefined });
+  assert.deepEqual(whatIf.slidersOf({ parameters: null }, { ...parts, clock: { kind: 1, values: [0] } }).map(({ key }) => key), ['speed', 'angle']);
+});
+
+test('where a run lands is said beside the file’s', () => {
+  const run = (x, error, ...walls) => ({ rows: { step: [0, 1, 2], t: [0, 0.5, 1], x: [0, x, 2 * x], y: [0, 4, 8] }, contacts: { step: [1, 2].slice(0, walls.length), wall: walls }, run: { errors: error && { truncation_px: error } } });
+  assert.equal(whatIf.landingText(run(30, 2.5, 2, 8), run(33, 1, 8)), 'Lands at x 60 px after 1 s, the file’s run at x 33 px after 0.5 s. Ends at x 60, y 8 px, 6 px from where the file’s run ends. Truncation error 2.5 px, of the file’s run 1 px.');
+  assert.equal(whatIf.landingText(run(30, null), run(30, 1, 8)), 'Never lands. Ends at x 60, y 8 px, 0 px from where the file’s run ends.');
 });
 
 test('a moment stays in the run, and reports each change once', () => {
@@ -306,7 +359,7 @@ test('the pages have each element that their scripts use, under its heading', ()
   assert.ok(ids.length > 30);
   const missing = ids.filter(id => !html.includes(`id="${id}"`) && !scripts.includes(`id: '${id}'`));
   assert.deepEqual(missing, []);
-  assert.deepEqual([...runs.matchAll(/ id="([\w-]+)"[^>]*>([A-Z][^<]*)</g)].map(([, id, text]) => `${id}: ${text.trim()}`), ['run-picker: Run', 'verdict-heading: Verdict', 'stage-heading: Replay', 'mode-replay: Replay', 'mode-fling: Fling it yourself',
+  assert.deepEqual([...runs.matchAll(/ id="([\w-]+)"[^>]*>([A-Z][^<]*)</g)].map(([, id, text]) => `${id}: ${text.trim()}`), ['run-picker: Run', 'verdict-heading: Verdict', 'stage-heading: Replay', 'mode-replay: Replay', 'mode-fling: Fling it yourself', 'save-scenario: Save scenario', 'file-run: Back to the file’s run',
     'again: Again', 'slow: A bounce in slow motion', 'restart: Start over', 'download-scenario: Download scenario', 'charts-heading: Charts', 'contacts-heading: Contacts', 'inputs-heading: Inputs', 'model-heading: Modelled and left out', 'made-heading: How it was made']);
 });
 

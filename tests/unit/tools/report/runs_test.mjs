@@ -29,7 +29,7 @@ async function opened(runs, { against, hash = '', found = () => ({}), core = {},
   location.hash = hash;
   Object.assign(report, { runs, against });
   let played = -1;
-  Core.start = start ?? (async () => ({ requireSame() {}, measureBy() {}, load: () => (found(++played) ? 400 : -1), playTo: step => step, finish: () => ({ ...checked, ...found(played) }), rows: () => rows, contacts: () => contacts, errors: () => ({ step: [] }),
+  Core.start = start ?? (async () => ({ requireSame() {}, useConstants() {}, measureBy() {}, load: () => (found(++played) ? 400 : -1), playTo: step => step, finish: () => ({ ...checked, ...found(played) }), rows: () => rows, contacts: () => contacts, errors: () => ({ step: [] }),
     contactErrors: () => ({ step: [95], wall: [2], time_error: [0.001], effective_restitution: [0.75] }), causes: () => ({ step: [] }), liveStart() {}, liveGrab() {}, liveVelocity: () => ({ vx: 3, vy: 4 }), liveFrame: body, liveScenario: () => ({ record: [], stateHash: 'ab' }), ...core }));
   await show();
 }
@@ -143,6 +143,40 @@ test('what is not all shown, or is not replayed, is said', async t => {
   assert.match(text('stage-note'), /^No replay: this browser calculates the step of the core moon otherwise than hyrax-sim 1\./);
 });
 
+test('what is changed is marked, drawn beside the file’s run and saved as it is seen', async () => {
+  const core = { useConstants: (...which) => used.push(which.join()), measureBy() {}, load: list => (loaded = list, 400) }, used = [];
+  let loaded = null;
+  const record = [100, 80, 10, 20, 0, 0, 3, 4, 1, 1, 400, 0, 100, 0, 0], parameters = { names: ['GRAVITY', '', '', '', ''], values: [500, 0.5, 1, 1, 1], given: {} };
+  await opened([run('a', { record: base64(record), parameters, model: [500, 0.5, 1, 1, 1], constants: parameters.values })], { core });
+  const seen = () => [element('not-the-file').hidden, 'whatIf' in data() || 'what-if' in data(), element('file-run').disabled], slid = (key, value) => {
+    const input = element(`what-if-${key}`);
+    input.value = value;
+    input.fire('input');
+    frame(performance.now() + 20);
+  };
+  const saves = () => (element('save-scenario').onclick(), JSON.parse(saved.splice(0).at(-1)[1]));
+  assert.deepEqual([...seen(), element('what-if').hidden, element('what-if-sliders').children.map(({ textContent }) => textContent)], [true, false, true, false, ['Frame rate100 Hz', 'Start speed5 px/s', 'Start angle, 90 is up−53.13°', 'Gravity500 px/s²']]);
+  const whole = saves();
+  assert.deepEqual([whole.name, whole.steps, whole.clock, whole.parameters, whole.expect], ['a-changed', 400, { rate_hz: 100 }, undefined, { state_hash: 'ab' }]);
+  element('time').value = '20';
+  element('time').fire('input');
+  slid('GRAVITY', 903.7);
+  slid('rate', 49.6);
+  assert.deepEqual([...seen(), used.at(-1), loaded.slice(9, 13), row(), text('name')], [false, true, false, '900,0.5,1,1,1', [1, 200, 0, 50], 20, 'a']);
+  assert.match(text('what-if-note'), /^Lands at x 40 px after 2 s, the file’s run at x 40 px after 2 s\. Ends at x 80, y 40 px, 0 px from where the file’s run ends\.$/);
+  assert.match(text('verdict'), /^Not the file’s runchanged here/);
+  assert.ok(element('replay').getContext().log.some(line => line.startsWith('stroke quiet 3 dashed')));
+  const { parameters: given, clock, steps } = saves();
+  assert.deepEqual([given, clock, steps, data().replay], [{ GRAVITY: 900 }, { rate_hz: 50 }, 200, 'agrees']);
+  for (const key of ['ArrowRight', 'Home']) windowEvents.fire('keydown', { key, target: element('what-if-rate') });
+  assert.equal(row(), 20); // These keys move the slider.
+  element('file-run').onclick();
+  assert.deepEqual([...seen(), text('what-if-note')], [true, false, true, '']);
+  assert.match(text('verdict'), /^Replayed in this browser/);
+  await opened([run('a', { steps: 40_001 })]);
+  assert.equal(element('what-if').hidden, true);
+});
+
 test('a page of another width is drawn anew', async () => {
   await opened([run('a')]);
   element('replay').parentElement.clientWidth = element('ticks').clientWidth = 100;
@@ -162,12 +196,13 @@ test('the playground takes the stage, and gives it back', async () => {
   frame(116);
   assert.deepEqual([rowShown(), element('readouts').querySelector('[data-name=x]').textContent], ['1', '45.00']);
   assert.match(text('verdict'), /same bits/);
+  assert.deepEqual([text('name'), text('title'), element('description').hidden], ['Your fling', '400 frames, 4.0 s, flung by hand', true]);
   for (const id of ['verdict', 'contacts']) element(id).textContent = 'old';
   element('replay').fire('pointerdown', { clientX: 110, clientY: 25, timeStamp: 120 });
   for (const time of [330, 346, 600, 616]) frame(time);
   assert.deepEqual([text('verdict'), text('contacts').slice(0, 4)], ['old', 'Step']); // The verdict comes when it is let go.
   element('mode-replay').fire('click');
-  assert.deepEqual(controls(), ['replay', false, true, 'true', 'false']);
+  assert.deepEqual([text('name'), ...controls()], ['a', 'replay', false, true, 'true', 'false']);
   frame(132);
   frame(148);
   assert.deepEqual([frames, rowShown()], [4, '0']);
