@@ -27,12 +27,13 @@ struct RangeLengthChanged : std::runtime_error {
 
 /// Rows as they are made, one after another: in each list the values of a row behind those of the row before.
 struct MadeRows {
-  std::vector<double> dt_s = {};
-  std::vector<Word> state = {};
+  std::vector<double> dt_s = {};  ///< Of each that is to be made.
+  std::vector<Word> words = {};   ///< As they are hashed: dt, then the state.
   std::vector<Word> outputs = {};
   std::vector<std::uint8_t> contacts = {};    ///< 0 or 1,
   std::vector<std::uint8_t> properties = {};  ///< and whether each holds, or is shown.
   std::size_t count = 0;                      ///< Complete rows.
+  bool all_are_finite = true;                 ///< Nothing in their states is not finite.
 };
 
 /// One core, as it goes on. ERRORS of all functions: what the core's own code throws; those that pass over a
@@ -47,10 +48,10 @@ class DescribedBody {
   /// By the core's copy constructor.
   [[nodiscard]] virtual std::unique_ptr<DescribedBody> copy() const = 0;
   virtual void step(double dt_s) = 0;
-  /// Steps once for each dt; behind each step calls `after_step`, if there is one, and adds a row. What
-  /// throws leaves the rows before. REQUIRES, of both: room for the rows.
-  virtual void play(std::span<const double> dt_s, const std::function<void()>& after_step,
-                    MadeRows& rows) = 0;
+  /// Steps once for each dt of the rows to be made; behind each step calls `after_step`, if there is one, and
+  /// adds a row. What throws leaves the rows before, and a body of no use. REQUIRES, of both: room for the
+  /// rows, and their dt.
+  virtual void play(const std::function<void()>& after_step, MadeRows& rows) = 0;
   /// Adds a row without a step. @param has_contacts whether its contacts are read; else they are 0.
   virtual void add_row(bool has_contacts, MadeRows& rows) = 0;
   /// Puts all values of a list there, in declared order. REQUIRES: as many as the list has.

@@ -12,9 +12,7 @@ namespace hyrax {
 namespace {
 
 // Made and passed on at once: few enough to stay in the cache.
-constexpr std::size_t kRowsAtOnce = 64;
-// A row is hashed with others at once.
-constexpr std::size_t kHashedBytes = std::size_t{1} << 16;
+constexpr std::size_t kRowsAtOnce = 256;
 
 std::size_t packed_bytes(std::size_t values, std::size_t contacts) {
   return (1 + values) * sizeof(Word) + (contacts + 7) / 8;
@@ -30,16 +28,11 @@ void pack(DescribedRow row, std::byte* at) {
     if (row.contacts[flag] != 0) at[flag / 8] |= std::byte{1} << (flag % 8);
 }
 
-bool is_finite(Word floating) {
-  constexpr Word kExponent = 0x7ff0000000000000;
-  return (floating & kExponent) != kExponent;
-}
-
 class DescribedPlayer {
  public:
   DescribedPlayer(const FrameScript& script, std::span<DescribedSink* const> sinks)
       : script_(script), description_(script.core.description), sinks_(sinks) {
-    rows_.state.resize(kRowsAtOnce * width_);
+    rows_.words.resize(kRowsAtOnce * (1 + width_));
     rows_.outputs.resize(kRowsAtOnce * description_.outputs.values.size());
     rows_.contacts.resize(kRowsAtOnce * description_.contacts.size());
     rows_.properties.resize(kRowsAtOnce * description_.properties.size());
@@ -51,7 +44,7 @@ class DescribedPlayer {
     for (std::size_t place = 0; place < description_.state.values.size(); ++place) {
       const ValueInfo& value = description_.state.values[place];
       if (is_floating(value.type)) floating_.push_back(place);
-      if (value.unit == "px") positions_.push_back({place, value.type, 0.0});
+      if (value.unit == "px") positions_.push_back({place, value.type});
     }
   }
 
@@ -70,10 +63,9 @@ class DescribedPlayer {
     bool is_open = false;
     bool is_passed_on = false;
   };
-  struct Anchored {
+  struct Position {
     std::size_t place = 0;
     ValueType type = ValueType::float64;
-    double anchor = 0.0;
   };
 
   /// All that calls the core. The first row of a block is made alone, as its keyframe has the inputs of it.
@@ -102,10 +94,7 @@ class DescribedPlayer {
   void pass_rows_on() {
     end_at_first_non_finite();
     if (rows_.count == 0) return;
-    for (std::size_t place = 0; place < rows_.count; ++place) {
-      if (next_row_ > 0 || place > 0) timeline_.play(rows_.dt_s[place]);
-      times_s_[place] = timeline_.time_s();
-    }
+    follow_time();
     hash_rows();
     for (DescribedSink* sink : sinks_)
       for (std::size_t place = 0; place < rows_.count; ++place) sink->row(row(place));
@@ -127,18 +116,30 @@ class DescribedPlayer {
     return {.step = next_row_ + static_cast<std::int64_t>(place),
             .t_s = times_s_[place],
             .dt_s = rows_.dt_s[place],
-            .state = part(rows_.state, width_),
+            .state = part(rows_.words, 1 + width_).subspan(1),
             .outputs = part(rows_.outputs, description_.outputs.values.size()),
             .contacts = part(rows_.contacts, open_contacts_.size())};
   }
 
+  /// Rows of equal dt at once.
+  void follow_time() {
+    std::size_t place = 0;
+    if (next_row_ == 0) times_s_[place++] = timeline_.time_s();
+    while (place < rows_.count) {
+      const double dt_s = rows_.dt_s[place];
+      timeline_.play(dt_s, 0);
+      const std::size_t first = place;
+      for (; place < rows_.count && same_bits(rows_.dt_s[place], dt_s); ++place)
+        times_s_[place] = timeline_.time_s(static_cast<std::int64_t>(place - first) + 1);
+      timeline_.play(dt_s, static_cast<std::int64_t>(place - first));
+    }
+  }
+
   void end_at_first_non_finite() {
-    // Of most rows no word at all has the exponent of what is not finite.
-    const auto words = std::span(rows_.state).first(rows_.count * width_);
-    if (std::count_if(words.begin(), words.end(), [](Word word) { return !is_finite(word); }) == 0) return;
+    if (rows_.all_are_finite) return;
     for (std::size_t place = 0; place < rows_.count; ++place)
       for (const std::size_t value : floating_) {
-        if (is_finite(rows_.state[place * width_ + value])) continue;
+        if (is_finite(row(place).state[value])) continue;
         summary_.early_end = {next_row_ + static_cast<std::int64_t>(place),
                               description_.state.values[value].name + " is not finite", true};
         rows_.count = place + 1;
@@ -154,20 +155,18 @@ class DescribedPlayer {
       block_.keyframe.state.assign(first.state.begin(), first.state.end());
       block_.keyframe.is_held = body_->is_held();
     }
-    std::byte* at = bytes_.data() + packed_;
-    for (std::size_t place = 0; place < rows_.count; ++place, at += row_bytes_) pack(row(place), at);
-    packed_ += rows_.count * row_bytes_;
-    if (packed_ > kHashedBytes) hash_packed();
+    if (std::endian::native == std::endian::little && open_contacts_.empty()) {
+      block_hash_.add(std::as_bytes(std::span(rows_.words).first(rows_.count * (1 + width_))));
+    } else {
+      std::byte* at = bytes_.data();
+      for (std::size_t place = 0; place < rows_.count; ++place, at += row_bytes_) pack(row(place), at);
+      block_hash_.add(std::span(bytes_).first(rows_.count * row_bytes_));
+    }
     rows_in_block_ += rows_.count;
     if (rows_in_block_ == kBlockRows) close_block();
   }
 
-  void hash_packed() {
-    block_hash_.add(std::span(bytes_).first(packed_));
-    packed_ = 0;
-  }
   void close_block() {
-    hash_packed();
     block_.digest = std::exchange(block_hash_, ByteHash()).value();
     rows_in_block_ = 0;
     hash_.add(block_.digest);
@@ -208,17 +207,30 @@ class DescribedPlayer {
   }
 
   void follow_rest() {
+    if (positions_.empty()) return;
+    const bool all_are_doubles =
+        std::all_of(positions_.begin(), positions_.end(),
+                    [](const Position& position) { return position.type == ValueType::float64; });
+    if (all_are_doubles)
+      follow_rest([](ValueType /*type*/, Word word) { return std::bit_cast<double>(word); });
+    else
+      follow_rest(number_of);
+  }
+  /// @param number of a word.
+  void follow_rest(const auto& number) {
     constexpr double kRestRadius_px = 0.5;
-    for (std::size_t place = 0; place < rows_.count; ++place) {
-      const Word* const state = rows_.state.data() + place * width_;
-      const auto is_away = [state](const Anchored& position) {
-        return std::fabs(number_of(position.type, state[position.place]) - position.anchor) > kRestRadius_px;
+    const Word* anchor = anchor_.data();
+    const Word* state = rows_.words.data() + 1;
+    for (std::size_t row = 0; row < rows_.count; ++row, state += 1 + width_) {
+      const auto is_away = [&](const Position& position) {
+        return std::fabs(number(position.type, state[position.place]) -
+                         number(position.type, anchor[position.place])) > kRestRadius_px;
       };
-      if ((next_row_ > 0 || place > 0) && std::none_of(positions_.begin(), positions_.end(), is_away))
-        continue;
-      for (Anchored& position : positions_) position.anchor = number_of(position.type, state[position.place]);
-      anchor_t_s_ = times_s_[place];
+      if ((next_row_ > 0 || row > 0) && std::none_of(positions_.begin(), positions_.end(), is_away)) continue;
+      anchor = state;
+      anchor_t_s_ = times_s_[row];
     }
+    if (anchor != anchor_.data()) anchor_.assign(anchor, anchor + width_);
   }
 
   void finish() {
@@ -253,14 +265,13 @@ class DescribedPlayer {
   std::array<double, kRowsAtOnce> times_s_ = {};
   Timeline timeline_ = {};
   std::vector<std::size_t> floating_ = {};
-  std::vector<Anchored> positions_ = {};  // All values in px.
+  std::vector<Position> positions_ = {};  // All values in px.
+  std::vector<Word> anchor_ = {};         // The last state that was away from the one before.
   double anchor_t_s_ = 0.0;
   std::vector<OpenContact> open_contacts_ = {};
   std::int64_t contacts_begun_ = 0;
   const std::size_t row_bytes_ = packed_bytes(width_, description_.contacts.size());
-  std::vector<std::byte> bytes_ =  // Of rows that are not hashed yet, as many as packed_.
-      std::vector<std::byte>(kHashedBytes + kRowsAtOnce * row_bytes_);
-  std::size_t packed_ = 0;
+  std::vector<std::byte> bytes_ = std::vector<std::byte>(kRowsAtOnce * row_bytes_);
   ByteHash block_hash_ = {};
   StateHash hash_ = {};
   std::size_t rows_in_block_ = 0;

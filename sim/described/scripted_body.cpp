@@ -54,8 +54,11 @@ void ScriptedBody::play_frames(std::int64_t rows_max, MadeRows& rows) {
       end = std::min(script_.steps, row_ + rows_max);
       if (next_event_ < script_.event_frames.size()) end = std::min(end, script_.event_frames[next_event_]);
     }
-    for (std::int64_t frame = row_ + 1; frame < end; ++frame) rows.dt_s.push_back(script_.clock.dt_s(frame));
-    body_->play(rows.dt_s, {}, rows);
+    rows.dt_s.resize(static_cast<std::size_t>(end - row_), script_.clock.dt_s(row_));
+    if (!script_.clock.is_fixed())
+      for (std::int64_t frame = row_ + 1; frame < end; ++frame)
+        rows.dt_s[static_cast<std::size_t>(frame - row_)] = script_.clock.dt_s(frame);
+    body_->play({}, rows);
   }
   row_ = end;
 }

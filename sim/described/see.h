@@ -4,6 +4,7 @@
 // Names are asked for once, when a core is described; after that values are read and set by their place.
 #pragma once
 
+#include <bit>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -316,7 +317,7 @@ class Describer : public SeeValues<Describer<kIsOutput>, kIsOutput> {
 /// Goes along a list that is described.
 class Places {
  public:
-  explicit Places(const ValueList& list) : list_(list) {}
+  explicit Places(const ValueList& list) : list_(list), count_(list.values.size()) {}
   void enter(std::string_view /*part*/) {}
   void enter(std::size_t /*place*/) {}
   void leave() {}
@@ -326,17 +327,18 @@ class Places {
     if (range.length != length) throw RangeLengthChanged(range.name, range.length, length);
   }
   void finish() const {
-    if (place_ != list_.values.size() || range_ != list_.ranges.size()) throw_list_changed("values");
+    if (place_ != count_ || range_ != list_.ranges.size()) throw_list_changed("values");
   }
 
  protected:
   std::size_t next() {
-    if (place_ == list_.values.size()) throw_list_changed("values");
+    if (place_ == count_) throw_list_changed("values");
     return place_++;
   }
 
  private:
   const ValueList& list_;
+  const std::size_t count_;
   std::size_t place_ = 0;
   std::size_t range_ = 0;
 };
@@ -347,11 +349,16 @@ class Reader : public SeeValues<Reader<kIsOutput>, kIsOutput>, public Places {
   Reader(const ValueList& list, std::span<Word> words) : Places(list), words_(words) {}
   template <class V, class Get, class Set, class Note>
   void value(const Get& get, const Set& /*set*/, const Note& /*note*/) {
-    words_[next()] = word_of<V>(get());
+    const Word word = word_of<V>(get());
+    if constexpr (std::is_floating_point_v<V>)
+      if (!is_finite(word)) all_are_finite_ = false;
+    words_[next()] = word;
   }
+  [[nodiscard]] bool all_are_finite() const { return all_are_finite_; }
 
  private:
   std::span<Word> words_;
+  bool all_are_finite_ = true;
 };
 
 class Setter : public SeeValues<Setter, false>, public Places {
@@ -625,37 +632,18 @@ class DescribedBodyOf final : public DescribedBody {
     return std::unique_ptr<DescribedBody>(new DescribedBodyOf(core_));
   }
   void step(double dt_s) override { static_cast<void>(core_.step(dt_s)); }
-  void play(std::span<const double> dt_s, const std::function<void()>& after_step, MadeRows& rows) override {
-    for (const double frame_dt_s : dt_s) {
-      step(frame_dt_s);
-      if (after_step) after_step();
-      add_row(true, rows);
+  void play(const std::function<void()>& after_step, MadeRows& rows) override {
+    if (after_step) return play(core_, rows, after_step);
+    if constexpr (std::is_trivially_copyable_v<Core> && std::is_copy_assignable_v<Core> &&
+                  sizeof(Core) <= kPlayedByCopyMax_bytes) {
+      Core core = core_;  // Which nothing else can change: it can stay in registers.
+      play(core, rows, [] {});
+      core_ = core;
+    } else {
+      play(core_, rows, [] {});
     }
   }
-  void add_row(bool has_contacts, MadeRows& rows) override {
-    const auto row_of = [&rows](auto& list, std::size_t width) {
-      return std::span(list).subspan(rows.count * width, width);
-    };
-    read(SettableList::state, row_of(rows.state, description_.state.values.size()));
-    if constexpr (see::Has_outputs<Core>) {
-      see::Reader<true> visitor(description_.outputs,
-                                row_of(rows.outputs, description_.outputs.values.size()));
-      core_.outputs(visitor);
-      visitor.finish();
-    }
-    const std::span<std::uint8_t> flags = row_of(rows.contacts, description_.contacts.size());
-    if (has_contacts)
-      contacts(flags);
-    else
-      std::fill(flags.begin(), flags.end(), std::uint8_t{0});
-    if constexpr (see::Has_properties<Core>) {
-      see::PropertyConditions visitor(row_of(rows.properties, description_.properties.size()));
-      core_.properties(visitor);
-      visitor.finish();
-    }
-    ++rows.count;
-  }
-
+  void add_row(bool has_contacts, MadeRows& rows) override { add_row(core_, has_contacts, rows); }
   void read(SettableList list, std::span<Word> words) override {
     visit(list, [&](const ValueList& values) { return see::Reader<false>(values, words); });
   }
@@ -667,14 +655,56 @@ class DescribedBodyOf final : public DescribedBody {
     if constexpr (see::Has_actions<Core>) core_.actions(visitor);
     visitor.finish();
   }
-  void contacts(std::span<std::uint8_t> flags) const override {
-    see::ContactConditions visitor(flags);
-    if constexpr (see::Has_contacts<Core>) core_.contacts(visitor);
-    visitor.finish();
-  }
+  void contacts(std::span<std::uint8_t> flags) const override { read_contacts(core_, flags); }
 
  private:
+  static constexpr std::size_t kPlayedByCopyMax_bytes = 4096;
+
   explicit DescribedBodyOf(const Core& core) : core_(core) {}
+
+  template <class T>
+  static std::span<T> row_of(std::vector<T>& list, std::size_t width, std::size_t row) {
+    return std::span(list).subspan(row * width, width);
+  }
+  void play(Core& core, MadeRows& rows, const auto& after_step) const {
+    for (const double dt_s : rows.dt_s) {
+      static_cast<void>(core.step(dt_s));
+      after_step();
+      add_row(core, true, rows);
+    }
+  }
+  void add_row(Core& core, bool has_contacts, MadeRows& rows) const {
+    const std::span<Word> words = row_of(rows.words, 1 + description_.state.values.size(), rows.count);
+    words.front() = std::bit_cast<Word>(rows.dt_s[rows.count]);
+    see::Reader<false> state(description_.state, words.subspan(1));
+    core.state(state);
+    state.finish();
+    rows.all_are_finite &= state.all_are_finite();
+    if constexpr (see::Has_outputs<Core>) {
+      see::Reader<true> visitor(description_.outputs,
+                                row_of(rows.outputs, description_.outputs.values.size(), rows.count));
+      core.outputs(visitor);
+      visitor.finish();
+    }
+    if constexpr (see::Has_contacts<Core>) {
+      const std::span<std::uint8_t> flags = row_of(rows.contacts, description_.contacts.size(), rows.count);
+      if (has_contacts)
+        read_contacts(core, flags);
+      else
+        std::fill(flags.begin(), flags.end(), std::uint8_t{0});
+    }
+    if constexpr (see::Has_properties<Core>) {
+      see::PropertyConditions visitor(row_of(rows.properties, description_.properties.size(), rows.count));
+      core.properties(visitor);
+      visitor.finish();
+    }
+    ++rows.count;
+  }
+  static void read_contacts(Core& core, std::span<std::uint8_t> flags) {
+    see::ContactConditions visitor(flags);
+    if constexpr (see::Has_contacts<Core>) core.contacts(visitor);
+    visitor.finish();
+  }
 
   template <class MakeVisitor>
   void visit(SettableList list, const MakeVisitor& make_visitor) {

@@ -36,14 +36,19 @@ template <class T>
   }
 }
 
+/// Whether the word of a floating type is.
+[[nodiscard]] constexpr bool is_finite(Word word) {
+  constexpr Word kInfinity = 0x7ff0000000000000;
+  return (word & kInfinity) != kInfinity;
+}
+
 template <class T>
 [[nodiscard]] constexpr Word word_of(T value) {
   if constexpr (std::is_enum_v<T>) {
     return word_of(static_cast<std::underlying_type_t<T>>(value));
   } else if constexpr (std::is_floating_point_v<T>) {
-    constexpr Word kSign = Word{1} << 63, kInfinity = 0x7ff0000000000000;
     const Word bits = std::bit_cast<Word>(static_cast<double>(value));
-    return (bits & ~kSign) > kInfinity ? Word{0x7ff8000000000000} : bits;
+    return is_finite(bits) || bits << 12 == 0 ? bits : Word{0x7ff8000000000000};
   } else if constexpr (std::is_signed_v<T>) {
     return static_cast<Word>(static_cast<std::int64_t>(value));
   } else {

@@ -20,10 +20,8 @@ class ControlledBody final : public DescribedBody {
     body_->step(dt_s);
     look();
   }
-  void play(std::span<const double> dt_s, const std::function<void()>& /*after_step*/,
-            MadeRows& rows) override {
-    body_->play(
-        dt_s, [this] { look(); }, rows);
+  void play(const std::function<void()>& /*after_step*/, MadeRows& rows) override {
+    body_->play([this] { look(); }, rows);
   }
   void add_row(bool has_contacts, MadeRows& rows) override { body_->add_row(has_contacts, rows); }
   void read(SettableList list, std::span<Word> words) override { body_->read(list, words); }

@@ -155,7 +155,8 @@ TEST(See, ABodyIsReadSetCopiedAndActedOn) {
   body->read(SettableList::state, words);
   EXPECT_EQ(words.back(), word_of(1.25));
   EXPECT_EQ(words[12], word_of(FormPose::jump));
-  MadeRows rows = {.state = std::vector<Word>(2 * words.size()),
+  MadeRows rows = {.dt_s = {0.5, 0.25},
+                   .words = std::vector<Word>(2 * (1 + words.size())),
                    .outputs = std::vector<Word>(2 * 8),
                    .contacts = std::vector<std::uint8_t>(2 * 2),
                    .properties = std::vector<std::uint8_t>(2 * 2)};
@@ -163,7 +164,9 @@ TEST(See, ABodyIsReadSetCopiedAndActedOn) {
   body->act(1, {});
   body->add_row(false, rows);
   EXPECT_EQ(rows.count, 2U);
-  EXPECT_EQ(rows.state[words.size() - 1], words.back());
+  EXPECT_EQ(rows.words[0], word_of(0.5));
+  EXPECT_EQ(rows.words[words.size()], words.back());
+  EXPECT_EQ(rows.words[words.size() + 1], word_of(0.25));
   EXPECT_EQ(rows.outputs[0], word_of(0.5F));
   EXPECT_EQ(rows.contacts, (std::vector<std::uint8_t>{0, 1, 0, 0}));
   EXPECT_EQ(rows.properties, (std::vector<std::uint8_t>{1, 1, 0, 1}));
