@@ -15,7 +15,9 @@ constexpr double kStill_px = 1e-12;
 
 bool is_factor(double factor) { return factor > 0.0 && factor <= 1.0; }
 
-std::string why_no_fling(const Model& model) {
+}  // namespace
+
+std::string why_no_exact_fling(const Model& model) {
   if (!(model.gravity_px_per_s2 > 0.0)) return "gravity is 0";
   if (!is_factor(model.air_drag)) return "the drag factor is not above 0 and at most 1";
   if (!is_factor(model.ground_friction)) return "the friction factor is not above 0 and at most 1";
@@ -24,8 +26,6 @@ std::string why_no_fling(const Model& model) {
   return "";
 }
 
-}  // namespace
-
 WholeMeter::WholeMeter(const Scenario& scenario, std::vector<Input> inputs, const Model& model,
                        std::function<void(const WholeRow&)> each, bool encloses)
     : playback_(scenario, std::move(inputs)),
@@ -33,7 +33,7 @@ WholeMeter::WholeMeter(const Scenario& scenario, std::vector<Input> inputs, cons
       fling_(laws_),
       steps_(step_count(scenario)),
       each_(std::move(each)) {
-  if (std::string why = why_no_fling(model); !why.empty()) {
+  if (std::string why = why_no_exact_fling(model); !why.empty()) {
     end_without(std::move(why));
     return;
   }

@@ -16,6 +16,9 @@
 
 namespace hyrax {
 
+/// Why there is no exact fling with these constants, as "gravity is 0"; empty: there is one.
+[[nodiscard]] std::string why_no_exact_fling(const Model& model);
+
 /// Distances are hypot(dx, dy) of run and exact fling at the time of a row, energies those of the run minus
 /// the exact fling's, as the height that they lift the sprite by. Row 0 is where both begin.
 struct WholeRun {

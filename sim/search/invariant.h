@@ -19,12 +19,13 @@ enum class Invariant : std::uint8_t {
   no_time,
   resumed,
   repeated,
-  comes_to_rest,  ///< These four are of a hard case only.
+  comes_to_rest,  ///< These five are of a hard case only.
   stays_at_rest,
   keeps_energy,
+  exact_corner,
   expectations,
 };
-inline constexpr std::size_t kInvariantCount = 14;
+inline constexpr std::size_t kInvariantCount = 15;
 
 struct InvariantText {
   std::string_view name;  ///< In tables and in JSON.
@@ -46,6 +47,7 @@ inline constexpr std::array<InvariantText, kInvariantCount> kInvariantTexts = {{
     {"comes-to-rest", "left alone, it settles and ends at zero speed", "px/s"},
     {"stays-at-rest", "at rest, it stays within half a pixel, however long frames are", "s"},
     {"keeps-energy", "bounces without loss keep half of the energy", "1"},
+    {"exact-corner", "the exact fling meets both walls at one time, stays inside, gains no energy", "px"},
     {"expectations", "what the scenario itself expects", "1"},
 }};
 

@@ -3,7 +3,7 @@
 
 from altered import CONTROLS
 from process import run
-from program import SOURCE, ProgramTest, main
+from program import DISAGREED, SOURCE, ProgramTest, main
 
 PROGRAM_FAULT = 70
 
@@ -14,6 +14,13 @@ class Unsound(ProgramTest):
             outcome = run(CONTROLS / "control_unsound", *arguments, cwd=SOURCE)
             self.assertEqual(outcome.exit_code, PROGRAM_FAULT, outcome)
             self.assertIn("the exact fling is outside its bounds", outcome.out + outcome.err)
+
+    def test_an_exact_fling_that_misses_a_corner_turns_the_hard_cases_red(self):
+        outcome = run(CONTROLS / "control_unsound", "study", "hard-cases", "scenarios/hard/corners.json", "--gate", "--no-figures", "--json", "-o", self.folder,
+                      cwd=SOURCE)
+        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        self.assertEqual({sentence.partition(" is broken")[0] for sentence in outcome.json["broken"]},
+                         {f"corners/exact-{end}-{side}: exact-corner" for end in ("upper", "lower") for side in ("left", "right")})
 
 
 if __name__ == "__main__":

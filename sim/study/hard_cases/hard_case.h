@@ -28,6 +28,8 @@ struct HardCase {
   std::string thrown_at_rest = {};
   /// Played by the listing with the core's gravity, without drag, friction, rest rule and loss at walls.
   bool is_lossless = false;
+  /// As a contact byte, the two walls that the exact fling from its start meets at one time; 0: it need not.
+  std::uint8_t exact_corner = 0;
   bool is_long = false;  ///< Takes longer than all others together.
   /// Rows at which it is stopped and resumed, in order; empty: usual_stops.
   std::vector<std::int64_t> stops = {};

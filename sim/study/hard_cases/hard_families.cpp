@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include "sim/core/core.h"
+#include "sim/reference/whole_run.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/apply.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/study/hard_cases/hard_case.h"
+#include "sim/study/reference_model.h"
 
 namespace hyrax {
 namespace {
@@ -335,6 +337,26 @@ void add_grazings(FamilyBase& base) {
         .scenario.start.y_px = off_px - highest_px;
 }
 
+// From the middle of the room, so that the exact fling meets both walls of a corner at one time.
+void add_exact_corner(FamilyBase& base, bool is_right, bool is_low) {
+  const FixedLaws laws(reference_model(base.core));
+  const auto [right_px, bottom_px] = base.bounds;
+  const Position middle{right_px / 2, bottom_px / 2};
+  // So soon that it neither turns on its way nor is all but stopped.
+  const double t_s =
+      std::min({0.5, std::sqrt(middle.y_px / (2 * laws.gravity_px_per_s2)), 1.0 / laws.drag_rate_per_s});
+  const double way_px = fly(1.0, 0.0, laws.drag_rate_per_s, t_s).displacement_px;
+  const double fall_px = fly(0.0, laws.gravity_px_per_s2, laws.drag_rate_per_s, t_s).displacement_px;
+  HardCase& member =
+      base.add(fmt::format("exact-{}-{}", is_low ? "lower" : "upper", is_right ? "right" : "left"),
+               "both walls at one time, by the exact fling");
+  member.scenario.start = middle;
+  member.scenario.start_velocity = {(is_right ? middle.x_px : -middle.x_px) / way_px,
+                                    ((is_low ? middle.y_px : -middle.y_px) - fall_px) / way_px};
+  member.exact_corner = static_cast<std::uint8_t>(is_right ? Wall::right : Wall::left) |
+                        static_cast<std::uint8_t>(is_low ? Wall::ground : Wall::top);
+}
+
 void add_corners(FamilyBase& base) {
   const auto near = [](double at_px, double speed_px_per_s, double far_px) {
     return (speed_px_per_s > 0.0 ? far_px - at_px : at_px) <= 20.0;
@@ -346,7 +368,8 @@ void add_corners(FamilyBase& base) {
         near(s.y_px, s.vy_px_per_s, bottom_px)))
     return;
   for (const bool is_right : {false, true})
-    for (const bool is_low : {false, true})
+    for (const bool is_low : {false, true}) {
+      if (why_no_exact_fling(reference_model(base.core)).empty()) add_exact_corner(base, is_right, is_low);
       for (const std::string_view where : {"in-it", "an-ulp-from-it", "into-it"}) {
         const auto inside = [where](double corner_px, double other_px) {
           if (where == "in-it") return corner_px;
@@ -362,6 +385,7 @@ void add_corners(FamilyBase& base) {
         scenario.start_velocity = {std::copysign(s.vx_px_per_s, is_right ? 1.0 : -1.0),
                                    std::copysign(s.vy_px_per_s, is_low ? 1.0 : -1.0)};
       }
+    }
 }
 
 void add_speeds(FamilyBase& base) {

@@ -56,6 +56,7 @@ TEST(Invariants, AreCalledBy) {
             "comes-to-rest: left alone, it settles and ends at zero speed, px/s\n"
             "stays-at-rest: at rest, it stays within half a pixel, however long frames are, s\n"
             "keeps-energy: bounces without loss keep half of the energy, 1\n"
+            "exact-corner: the exact fling meets both walls at one time, stays inside, gains no energy, px\n"
             "expectations: what the scenario itself expects, 1\n");
 }
 

@@ -65,7 +65,7 @@ TEST(HardCase, FamiliesAreChosenByWhatAScenarioDoes) {
       {"any-frame", {14, "9b6bc4d8"}},
       {"any-jitter", {15, "77eeb2f8"}},
       {"any-speed", {13, "f3ed6f42"}},
-      {"corners", {13, "ea43a2cb"}},
+      {"corners", {17, "0ad2d2ad"}},
       {"far-outside", {13, "a630440f"}},
       {"grazing", {8, "434e4e4c"}},
       {"hitch", {16, "c5ca7132"}},
@@ -179,6 +179,25 @@ TEST(HardCase, BouncesWithoutLossGainNoEnergyAndLoseItAtSomeRates) {
   }
   EXPECT_EQ(verdicts,
             (std::map<CaseVerdict, int>{{CaseVerdict::held, 36}, {CaseVerdict::expected_failure, 4}}));
+}
+
+// Also with other laws, as far as there is an exact fling.
+TEST(HardCase, TheExactFlingMeetsBothWallsOfACornerAtOneTime) {
+  const auto members = [](const Constants& laws) {
+    std::map<CaseVerdict, int> verdicts;
+    Core core = listing_core(laws);
+    core.name = "own";
+    for (HardCase& hard_case : hard_cases_of(core, named("corners")))
+      if (hard_case.exact_corner != 0)
+        ++verdicts[judge(play_hard_case(core, std::move(hard_case)), Invariant::exact_corner)];
+    return verdicts;
+  };
+  using Verdicts = std::map<CaseVerdict, int>;
+  for (const Constants& laws :
+       {Constants{1200.0, 0.6, 0.999, 0.8, 5.0}, Constants{980.0, 0.9, 0.9995, 0.7, 8.0},
+        Constants{1e5, 0.0, 0.5, 1.0, 1.0}, Constants{1.0, 1.0, 1.0, 1.0, 5.0}})
+    EXPECT_EQ(members(laws), (Verdicts{{CaseVerdict::held, 4}}));
+  EXPECT_EQ(members({0.0, 0.6, 0.999, 0.8, 5.0}), Verdicts());
 }
 
 TEST(HardCase, DragInAZeroLengthFrameIsAnExpectedFailureInEveryScenario) {
