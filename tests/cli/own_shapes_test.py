@@ -63,6 +63,7 @@ class Shapes(InstalledPackage):
         for name, (old, new, _) in SHAPES.items():
             headers[name] = SHIPPED.replace(old, new)
             assert headers[name] != SHIPPED
+        headers["single"] = SHIPPED.replace("double", "float")
         headers["leak"] = SHIPPED.replace("m_x > rightBound)", "m_x > rightBound + 40.0)")
         headers["spin"] = headers["spin"].replace("  double m_vx, m_vy;\n", "  double m_vx, m_vy;\n  double m_spin = 3.0;\n")
         headers["round"] = SHIPPED.replace(WALLS, "    if (m_y > 700.0) std::fesetround(FE_DOWNWARD);\n" + WALLS)
@@ -178,6 +179,7 @@ class Shapes(InstalledPackage):
                 for arguments in (("drift", "fling.json"), ("study", "needs"), ("run", "fling.json", "--drift")):
                     outcome = self.expect(BAD_INPUT, *arguments, says="needs the paper's step, with any constants")
                     self.assertRegex(outcome.err, rf"\(found in the core {name}: .*{re.escape(expression)}\)\n")
+                self.assertIn("; no value loses half its digits.\n", self.expect(AGREED, "study", "frame-rate", "--quick").out)
                 computed, steps = self.expect_sweep_as_runs()
                 self.assertGreater(computed, 0)
                 self.assertLessEqual(computed, steps)
@@ -192,6 +194,16 @@ class Shapes(InstalledPackage):
                     self.assertNotIn("constants", file.attrs)
                 self.write("wrong.json", program.fling(expect={"final_x_px": [-2, -1]}))
                 self.assertIn("kept: final_x_px is above", self.expect(AGREED, "shrink", "wrong.json", "-o", f"small-{name}.json").out)
+
+    def test_a_core_of_float_is_told_whether_float_matters(self):
+        self.use("single")
+        outcome = self.expect(AGREED, "study", "frame-rate", "--quick", "--json", "--report", "page.html")
+        self.assertEqual(outcome.json["answer"], "The same fling ends at 1,139 px at 24 Hz and 1,701 px at 240 Hz.")
+        self.assertEqual([row["rate_hz"] for row in outcome.json["rounding"]], [24, 60, 144, 240])
+        self.assertIn("Does float matter here? No: that is less than half a pixel.", (self.folder / "page.html").read_text(encoding="utf-8"))
+        self.expect(BAD_INPUT, "study", "needs", says="needs the paper's step")
+        self.use("round")  # It cannot be traced.
+        self.expect(BAD_INPUT, "study", "frame-rate", says="needs the paper's step")
 
     def test_control_fuzz_finds_a_core_that_leaves_the_window(self):
         self.use("leak")

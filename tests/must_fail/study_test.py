@@ -3,13 +3,15 @@
 
 import json
 import os
+import re
 import sys
 from unittest import mock
 
 import numpy
 
 from altered import ALTERED, studied
-from program import DISAGREED, SOURCE, ProgramTest, main
+from program import AGREED, DISAGREED, SOURCE, ProgramTest, main
+from traced import SHIPPED, traced
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 # pylint: disable=wrong-import-position
@@ -66,6 +68,32 @@ class Gates(ProgramTest):
                 outcome = studied(core, study)
                 self.assertEqual(outcome.exit_code, DISAGREED, outcome)
                 self.assertRegex(outcome.json["broken"][0], says)
+
+
+class Rounding(ProgramTest):
+    """`study frame-rate` replays the traced step in wider arithmetic: what it says of headers that lose digits, and of those that do not."""
+
+    MOVE = "m_x += m_vx * dt;"
+    # Of each header what it says, and rounding in px at most and at least.
+    HEADERS = {
+        SHIPPED: (r"; no value loses half its digits\.\n", 1e-13, 1e-11),
+        SHIPPED.replace("double", "float"): (r"; vy \+ float\(dt\) \* 1200 loses half its digits \(at 144 Hz, row \d+\)\. Does float matter here\? "
+                                             r"No: that is less than half a pixel\.", 1e-4, 1e-2),
+        SHIPPED.replace("double", "float").replace(MOVE, "m_x += (m_vx + 1e8f) * dt - 1e8f * dt;"): (r" Yes: that is more than half a pixel\.", 0.5, 100.0),
+        SHIPPED.replace(MOVE, "m_x += (m_vx + 1e12) * dt - 1e12 * dt;"): (
+            r"; dt \* \(vx \* 0\.999 \+ 1e\+12\) - dt \* 1e\+12 loses half its digits \(at 24 Hz, row 1\)\.\n", 1e-5, 1e-3),
+        SHIPPED.replace(MOVE, "m_x += std::copysign(std::sqrt(m_vx * m_vx + 1.0), std::sin(m_vx / 1e6)) * dt;"): (r"; no value loses half its digits", 1e-13, 1e-9),
+        SHIPPED.replace(MOVE, "m_x += m_vx * dt; if (1.0 + dt * 1e-20 > 1.0) m_x += 1.0;"): (r"; it decides a comparison \(at 24 Hz, row 1\)\.", 100.0, 1e6),
+    }
+
+    def test_what_rounding_does_is_said(self):
+        cores = {header: traced(header) for header in self.HEADERS}
+        for header, (says, low_px, high_px) in self.HEADERS.items():
+            with self.subTest(says=says):
+                outcome = cores[header].run("study", "frame-rate", "--quick", "--no-figures", "-o", self.folder)
+                self.assertEqual(outcome.exit_code, AGREED, outcome)
+                self.assertRegex(outcome.out, r"Rounding moves the fling by up to \S+ px \(at \d+ Hz, row \d+\).*" + says)
+                self.assertTrue(low_px < float(re.search("by up to (.*) px", outcome.out)[1]) < high_px, outcome.out)
 
 
 class Numbers(ProgramTest):

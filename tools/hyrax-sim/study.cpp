@@ -65,7 +65,11 @@ Command study_command() {
   for (const Study& study : studies())
     offered.push_back({study.name, study.summary, study.takes_scenarios, study.takes_within,
                        study.default_scenarios,
-                       [&study](const StudyInput& input) { return run_study(study, input); }});
+                       [&study](const StudyInput& input) { return run_study(study, input); },
+                       [&study](const Core& core) {
+                         if (study.needs_paper_step || core.constants || !program_step(core))
+                           require_paper_core(core, "hyrax-sim study " + study.name);
+                       }});
   Command command = study_command_of(
       std::move(offered),
       {{"paper", "was removed; the paper's claims and their figures are in sim/physics/claims.md"},
@@ -76,7 +80,6 @@ Command study_command() {
       "hyrax-sim study frame-rate --report frame-rate.html\n"
       "  hyrax-sim study needs scenarios/flings/first-fling.json --within 1px";
   command.is_common = true;
-  command.needs_paper_step = true;
   return command;
 }
 

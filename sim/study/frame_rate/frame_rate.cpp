@@ -243,13 +243,24 @@ class DisplayFlings {
 
 }  // namespace
 
-FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz, std::int64_t flings) {
-  const std::vector<MethodKind> kinds = frame_methods(core);
+FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz, std::int64_t flings,
+                                const StepProgram* step) {
   FrameRateStudy study;
-  const double settling = settling_s(core.constants.value(), rates_hz);
-  study.has_drag = core.constants->air_drag < 1.0;
-  study.is_cut = !(settling <= kUntilMost_s);
-  study.until_s = study.is_cut ? kUntilMost_s : std::max(std::ceil(settling), kUntilLeast_s);
+  study.until_s = kUntilLeast_s;
+  study.has_float = step != nullptr && has_float(*step);
+  if (core.constants) {
+    const double settling = settling_s(*core.constants, rates_hz);
+    study.has_drag = core.constants->air_drag < 1.0;
+    study.is_cut = !(settling <= kUntilMost_s);
+    study.until_s = study.is_cut ? kUntilMost_s : std::max(std::ceil(settling), kUntilLeast_s);
+  }
+  if (step != nullptr)
+    for (const double rate_hz : rates_hz) study.traced.push_back(play_traced(*step, rate_hz, study.until_s));
+  if (!core.constants) {
+    study.landings.assign(study.traced.begin(), study.traced.end());
+    return study;
+  }
+  const std::vector<MethodKind> kinds = frame_methods(core);
   DisplayFlings displays(core, study, rates_hz, flings);
   std::array<std::vector<double>, kDisplayClockNames.size()> spreads_by_paper_px;
   for (std::size_t method = 0; method < kFrameRateMethods.size(); ++method)

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "sim/result/figure.h"
 #include "sim/result/result.h"
 #include "sim/study/methods/many_flings.h"
+#include "sim/trace/step_player.h"
 
 namespace hyrax {
 
@@ -51,6 +53,23 @@ struct Landing {
   double moves_px = 0.0;
   bool is_core = true;  ///< Of the paper's method: it has the core's bits, step by step and by sim/ensemble.
 };
+
+/// The drawn fling by a traced step, beside the same operations in 104 bits: sums, products and quotients in
+/// double-double arithmetic, functions in `long double`. Constants are the header's, of a `float` rounded to
+/// it; an int is never rounded. Both take the paths that their own comparisons decide.
+struct TracedLanding : Landing {
+  double rounding_px = 0.0;  ///< The largest distance of both, and the first row that has it.
+  std::int64_t rounding_row = 0;
+  std::int64_t other_path_from = -1;  ///< The first row in which they take different paths; -1: none.
+  /// The first row, before that, in which a value has lost half its digits: 26 of 53 bits, 12 of 24 if the
+  /// step has a `float`; and the value, as a reader of the header would write it. -1: none.
+  std::int64_t lost_row = -1;
+  std::string lost = {};
+};
+/// Takes from the step what it has of its own beside x, y, vx, vy.
+[[nodiscard]] TracedLanding play_traced(const StepProgram& step, double rate_hz, double duration_s);
+/// Whether an operation of the step is that of a `float`.
+[[nodiscard]] bool has_float(const StepProgram& step);
 
 /// A point of the drawn fling's path.
 struct FanPoint {
@@ -95,16 +114,19 @@ struct FrameRateStudy {
   double until_s = 0.0;  ///< Each fling is played for so long.
   bool is_cut = false;   ///< Some may take longer to settle.
   bool has_drag = true;  ///< Else there is hardly anything to take by time.
+  bool has_float = false;
   std::vector<Landing> landings;
+  std::vector<TracedLanding> traced;  ///< By rate; empty: the step is not complete.
   std::vector<FanPoint> paths;
   std::vector<Independence> scores;  ///< By method, then by clock.
   std::vector<DisplayShift> shifts;  ///< By method, clock and rate.
   /// By clock: flings whose spread is smaller with drag and friction by time.
   std::array<Share, kDisplayClockNames.size()> steadier_by_time;
 };
-/// @param flings random ones, beside the one that is drawn. REQUIRES: at least one rate and one fling.
+/// Of a core without constants only the drawn fling, by its step. @param flings random ones, beside the one
+/// that is drawn. REQUIRES: at least one rate and one fling; constants or a step.
 [[nodiscard]] FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz,
-                                              std::int64_t flings);
+                                              std::int64_t flings, const StepProgram* step = nullptr);
 
 /// The drawn fling's landings by one method under one clock.
 [[nodiscard]] std::vector<Landing> drawn_landings(const FrameRateStudy& study, std::size_t method,

@@ -44,6 +44,18 @@ Table landing_table(const std::vector<Landing>& landings) {
       .add("across", "px", "horizontal part of the path", &Landing::across_px);
 }
 
+Table rounding_table(const std::vector<TracedLanding>& traced) {
+  return StudyTable("rounding", "the drawn fling, and the same operations in 104 bits", traced)
+      .add("rate", "Hz", "display rate", &TracedLanding::rate_hz)
+      .add("rounding", "px", "largest distance of both", &TracedLanding::rounding_px)
+      .add("rounding_row", "1", "the first row that has it", &TracedLanding::rounding_row)
+      .add("other_path_from", "1", "the first row in which they take different paths; -1: none",
+           &TracedLanding::other_path_from)
+      .add("lost_row", "1", "the first row in which a value has lost half its digits; -1: none",
+           &TracedLanding::lost_row)
+      .add("lost", "", "that value", &TracedLanding::lost);
+}
+
 Table path_table(const std::vector<FanPoint>& paths) {
   return table_by_method("paths", "the drawn fling at some rates", paths)
       .add("t", "s", "time", &FanPoint::t_s)
@@ -157,7 +169,7 @@ std::vector<Table> summary_of(const FrameRateStudy& study) {
   std::erase_if(landings.columns,
                 [](const Column& column) { return column.name == "fling" || column.name == "across"; });
   return {score_table("scores", study.scores), std::move(landings), shift_table(study.shifts),
-          end_table(study.shifts)};
+          end_table(study.shifts), rounding_table(study.traced)};
 }
 
 // "The same fling ends at 1,139 px at 24 Hz and 1,701 px at 240 Hz.": at the slowest display and the fastest
@@ -194,6 +206,28 @@ std::string ends_text(const FrameRateStudy& study) {
   return text + (study.is_cut ? ". Some may take longer than that to settle." : ".");
 }
 
+std::string rounding_text(const FrameRateStudy& study) {
+  if (study.traced.empty()) return "Rounding is not measured: the build cannot trace the whole step.";
+  const TracedLanding& worst = *std::ranges::max_element(study.traced, {}, &TracedLanding::rounding_px);
+  std::string text = fmt::format("Rounding moves the fling by up to {:.2g} px (at {:g} Hz, row {})",
+                                 worst.rounding_px, worst.rate_hz, worst.rounding_row);
+  const auto is_met = [](std::int64_t row) { return row >= 0; };
+  if (const auto at = std::ranges::find_if(study.traced, is_met, &TracedLanding::lost_row);
+      at != study.traced.end())
+    text +=
+        fmt::format("; {} loses half its digits (at {:g} Hz, row {})", at->lost, at->rate_hz, at->lost_row);
+  else
+    text += "; no value loses half its digits";
+  if (const auto at = std::ranges::find_if(study.traced, is_met, &TracedLanding::other_path_from);
+      at != study.traced.end())
+    text += fmt::format("; it decides a comparison (at {:g} Hz, row {})", at->rate_hz, at->other_path_from);
+  if (study.has_float)
+    text += fmt::format(". Does float matter here? {} pixel", worst.rounding_px < RestAnchor::kStill_px
+                                                                  ? "No: that is less than half a"
+                                                                  : "Yes: that is more than half a");
+  return text + ".";
+}
+
 std::vector<std::string> broken_rules(const FrameRateStudy& study) {
   std::vector<std::string> broken;
   const auto other = std::ranges::find(study.landings, false, &Landing::is_core);
@@ -216,6 +250,7 @@ Verdict verdict_of(const FrameRateStudy& study) {
   Table landings{"displays", "", {}};
   for (const auto& [method, name] : {std::pair(std::size_t{0}, std::string("paper")), {1, "by_time"}}) {
     const std::vector<Landing> drawn = drawn_landings(study, method, DisplayClock::steady);
+    if (drawn.empty()) continue;
     if (method == 0) landings.columns = {column_of("rate", "Hz", "display rate", drawn, &Landing::rate_hz)};
     landings.columns.push_back(column_of(
         name + "_settles_at", "px", "", drawn,
@@ -223,6 +258,9 @@ Verdict verdict_of(const FrameRateStudy& study) {
     landings.columns.push_back(column_of(name + "_after", "s", "", drawn, &Landing::time_s, 3));
     landings.columns.push_back(column_of(name + "_path", "px", "", drawn, &Landing::path_px));
   }
+  if (study.shifts.empty())
+    return {answer_of(study),
+            {"One fling on every display, by the core:", std::move(landings), rounding_text(study)}};
   Verdict verdict{
       answer_of(study),
       {"One fling on every display, by the paper's step and with drag and friction by time:",
@@ -240,22 +278,28 @@ Verdict verdict_of(const FrameRateStudy& study) {
       broken_rules(study)};
   for (std::size_t clock = 0; clock < kDisplayClockNames.size(); ++clock)
     verdict.text.emplace_back(steadier_text(clock, study.steadier_by_time[clock]) + ".");
+  verdict.text.emplace_back(rounding_text(study));
   return verdict;
 }
 
 Result run_frame_rate(const StudyRequest& request) {
   constexpr std::int64_t kFlings = 120, kQuickFlings = 100;
-  return frame_rate_result(
-      request.is_quick
-          ? study_frame_rate(request.core, {24.0, 60.0, 144.0, 240.0}, kQuickFlings)
-          : study_frame_rate(request.core, {kLandingRates_hz.begin(), kLandingRates_hz.end()}, kFlings));
+  std::vector<double> rates_hz(kLandingRates_hz.begin(), kLandingRates_hz.end());
+  if (request.is_quick) rates_hz = {24.0, 60.0, 144.0, 240.0};
+  return frame_rate_result(study_frame_rate(request.core, rates_hz, request.is_quick ? kQuickFlings : kFlings,
+                                            request.core_step.get()));
 }
 
 }  // namespace
 
 Result frame_rate_result(const FrameRateStudy& study) {
+  if (study.shifts.empty())
+    return {.tables = {landing_table(study.landings), rounding_table(study.traced)},
+            .verdict = verdict_of(study),
+            .summary = {landing_table(study.landings), rounding_table(study.traced)}};
   Result result{.tables = {landing_table(study.landings), score_table("independence", study.scores),
-                           path_table(study.paths), shift_table(study.shifts), end_table(study.shifts)},
+                           path_table(study.paths), shift_table(study.shifts), end_table(study.shifts),
+                           rounding_table(study.traced)},
                 .figures = frame_rate_figures(study),
                 .verdict = verdict_of(study),
                 .summary = summary_of(study)};
@@ -266,6 +310,7 @@ Result frame_rate_result(const FrameRateStudy& study) {
 Study frame_rate_study() {
   return {.name = "frame-rate",
           .summary = "where, when and how flings end at every display rate",
+          .needs_paper_step = false,
           .run = run_frame_rate};
 }
 

@@ -157,6 +157,7 @@ void print_json(const OfferedStudy& study, const Result& result, const std::vect
 }
 
 ExitCode run_study_command(const OfferedStudy& study, const Core& core, const StudyArguments& arguments) {
+  if (study.require) study.require(core);
   refuse_what_it_does_not_take(study, arguments);
   const std::vector<std::string> inputs = scenario_files(study, arguments);
   const std::string stem = stem_of(study, arguments);

@@ -32,6 +32,7 @@ struct OfferedStudy {
   std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.
   /// ERRORS: Failure.
   std::function<Result(const StudyInput& input)> run = {};
+  std::function<void(const Core& core)> require = nullptr;  ///< Refuses cores that it cannot measure.
 };
 
 /// @param instead names of studies that the program has not, and what is said of each.
