@@ -51,15 +51,6 @@ void judge_expectations(const Core& core, PlayedCase& played) {
   }
 }
 
-// Without drag, friction, rest rule and loss at walls.
-Core lossless(const Core& core) {
-  return listing_core({.gravity_px_per_s2 = core.constants.value().gravity_px_per_s2,
-                       .restitution = 1.0,
-                       .air_drag = 1.0,
-                       .ground_friction = 1.0,
-                       .rest_threshold_px_per_s = 0.0});
-}
-
 // The part of the start's energy v^2 / 2 + G (bottom - y) that is left at the end.
 double kept_energy(const Core& core, const Scenario& scenario, const Row& last) {
   const auto energy = [gravity = core.constants.value().gravity_px_per_s2,
@@ -104,6 +95,14 @@ double corner_slack_px(const Model& model, const HardCase& hard_case) {
 }
 
 }  // namespace
+
+Core lossless(const Core& core) {
+  return listing_core({.gravity_px_per_s2 = core.constants.value().gravity_px_per_s2,
+                       .restitution = 1.0,
+                       .air_drag = 1.0,
+                       .ground_friction = 1.0,
+                       .rest_threshold_px_per_s = 0.0});
+}
 
 PlayedCase play_hard_case(const Core& core, HardCase hard_case,
                           const std::function<void(std::int64_t)>& report_steps) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/core/core.h"
+#include "sim/result/table.h"
 #include "sim/scenario/scenario.h"
 #include "sim/search/run_check.h"
 
@@ -26,7 +27,7 @@ struct HardCase {
   std::optional<double> rests_from_s = {};
   /// How the listing itself throws it from there, as above.
   std::string thrown_at_rest = {};
-  /// Played by the listing with the core's gravity, without drag, friction, rest rule and loss at walls.
+  /// Played by lossless().
   bool is_lossless = false;
   /// As a contact byte, the two walls that the exact fling from its start meets at one time; 0: it need not.
   std::uint8_t exact_corner = 0;
@@ -34,6 +35,13 @@ struct HardCase {
   /// Rows at which it is stopped and resumed, in order; empty: usual_stops.
   std::vector<std::int64_t> stops = {};
 };
+
+/// The listing with the core's gravity, without drag, friction, rest rule and loss at walls.
+[[nodiscard]] Core lossless(const Core& core);
+
+/// 100 random flings (ManyFlings) at 60 Hz, by the core and without losses, beside others whose start is an
+/// ulp, or a part, of each value away: in how many their contacts part, and when.
+[[nodiscard]] Table parting_table(const Core& core);
 
 /// The cases made from a scenario: itself with its expected failures, and the families of what it does
 /// (hard_families.cpp), whatever its name.

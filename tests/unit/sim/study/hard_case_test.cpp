@@ -200,6 +200,35 @@ TEST(HardCase, TheExactFlingMeetsBothWallsOfACornerAtOneTime) {
   EXPECT_EQ(members({0.0, 0.6, 0.999, 0.8, 5.0}), Verdicts());
 }
 
+// Makes every difference of vx four times as large in each step: that of an ulp is one of a pixel before
+// long.
+struct Growing : StepperOver {
+  using StepperOver::StepperOver;
+  [[nodiscard]] State steps(const State& body, double dt_s, const Bounds& bounds,
+                            std::int64_t steps) const override {
+    State after = StepperOver::steps(body, dt_s, bounds, steps);
+    after.vx_px_per_s = std::remainder(4.0 * after.vx_px_per_s, 4e4);
+    return after;
+  }
+};
+
+TEST(HardCase, ContactsOfStartsAnUlpApartPartByAChaoticCoreAlone) {
+  const auto parted = [](const Core& core) {
+    return std::get<std::vector<std::string>>(parting_table(core).columns[2].values);
+  };
+  const std::vector<std::string> paper = parted(shipped_core());
+  EXPECT_EQ(paper[0], "0 of 100 flings (0 .. 4 %)");
+  EXPECT_EQ(paper[3], "17 of 100 flings (11 .. 26 %)");
+  EXPECT_EQ(paper[4], "0 of 100 flings (0 .. 4 %)");
+  EXPECT_EQ(paper[7], "35 of 100 flings (26 .. 45 %)");
+  Core growing = shipped_core();
+  growing.stepper = std::make_shared<Growing>(growing.stepper);
+  EXPECT_EQ(parted(growing)[0], "98 of 100 flings (93 .. 99 %)");
+  const Table table = parting_table(growing);
+  EXPECT_EQ(std::get<std::vector<std::string>>(table.columns[3].values)[0], "0.7 (0.6 .. 0.7)");
+  EXPECT_EQ(std::get<std::vector<std::string>>(table.columns[4].values)[0], "3 (2 .. 3)");
+}
+
 TEST(HardCase, DragInAZeroLengthFrameIsAnExpectedFailureInEveryScenario) {
   const HardCase hard_case = case_of(fling_at(60.0, 60, {{std::int64_t{20}, Hitch{0.0}}}));
   EXPECT_EQ(judged(hard_case, Invariant::no_time), CaseVerdict::expected_failure);
