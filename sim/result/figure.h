@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -30,10 +31,27 @@ enum class Tone : std::uint8_t {
   notable,
   bad,
   shade,
-  none
+  none,
+  ramp_1,  ///< A ramp of six for what has an order.
+  ramp_2,
+  ramp_3,
+  ramp_4,
+  ramp_5,
+  ramp_6
 };
 
+/// Of ordered series, the `place`-th of `count`. REQUIRES: place < count.
+[[nodiscard]] constexpr Tone ramp_tone(std::size_t place, std::size_t count) {
+  const std::size_t step = count > 1 ? place * 5 / (count - 1) : 0;
+  return static_cast<Tone>(static_cast<std::size_t>(Tone::ramp_1) + step);
+}
+
+/// Dots, or triangles that point to a wall.
+enum class Marker : std::uint8_t { dot, ring, square, to_left, to_right, to_top, to_ground };
+
 /// Of walls in every picture: left, right, top, ground. The page has the same in painter.js.
+inline constexpr std::array<Marker, 4> kWallMarkers = {Marker::to_left, Marker::to_right, Marker::to_top,
+                                                       Marker::to_ground};
 inline constexpr std::array<Tone, 4> kWallTones = {Tone::sky_blue, Tone::vermilion, Tone::purple,
                                                    Tone::orange};
 
@@ -71,7 +89,6 @@ enum class Form : std::uint8_t {
   bars   ///< From the low end of the x axis to x, one a category.
 };
 enum class Dash : std::uint8_t { solid, short_dashes, long_dashes, dots };
-enum class Marker : std::uint8_t { dot, ring, square };
 
 /// How a series looks.
 struct Look {
@@ -117,10 +134,11 @@ struct Span {
   double to = 0.0;
 };
 
-/// A dot above the plot.
+/// A sign above the plot.
 struct TopDot {
   double x = 0.0;
   Tone tone = Tone::ink;
+  Marker marker = Marker::dot;
 };
 
 struct Plot {

@@ -1,8 +1,6 @@
 """Pages of studies, drift, checks and sweeps in Chromium: every figure is drawn, text stays text."""
 
-import itertools
 import json
-import math
 import pathlib
 
 import browser
@@ -18,8 +16,6 @@ HARD, FLINGS = (str(SOURCE / "scenarios" / name) for name in ("hard", "flings"))
 STUDIES = [("speed-error",), ("frame-rate",), ("needs", FLINGS), ("hard-cases", HARD)]
 DRAWS = {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}, "/clock/rate_hz": {"choice": [60, 120]}}
 GRID = {"/start/vx_px_per_s": {"grid": [-2000, 2000, 20]}, "/start/x_px": {"grid": [0, 1100, 12]}}
-
-TONES = ["ink", "vermilion", "orange", "blue", "green", "purple", "sky-blue", "lavender"]
 
 # What is wrong with a page: texts of pictures that overlap, leave their picture or are smaller than 11 px, pictures, texts, tables and pages
 # that are wider than their place, pictures that are not drawn.
@@ -41,19 +37,6 @@ FAULTS = """(() => {
   if (document.documentElement.scrollWidth > innerWidth) faults.push('scrolls: the page');
   return faults;
 })()"""
-
-
-def closest(colors):
-    """The smallest distance of two colours #rrggbb in CIELAB."""
-    def lab(color):
-        red, green, blue = ((each / 12.92 if each <= 0.04045 else ((each + 0.055) / 1.055) ** 2.4)
-                            for each in (int(color[at:at + 2], 16) / 255 for at in (1, 3, 5)))
-        x = (0.4124 * red + 0.3576 * green + 0.1805 * blue) / 0.95047
-        y = 0.2126 * red + 0.7152 * green + 0.0722 * blue
-        z = (0.0193 * red + 0.1192 * green + 0.9505 * blue) / 1.08883
-        x, y, z = (each ** (1 / 3) if each > 0.008856 else 7.787 * each + 16 / 116 for each in (x, y, z))
-        return 116 * y - 16, 500 * (x - y), 200 * (y - z)
-    return min(math.dist(lab(a), lab(b)) for a, b in itertools.combinations(colors, 2))
 
 
 class ResultsTest(browser.BrowserTest):
@@ -102,15 +85,6 @@ class ResultsTest(browser.BrowserTest):
         (page,) = self.open({**tasks[0], "actions": [OPENED, *(action for _, look, fault in spoilt for action in (["look", look], ["evaluate", fault], ["evaluate", FAULTS]))]})
         for (kind, _, _), faults in zip(spoilt, page["values"][3::3]):
             self.assertIn(kind, {fault.split(":")[0] for fault in faults})
-
-    def test_colours_differ_to_the_eye_light_and_dark(self):
-        read = f"(style => {json.dumps(TONES)}.map(name => style.getPropertyValue('--' + name).trim()))(getComputedStyle(document.documentElement))"
-        shared = "document.documentElement.style.setProperty('--green', getComputedStyle(document.documentElement).getPropertyValue('--blue'))"
-        (page,) = self.open({**self.study("frame-rate"), "actions": [["evaluate", read], ["look", {"scheme": "dark"}], ["evaluate", read], ["evaluate", shared], ["evaluate", read]]})
-        light, _, dark, _, control = page["values"]
-        self.assertNotEqual(light, dark)
-        self.assertGreater(min(closest(light), closest(dark)), 18)
-        self.assertEqual(closest(control), 0)
 
     def test_a_cell_replays_its_member_and_saves_it_as_a_scenario(self):
         down = self.folder / "cell.json"

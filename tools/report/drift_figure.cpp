@@ -120,13 +120,17 @@ void mark_bounces(Figure& figure, Plot& plot, const DriftRun& run) {
     if (dots.size() == kMarkedMax) return;
     if (contact.t_s > end_s(run)) break;
     has_wall[wall_index(contact.wall)] = true;
-    dots.push_back({contact.t_s, kWallTones[wall_index(contact.wall)]});
+    dots.push_back(
+        {contact.t_s, kWallTones[wall_index(contact.wall)], kWallMarkers[wall_index(contact.wall)]});
   }
   plot.top_dots = std::move(dots);
   for (const Wall wall : kWalls)
     if (has_wall[wall_index(wall)])
       figure.legend.push_back({"bounce, " + std::string(name_of(wall)),
-                               {.form = Form::points, .tone = kWallTones[wall_index(wall)]}});
+                               {.form = Form::points,
+                                .tone = kWallTones[wall_index(wall)],
+                                .marker = kWallMarkers[wall_index(wall)],
+                                .marker_size = 0.9}});
 }
 
 // Lines at inputs but where a hand leads the sprite; their names below the dots of bounces.

@@ -218,7 +218,7 @@ class PlotDrawing {
 
   void draw_marks() {
     for (const TopDot& dot : plot_.top_dots)
-      svg_.sign({x_.at(dot.x), box_.top - 9}, Marker::dot, 0.8, colour_of(dot.tone));
+      svg_.sign({x_.at(dot.x), box_.top - 9}, dot.marker, 0.9, colour_of(dot.tone));
     double end = -HUGE_VAL;
     std::vector<Mark> marks = plot_.marks;
     std::ranges::stable_sort(marks, {},

@@ -27,9 +27,10 @@ namespace hyrax {
 [[nodiscard]] const std::string& dashes_of(Dash dash);
 
 /// Names of tones, as page/look.css and the pages' data have them.
-inline constexpr std::array<std::string_view, 16> kToneNames = {
+inline constexpr std::array<std::string_view, 22> kToneNames = {
     "ink",    "quiet",    "faint",    "hairline", "vermilion", "orange", "blue",  "green",
-    "purple", "sky_blue", "lavender", "good",     "notable",   "bad",    "shade", "none"};
+    "purple", "sky_blue", "lavender", "good",     "notable",   "bad",    "shade", "none",
+    "ramp_1", "ramp_2",   "ramp_3",   "ramp_4",   "ramp_5",    "ramp_6"};
 
 /// The width of UTF-8 text of that size in px, in Arial's letters or in a wider font that takes its place.
 [[nodiscard]] double text_width(std::string_view text, double size_px);

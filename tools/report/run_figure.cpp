@@ -250,8 +250,9 @@ class RunDrawing {
       const SvgPoint dot{box.centre().x + (is_level ? 0.0 : aside),
                          box.centre().y + (is_level ? aside : 0.0)};
       if (!touch.is_resting) {
-        svg.sign(dot, Marker::dot, 1.1, colour_named("screen"));
-        svg.sign(dot, Marker::dot, 0.8, colour);
+        const Marker marker = kWallMarkers[wall_index(touch.wall)];
+        svg.sign(dot, Marker::dot, 1.5, colour_named("screen"));
+        svg.sign(dot, marker, 1.1, colour);
       }
       svg.end();
     }
@@ -356,7 +357,10 @@ class RunDrawing {
     for (const Wall wall : kWalls)
       if (const std::int64_t count = scene_.bounces[wall]; count > 0)
         entries.push_back({fmt::format("{} {}", name_of(wall), with_decimals(static_cast<double>(count), 0)),
-                           {.form = Form::points, .tone = kWallTones[wall_index(wall)]}});
+                           {.form = Form::points,
+                            .tone = kWallTones[wall_index(wall)],
+                            .marker = kWallMarkers[wall_index(wall)],
+                            .marker_size = 1.1}});
     if (!entries.empty()) entries.front().text = "bounces: " + entries.front().text;
     if (std::ranges::any_of(scene_.touches, &Touch::is_resting))
       entries.push_back(

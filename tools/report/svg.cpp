@@ -110,7 +110,15 @@ void Svg::sign(SvgPoint at, Marker marker, double size, std::string_view colour,
   if (!is_drawn(at)) return;
   const double half = 3.5 * size;
   const std::string title = tip.empty() ? "" : fmt::format("<title>{}</title>", escaped(tip));
-  if (marker == Marker::square)
+  if (marker >= Marker::to_left) {  // The corners of a triangle, from -1 to 1.
+    constexpr int kX[] = {-1, 1, 0, 0}, kY[] = {0, 0, -1, 1};
+    const auto wall = static_cast<std::size_t>(marker) - static_cast<std::size_t>(Marker::to_left);
+    const int x = kX[wall], y = kY[wall];
+    const auto corner = [&](int to_x, int to_y) { return SvgPoint{at.x + half * to_x, at.y + half * to_y}; };
+    body_ +=
+        fmt::format("<path d=\"{}Z\" fill=\"{}\">{}</path>\n",
+                    path_of({corner(x, y), corner(-x - y, x - y), corner(y - x, -x - y)}), colour, title);
+  } else if (marker == Marker::square)
     body_ +=
         fmt::format("<rect {} {}>{}</rect>\n", place_of({at.x - half, at.y - half, at.x + half, at.y + half}),
                     stroke_of({colour, 1.5}), title);

@@ -81,8 +81,6 @@ Figure shift_figure(const FrameRateStudy& study) {
 }
 
 Figure fan_figure(const FrameRateStudy& study, std::size_t method) {
-  constexpr std::array<Tone, 6> kRateTones = {Tone::vermilion, Tone::orange,   Tone::blue,
-                                              Tone::purple,    Tone::sky_blue, Tone::green};
   constexpr double kHalf_px = 64.0;  // Of the sprite in kDesktop.
   Plot plot{.x = {.label = "x of the centre, px", .low = 0, .high = kDesktop.right_px + 2 * kHalf_px},
             .y = {.label = "y of the centre, px, downwards",
@@ -102,8 +100,8 @@ Figure fan_figure(const FrameRateStudy& study, std::size_t method) {
       fmt::format("The path of its centre, {}, at {} display rates", kMethodTexts[method], paths.size());
   for (auto& [rate_hz, series] : paths) {
     series.name = fmt::format("{:.0f} Hz", rate_hz);
-    series.look = {.tone = kRateTones[plot.series.size() % kRateTones.size()], .width_px = 2};
-    figure.legend.push_back({series.name, series.look});
+    series.look = {.tone = ramp_tone(plot.series.size(), paths.size()), .width_px = 2};
+    plot.texts.push_back({series.x.back(), series.y.back(), series.name, series.look.tone});
     plot.series.push_back(std::move(series));
   }
   figure.body = std::vector{std::move(plot)};

@@ -3,7 +3,7 @@ import uPlot from 'uplot';
 import { firstAtLeast, lastAtMost, rangeOf } from './data.js';
 import { element, make, save } from './document.js';
 import { fixed, grouped, rounded } from './numbers.js';
-import { color, wallColors } from './painter.js';
+import { color, paintWall } from './painter.js';
 import { chartsOf, csvOf, logAxis, overviewRowsMin, rangeText, thousands, valueAt } from './series.js';
 
 export class Charts {
@@ -87,14 +87,13 @@ export class Charts {
     };
   }
 
-  // On the time axis, in the colours of the walls.
+  // On the time axis, by their walls.
   #markContacts({ ctx, bbox, valToPos }) {
     const { contacts, rows } = this.result;
     for (let i = 0; i < Math.min(contacts?.step.length ?? 0, 500); ++i) {
       const at = valToPos(rows.t[firstAtLeast(rows.step, contacts.step[i])], 'x', true);
       if (!(at >= bbox.left && at <= bbox.left + bbox.width)) continue;
-      ctx.fillStyle = color(wallColors[contacts.wall[i]]);
-      ctx.fillRect(at - devicePixelRatio, bbox.top + bbox.height - 8 * devicePixelRatio, 2 * devicePixelRatio, 8 * devicePixelRatio);
+      paintWall(ctx, contacts.wall[i], at, bbox.top + bbox.height - 5 * devicePixelRatio, 4 * devicePixelRatio);
     }
   }
 

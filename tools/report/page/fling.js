@@ -10,7 +10,7 @@ const longestFrame_s = 0.25; // A longer pause, as in a hidden tab, belongs to n
 const stillFramesMax = 90;
 const framesMax = 200_000;
 const flight_s = 20;
-const flights = [['24 Hz', 24, 'vermilion'], ['60 Hz', 60, 'orange'], ['144 Hz', 144, 'green'], ['240 Hz', 240, 'blue'], ['exact', 0, 'ink']]
+const flights = [['24 Hz', 24, 'ramp-1'], ['60 Hz', 60, 'ramp-3'], ['144 Hz', 144, 'ramp-4'], ['240 Hz', 240, 'ramp-6'], ['exact', 0, 'ink']]
   .map(([name, rate, tint]) => ({ name, rate, tint }));
 
 export class Playground {

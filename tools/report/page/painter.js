@@ -31,6 +31,19 @@ export function followLook(repaint) {
 
 /** By a contact's bit; as kWallTones of sim/result/figure.h. */
 export const wallColors = { 1: 'sky-blue', 2: 'vermilion', 4: 'purple', 8: 'orange' };
+const wallDirections = { 1: [-1, 0], 2: [1, 0], 4: [0, -1], 8: [0, 1] };
+// The corners of a triangle that points to its wall, from -1 to 1.
+const wallCorners = wall => (([x, y]) => [[x, y], [-x - y, x - y], [y - x, -x - y]])(wallDirections[wall]);
+
+/** A sign of its wall, of that many px to each side. */
+export function paintWall(context, wall, x, y, half) {
+  context.fillStyle = color(wallColors[wall]);
+  context.beginPath();
+  wallCorners(wall).forEach(([toX, toY], i) => context[i ? 'lineTo' : 'moveTo'](x + half * toX, y + half * toY));
+  context.fill();
+}
+/** The same as the style of an element. */
+export const wallStyle = wall => `color: var(--${wallColors[wall]}); clip-path: polygon(${wallCorners(wall).map(corner => corner.map(at => `${50 + 50 * at}%`).join(' ')).join(', ')})`;
 
 // Whether a row's speed, or that of the row before, explains its distance from that, as run_path.cpp has it. Rows
 // without speeds are a hand's way.
@@ -242,10 +255,16 @@ export class Painter {
     this.#flights.width = canvas.width;
     this.#flights.height = canvas.height;
     const context = this.#flights.getContext('2d');
-    for (const { rows, tint } of flights) {
+    context.font = `${11 * this.ratio}px system-ui, sans-serif`;
+    context.textAlign = 'center';
+    flights.forEach(({ name, rows, tint }, i) => {
       this.#pen(context, tint, 1, tint === 'ink');
       this.#path(context, rows);
-    }
+      if (!name) return;
+      // Above its end, each in a line of its own.
+      const [x, y] = this.#middle(rows.x.at(-1), rows.y.at(-1), this.scene.sizes[0].sprite), half = context.measureText(name).width / 2;
+      context.fillText(name, Math.min(Math.max(x, half), canvas.width - half), y - (20 + 13 * i) * this.ratio);
+    });
     return this.#flights;
   }
 

@@ -2,7 +2,7 @@
 import { firstAtLeast, lastAtMost } from './data.js';
 import { element, make, root } from './document.js';
 import { fixed } from './numbers.js';
-import { color, wallColors } from './painter.js';
+import { color, paintWall } from './painter.js';
 
 const readoutNames = [['t', 's', 3], ['row', '', 0], ['x', 'px', 2], ['y', 'px', 2], ['vx', 'px/s', 1], ['vy', 'px/s', 1]];
 
@@ -123,7 +123,7 @@ export class Player {
     action();
   }
 
-  /** A tick for each contact, in the colour of its wall, a short one for each input, a wide one where the run became non-finite: below the slider. */
+  /** A triangle for each contact, which points to its wall, a short tick for each input, a wide one where the run became non-finite: below the slider. */
   paintTicks() {
     const canvas = element('ticks');
     const ratio = devicePixelRatio || 1;
@@ -132,16 +132,12 @@ export class Player {
     canvas.height = Math.round(canvas.clientHeight * ratio);
     const context = canvas.getContext('2d');
     const last = this.moment.rows.step[this.moment.length - 1] || 1;
-    const tick = (step, height, width = 1.5) => {
-      const at = inset + ((canvas.clientWidth - 2 * inset) * step) / last;
-      context.fillRect(Math.round(at * ratio), 0, Math.max(1, Math.round(width * ratio)), canvas.height * height);
-    };
+    const at = step => Math.round((inset + ((canvas.clientWidth - 2 * inset) * step) / last) * ratio);
+    const tick = (step, height, width = 1.5) => context.fillRect(at(step), 0, Math.max(1, Math.round(width * ratio)), canvas.height * height);
     context.fillStyle = color('ink');
     for (const { frame } of this.run.inputs) tick(frame, 0.5);
-    for (let i = 0; i < (this.contacts?.step.length ?? 0); ++i) {
-      context.fillStyle = color(wallColors[this.contacts.wall[i]]);
-      tick(this.contacts.step[i], 1);
-    }
+    for (let i = 0; i < (this.contacts?.step.length ?? 0); ++i)
+      paintWall(context, this.contacts.wall[i], at(this.contacts.step[i]), canvas.height / 2, 4 * ratio);
     context.fillStyle = color('bad');
     if (this.run.non_finite) tick(this.run.steps, 1, 5);
   }

@@ -7,7 +7,7 @@ import { Playground } from './fling.js';
 import { contactsOf, coverageOf, expectationOf, inputsOf, originOf, shownMax } from './lists.js';
 import { Moment } from './moment.js';
 import { count, firstOf, fixed, rounded } from './numbers.js';
-import { followLook, Painter, wallColors } from './painter.js';
+import { followLook, Painter, wallStyle } from './painter.js';
 import { Player, showReadouts } from './player.js';
 import { partsOf } from './record.js';
 import { placeAt, replay, sizesOf } from './replay.js';
@@ -37,7 +37,7 @@ const entry = (term, text) => [make('dt', {}, term), make('dd', {}, text)];
 function contactRow({ step, last, wall, name, numbers }, seek) {
   const link = make('button', { type: 'button', class: 'link', onclick: () => seek(step) }, String(step));
   return make('tr', {}, make('td', {}, link, ' ', make('span', { class: 'quiet' }, last)),
-    make('td', {}, make('span', { class: 'wall', style: `color: var(--${wallColors[wall]})` }), name),
+    make('td', {}, make('span', { class: 'wall', style: wallStyle(wall) }), name),
     ...numbers.map(value => make('td', { class: 'number' }, rounded(value))));
 }
 

@@ -111,19 +111,24 @@ inline std::string described(const Table& table, const std::string& indent) {
 }
 
 inline std::string described(Tone tone) {
-  constexpr const char* kNames[] = {"ink",     "quiet", "faint",  "hairline", "vermilion", "orange",
-                                    "blue",    "green", "purple", "sky_blue", "lavender",  "good",
-                                    "notable", "bad",   "shade",  "none"};
+  constexpr const char* kNames[] = {"ink",     "quiet",  "faint",  "hairline", "vermilion", "orange",
+                                    "blue",    "green",  "purple", "sky_blue", "lavender",  "good",
+                                    "notable", "bad",    "shade",  "none",     "ramp_1",    "ramp_2",
+                                    "ramp_3",  "ramp_4", "ramp_5", "ramp_6"};
   return kNames[static_cast<std::size_t>(tone)];
+}
+
+inline std::string described(Marker marker) {
+  constexpr const char* kMarkers[] = {"dot", "ring", "square", "to left", "to right", "to top", "to ground"};
+  return kMarkers[static_cast<std::size_t>(marker)];
 }
 
 inline std::string described(const Look& look) {
   constexpr const char* kForms[] = {"line", "points", "line and points", "band", "bars"};
   constexpr const char* kDashes[] = {"", " short dashes", " long dashes", " dots"};
-  constexpr const char* kMarkers[] = {"dot", "ring", "square"};
   return described(look.tone) + " " + kForms[static_cast<std::size_t>(look.form)] +
          kDashes[static_cast<std::size_t>(look.dash)] + " " + six_digits(look.width_px) + " " +
-         kMarkers[static_cast<std::size_t>(look.marker)] + " " + six_digits(look.marker_size);
+         described(look.marker) + " " + six_digits(look.marker_size);
 }
 
 inline std::string described(const Axis& axis) {
@@ -161,7 +166,7 @@ inline std::string described(const std::vector<Plot>& plots) {
     for (const Span& span : plot.spans)
       text += "    span " + six_digits(span.from) + " .. " + six_digits(span.to) + "\n";
     for (const TopDot& dot : plot.top_dots)
-      text += "    dot " + six_digits(dot.x) + " " + described(dot.tone) + "\n";
+      text += "    " + described(dot.marker) + " " + six_digits(dot.x) + " " + described(dot.tone) + "\n";
   }
   return text;
 }

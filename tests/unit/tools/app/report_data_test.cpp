@@ -123,20 +123,22 @@ TEST(ReportData, OfASweepThatAnotherCoreComputedHasNoMembersToReplayAndSaysSo) {
 }
 
 // The page's core has its own constants.
-TEST(ReportData, OfARunWithParametersSaysThatItIsNotReplayed) {
+TEST(ReportData, OfARunWithParametersHasTheConstantsThatItIsPlayedWith) {
   const TempFolder folder;
   Scenario scenario = eventful_fling();
-  const auto data_of = [&](const std::string& path) {
+  const auto parameters_of = [&](const std::string& path) {
     const Core core = with_parameters(shipped_core(), scenario.parameters).value();
     static_cast<void>(write_run(core, path, scenario, {}));
     const Json data = report_data(shipped_core(), {.files = {path}, .output = "page.html", .command = "c"});
-    return data.find("runs")->get<Json::Array>()->front();
+    return to_text(*data.find("runs")->get<Json::Array>()->front().find("parameters"));
   };
-  EXPECT_EQ(data_of(folder.at("own.h5")).find("no_replay"), nullptr);
-  scenario.parameters = {{"GRAVITY", 980.0}};
-  const Json run = data_of(folder.at("other.h5"));
-  EXPECT_NE(run.find("no_replay"), nullptr);
-  EXPECT_FALSE(run.find("contacts")->is_null());
+  const std::string own = parameters_of(folder.at("own.h5"));
+  EXPECT_NE(own.find("\"values\": [1200, 0.6, 0.999, 0.8, "), own.npos) << own;
+  EXPECT_NE(own.find("\"given\": {}"), own.npos) << own;
+  scenario.parameters = {{"AIR_DRAG", 0.5}};
+  const std::string other = parameters_of(folder.at("other.h5"));
+  EXPECT_NE(other.find("\"values\": [1200, 0.6, 0.5, 0.8, "), other.npos) << other;
+  EXPECT_NE(other.find("\"given\": { \"AIR_DRAG\": 0.5 }"), other.npos) << other;
 }
 
 TEST(ReportData, HasTheFirstInputsAndEveryResize) {

@@ -82,7 +82,7 @@ test('each chart has its axes, dashes and points', () => {
   assert.deepEqual(plots[1].options.axes.map(({ values }) => values(null, [1, 250_000])), [['1 s', '250,000 s'], ['1', '0.25 M']]);
   assert.deepEqual(plots[1].data.map(values => values[4]), [4, 12, 40, 12, 40]);
   plots[0].redraw(); // Contacts of rows at 2 and 4 s on an axis from 40 to 440 px, at its foot of 220 px.
-  assert.deepEqual(plots[0].ctx.log, ['fill purple: box 238,204 4,16', 'fill orange: box 438,204 4,16']);
+  assert.deepEqual(plots[0].ctx.log, ['fill purple: from 240,202 248,218 232,218', 'fill orange: from 440,218 432,202 448,202']);
 });
 
 test('a run that goes on keeps its charts; what is not finite is not drawn', () => {

@@ -108,12 +108,12 @@ test('a throw flies beside itself at other rates since it was let go', () => {
   for (let i = 1; i <= 10; ++i) frame(3000 + 16 * i); // Held for a second of the core's time.
   hand('pointerup', 50, 10, 3200);
   assert.deepEqual([keys().map(text => text.trim()), element('again').disabled, element('fling-hint').textContent], [['24 Hz', '60 Hz', '240 Hz', 'exact', 'yours'], false, 'The same throw at other frame rates: distance from the exact fling.']);
-  assert.deepEqual(element('flights').querySelectorAll('i').map(({ attributes }) => attributes.class.trim()), ['swatch tint-vermilion', 'swatch tint-orange', 'swatch tint-blue', 'swatch tint-ink dashed', 'swatch tint-path']);
+  assert.deepEqual(element('flights').querySelectorAll('i').map(({ attributes }) => attributes.class.trim()), ['swatch tint-ramp-1', 'swatch tint-ramp-3', 'swatch tint-ramp-6', 'swatch tint-ink dashed', 'swatch tint-path']);
   assert.deepEqual(playground.look({ t: 0.9 }), { trail: playground.trail });
   const look = playground.look({ t: 2.5, x: 6, y: 12 }); // 1.5 s after that: the rows of 1 s.
-  assert.deepEqual(look.ghosts.map(({ rate, tint, at }) => [rate, tint, at.x, at.y]), [[24, 'vermilion', 27, 4], [60, 'orange', 63, 4], [240, 'blue', 243, 4], [0, 'ink', 3, 4]]);
+  assert.deepEqual(look.ghosts.map(({ rate, tint, at }) => [rate, tint, at.x, at.y]), [[24, 'ramp-1', 27, 4], [60, 'ramp-3', 63, 4], [240, 'ramp-6', 243, 4], [0, 'ink', 3, 4]]);
   assert.deepEqual(distances(), ['24.0 px', '60.0 px', '240.0 px', '0.0 px', '8.5 px']);
-  assert.deepEqual(look.flights.map(({ tint, rows }) => [tint, rows.x[0]]), [['vermilion', 24], ['orange', 60], ['blue', 240], ['ink', 0]]);
+  assert.deepEqual(look.flights.map(({ tint, rows }) => [tint, rows.x[0]]), [['ramp-1', 24], ['ramp-3', 60], ['ramp-6', 240], ['ink', 0]]);
   // A bounce in slow motion: those after the throw in turn, 0.15 s before and after.
   view.result = { rows: { t: [0, 1, 1.3, 1.5, 1.6, 2, 2.1, 2.2, 2.3] }, contacts: { t: [0.5, 1, 1.5, 2.2] } };
   told();

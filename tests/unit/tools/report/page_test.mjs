@@ -368,9 +368,37 @@ test('what is good is green and what is bad is red, and each tint is its colour'
   const colors = (is, isNot) => rules.filter(([selector]) => is.test(selector) && !isNot.test(selector)).flatMap(([, body]) => [...body.matchAll(/var\(--([\w-]+)\)/g)].map(([, name]) => name));
   assert.deepEqual([colors(/good/, /bad/), colors(/bad/, /good/)].map(all => [...new Set(all)].join(' ')), ['good-tint card green', 'bad-tint card vermilion bad']);
   for (const [selector, body] of rules) if (selector.startsWith('.tint-')) assert.equal(body.trim(), `color: var(--${selector.slice(6)});`);
-  const tints = ['series.js', 'fling.js'].flatMap(name => [...textOf(name).matchAll(/'(blue|orange|green|purple|vermilion|ink|path|sky-blue|faint)'/g)].map(([, tint]) => tint));
+  const tints = ['series.js', 'fling.js'].flatMap(name => [...textOf(name).matchAll(/'(blue|orange|green|purple|vermilion|ink|path|sky-blue|faint|ramp-\d)'/g)].map(([, tint]) => tint));
   assert.ok(tints.length > 5);
   assert.deepEqual(tints.filter(tint => !css.includes(`.tint-${tint} `)), []);
+});
+
+// In CIELAB, as most people see it, and as one without green or red cones does: Machado, Oliveira and Fernandes, 2009.
+const eyes = { all: [1, 0, 0, 0, 1, 0, 0, 0, 1], 'no green': [0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.01182, 0.04294, 0.968881], 'no red': [0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998] };
+const times = (matrix, [r, g, b]) => [0, 3, 6].map(at => matrix[at] * r + matrix[at + 1] * g + matrix[at + 2] * b);
+const linear = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255).map(part => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+function labOf(hex, eye) {
+  const [x, y, z] = times([0.4339, 0.3763, 0.1899, 0.2126, 0.7152, 0.0722, 0.0177, 0.1095, 0.8729], times(eyes[eye], linear(hex)).map(part => Math.min(1, Math.max(0, part)))).map(part => (part > 0.008856 ? Math.cbrt(part) : 7.787 * part + 16 / 116));
+  return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+}
+const distance = (a, b, eye) => Math.hypot(...labOf(a, eye).map((part, i) => part - labOf(b, eye)[i]));
+const paletteOf = css => Object.fromEntries([...css.matchAll(/--([\w-]+): (#[0-9a-f]{6});/g)].map(([, name, color]) => [name, color]));
+
+test('colours that meet differ to every eye and are read on their paper, light and dark', () => {
+  const [light, dark] = textOf('look.css').split('@media').map(paletteOf), hues = ['ink', 'vermilion', 'orange', 'blue', 'green', 'purple', 'sky-blue', 'lavender'], ramp = count(6).map(i => `ramp-${i + 1}`);
+  const closest = (palette, names, eye) => Math.min(...names.flatMap((name, i) => names.slice(0, i).map(other => distance(palette[name], palette[other], eye))));
+  for (const palette of [light, { ...light, ...dark }]) {
+    assert.ok(closest(palette, hues, 'all') > 18);
+    for (const eye of Object.keys(eyes)) for (const names of [hues, [...ramp, 'ink', 'path']]) assert.ok(closest(palette, names, eye) >= 10, `${eye} ${names}: ${closest(palette, names, eye)}`);
+    const levels = ramp.map(name => labOf(palette[name], 'all')[0]), shine = hex => times([0.2126, 0.7152, 0.0722, 0, 0, 0, 0, 0, 0], linear(hex))[0] + 0.05;
+    assert.deepEqual(levels, levels.toSorted?.((a, b) => a - b) ?? [...levels].sort((a, b) => a - b));
+    for (const name of [...hues, ...ramp]) for (const paper of ['card', 'paper']) {
+      const [low, high] = [palette[name], palette[paper]].map(shine).sort((a, b) => a - b);
+      assert.ok(high / low >= 4.5, `${name} on ${paper}`);
+    }
+  }
+  const before = { vermilion: '#c14f00', orange: '#a06900' };
+  assert.ok(Math.abs(closest(before, ['vermilion', 'orange'], 'no green') - 2.3) < 0.1);
 });
 
 test('the picture that is shown has letters of 11 px at least', () => {

@@ -97,6 +97,9 @@ test('others fly beside it: their paths below it, they as pale as ghosts', () =>
   assert.deepEqual(drawn({ rows }, still, { flights, trail, ghosts: [{ at: { x: 1, y: 2, vx: -1 }, tint: 'green' }] }).slice(1), [
     'stroke green 2: from 20,40 60,80', 'stroke ink 2 dashed: from 60,40 100,80', 'stroke path 3: from 20,40 140,80',
     'stroke green 2 of 0.4: box 4,8 40,80', 'image fly of 0.4: 44,28 -40,40', 'stroke box 2: box 120,40 40,80', 'image fly: 120,60 40,40']);
+  // Of rates the name stands above the end, each in its own line, within the canvas.
+  const named = flights.map((each, i) => ({ ...each, name: ['24 Hz', 'exact'][i] }));
+  assert.deepEqual(drawn({ rows }, still, { flights: named }).filter(line => line.startsWith('text')), ['text green: 24 Hz center 60,40', 'text ink: exact center 100,14']);
   const painter = new Painter(canvas, () => {}), of = list => (painter.paint(still, { flights: list }), canvas.getContext().log.filter(line => line.startsWith('stroke green')).length);
   painter.setScene({ sizes, inputs: [] });
   assert.deepEqual([of(flights), of([]), of(flights.slice(1)), of(flights)], [1, 0, 0, 1]);

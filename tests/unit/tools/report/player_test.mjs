@@ -76,11 +76,11 @@ test('it plays as fast as chosen, to the end or again and again', () => {
   shown(0, player => (player.toggle(), assert.deepEqual(label(), ['Pause', 'playing']), player.toggle(), assert.deepEqual(label(), ['Play', ''])));
 });
 
-test('ticks are where the slider has the contact, in the colour of its wall', () => {
+test('ticks are where the slider has the contact, in the colour and shape of its wall', () => {
   const run = { inputs: [{ frame: 20 }], steps: 40, non_finite: 'x is NaN' };
   const draw = (met, of) => (new Player(new Moment(rows), met, of, () => {}).end(), element('ticks').getContext().log);
   // Two px for each point, 16 before step 0, four for each step; inputs half as high.
-  assert.deepEqual(draw(contacts, run), ['fill ink: box 96,0 3,10', 'fill sky-blue: box 44,0 3,20', 'fill vermilion: box 64,0 3,20', 'fill orange: box 136,0 3,20',
+  assert.deepEqual(draw(contacts, run), ['fill ink: box 96,0 3,10', 'fill sky-blue: from 36,10 52,2 52,18', 'fill vermilion: from 72,10 56,18 56,2', 'fill orange: from 136,18 128,2 144,2',
     'fill bad: box 176,0 10,20']);
   assert.deepEqual(draw(undefined, { inputs: [], steps: 40 }), []);
 });

@@ -131,7 +131,7 @@ TEST(RunSvg, HasTheTextsApproved) {
     contacts.push_back({.step = step, .wall = Wall::ground, .x_px = 900, .y_px = 952});
   const std::string piled = run_svg(fling, settled, contacts);
   text += shown("a resting contact", piled);
-  const std::regex ground("r=\"2.8\" fill=\"" + colour_of(Tone::orange));
+  const std::regex ground("Z\" fill=\"" + colour_of(Tone::orange) + "\">");
   const std::string seen = wide(piled);
   EXPECT_EQ(std::distance(std::sregex_iterator(seen.begin(), seen.end(), ground), {}), 4)
       << "in the picture, with the one in the last row, and in the legend";

@@ -75,7 +75,7 @@ test('each list of a run is at its place, and leads to its step', async () => {
     ['contacts', 'StepWallt, sBefore, px/sAfter, px/sOvershoot, pxLate by, msRestitution95 right0.95130.510.75200 to 210ground2680.25––']]) assert.equal(text(id), expected, id);
   assert.match(text('verdict'), /Contacts2right 1, ground 1/);
   assert.deepEqual([element('description').hidden, element('inputs').hidden], [false, false]);
-  assert.deepEqual(element('contacts').querySelectorAll('span').filter(each => each.classes.includes('wall')).map(({ attributes }) => attributes.style), ['color: var(--vermilion)', 'color: var(--orange)']);
+  assert.deepEqual(element('contacts').querySelectorAll('span').filter(each => each.classes.includes('wall')).map(({ attributes }) => attributes.style), ['color: var(--vermilion); clip-path: polygon(100% 50%, 0% 100%, 0% 0%)', 'color: var(--orange); clip-path: polygon(50% 100%, 0% 0%, 100% 0%)']);
   const buttons = ['contacts', 'inputs-list', 'made'].flatMap(id => element(id).querySelectorAll('button'));
   assert.deepEqual(buttons.map(button => (button.fire('click'), row())), [10, 20, 6, 6]);
   assert.deepEqual(saved.splice(0).slice(-1), [['a.json', '{}']]);
@@ -117,7 +117,7 @@ test('the charts mark where the replay differs first, or else the run from the g
 test('what is not all shown, or is not replayed, is said', async t => {
   const many = count(201), long = Object.fromEntries(Object.entries(rows).map(([name, values]) => [name, count(5001).map(i => values[i % 41])])), reports = [];
   const core = { requireSame: (...which) => reports.push(which.join()), load: () => (reports.push(text('verdict')), 400), rows: () => ({ ...long, step: count(5001) }),
-    finish: () => ({ ...checked, every: 1, contacts: { left: 0, right: 1500, top: 0, ground: 0 } }), contacts: () => Object.fromEntries(Object.keys(contacts).map(name => [name, many])) };
+    finish: () => ({ ...checked, every: 1, contacts: { left: 0, right: 1500, top: 0, ground: 0 } }), contacts: () => Object.fromEntries(Object.keys(contacts).map(name => [name, name === 'wall' ? many.map(() => 8) : many])) };
   await opened([run('a', { inputs: many.map(frame => ({ kind: 'stop', frame })) })], { core });
   assert.deepEqual([reports, text('charts-note')], [['ab,hyrax-sim 1', 'Replaying …'], 'Of many rows to a pixel, the smallest and the largest value are drawn.']);
   assert.deepEqual(['contacts', 'inputs-list'].map(id => element(id).querySelectorAll('.quiet').at(-1).textContent), ['The first 200 of 1,500.', 'The first 200 of 201.']);
