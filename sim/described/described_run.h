@@ -108,6 +108,11 @@ inline constexpr std::int64_t kCheckedRowsMax = 4096;
                                                            std::int64_t rows_max = kCheckedRowsMax,
                                                            const std::optional<Digest>& played = {});
 
+/// How a run differs from one that is stopped and resumed: at a third, at two thirds and where the first
+/// event past row 0 is; as "stopped at row 20 and resumed, a.y_px differs at row 37". Nothing: not at all.
+[[nodiscard]] std::optional<std::string> resumed_fault(const DescribedCore& core,
+                                                       const DescribedScenario& scenario);
+
 /// The bytes of a row, for hashes: dt, the state's words, the contact flags.
 void pack_row(const DescribedRow& row, std::vector<std::byte>& bytes);
 

@@ -82,6 +82,26 @@ class DescriptionCheck {
     return {};
   }
 
+  /// One body at a time, for which at each of the rows a fresh one takes over, set as it was; beside it one
+  /// without a stop.
+  std::optional<std::string> resumed_fault(const std::vector<std::int64_t>& stops) {
+    std::optional<ScriptedBody> whole, resumed;
+    std::int64_t stop = -1;
+    for (std::int64_t row = 0; row <= rows_; ++row) {
+      if (!advance(whole)) break;
+      if (const std::string difference = advance_and_compare(resumed, RowBits(description_, *whole));
+          !difference.empty())
+        return "stopped at row " + std::to_string(stop) + " and resumed, " + difference + " differs" +
+               at_row(row);
+      if (std::ranges::find(stops, row) == stops.end()) continue;
+      stop = row;
+      Companion next;
+      if (auto fault = make_companion(next, *resumed, !description_.undeclared.empty())) return fault;
+      resumed.emplace(std::move(*next.body));
+    }
+    return {};
+  }
+
  private:
   struct Companion {
     std::optional<ScriptedBody> body = {};
@@ -178,6 +198,17 @@ std::optional<std::string> description_fault(const DescribedCore& core, const De
   if (!fault) fault = check.companion_fault(true);
   if (!fault && core.description.undeclared.empty()) fault = check.companion_fault(false);
   return fault;
+}
+
+std::optional<std::string> resumed_fault(const DescribedCore& core, const DescribedScenario& scenario) {
+  const FrameScript script(core, scenario);
+  std::vector<std::int64_t> stops = {script.steps / 3, 2 * script.steps / 3};
+  for (const std::int64_t frame : script.event_frames) {
+    if (frame == 0) continue;
+    stops.push_back(frame);
+    break;
+  }
+  return DescriptionCheck(script, script.steps).resumed_fault(stops);
 }
 
 }  // namespace hyrax

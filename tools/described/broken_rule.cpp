@@ -41,7 +41,8 @@ class Shrinker {
   bool keep_if_broken(const DescribedScenario& smaller) {
     if (!result_.is_complete || is_over_()) return result_.is_complete = false;
     ++result_.trials;
-    for (const BrokenRule& again : broken_rules(core_, smaller, broken_.rule == "complete")) {
+    for (const BrokenRule& again :
+         broken_rules(core_, smaller, [&](std::string_view rule) { return rule == broken_.rule; })) {
       if (!again.is_same_rule(broken_)) continue;
       result_.scenario = smaller;
       broken_.step = again.step;
@@ -88,7 +89,7 @@ class Shrinker {
 }  // namespace
 
 std::vector<BrokenRule> broken_rules(const DescribedCore& core, const DescribedScenario& scenario,
-                                     bool checks_description) {
+                                     const std::function<bool(std::string_view rule)>& asks) {
   std::vector<BrokenRule> all;
   const DescribedSummary run = play(core, scenario, {});
   const std::int64_t steps = step_count(scenario);
@@ -106,9 +107,11 @@ std::vector<BrokenRule> broken_rules(const DescribedCore& core, const DescribedS
       if (!expectation.holds)
         all.push_back(
             {"expect", expectation.rule + side_of(expectation), expectation_text(expectation), steps});
-  if (!checks_description) return all;
-  if (const auto fault = description_fault(core, scenario, steps))
-    all.push_back({"complete", "", *fault, steps});
+  if (asks("complete"))
+    if (const auto fault = description_fault(core, scenario, steps))
+      all.push_back({"complete", "", *fault, steps});
+  if (asks("resumed"))
+    if (const auto fault = resumed_fault(core, scenario)) all.push_back({"resumed", "", *fault, steps});
   return all;
 }
 

@@ -9,12 +9,11 @@
 namespace hyrax {
 namespace {
 
-const std::vector<std::string> kFuzzedRules = {"throws", "finite", "always", "complete"};
-
 // The first rule that the run breaks and may not.
 std::optional<BrokenRule> broken_by(const DescribedCore& core, const DescribedScenario& scenario,
                                     const FuzzRequest& request) {
-  for (BrokenRule& broken : broken_rules(core, scenario, !request.allows("complete")))
+  const auto asks = [&](std::string_view rule) { return !request.allows(std::string(rule)); };
+  for (BrokenRule& broken : broken_rules(core, scenario, asks))
     if (!request.allows(broken.rule)) return std::move(broken);
   return {};
 }
@@ -51,7 +50,7 @@ ExitCode fuzz_described(const DescribedCore& core, const FuzzRequest& request) {
 }
 
 void declare(Options& options, FuzzRequest& request) {
-  declare_fuzz(options, request, "a rule", kFuzzedRules);
+  declare_fuzz(options, request, "a rule", {kGeneralRules.begin(), kGeneralRules.end()});
 }
 
 }  // namespace

@@ -239,8 +239,9 @@ DescribedScenario parse_described_scenario(const Description& description, std::
 
 std::vector<DescribedScenario> library_or_defaults(const Description& description) {
   std::vector<DescribedScenario> library;
+  std::vector<Failure> without_any;
   if (is_folder("scenarios"))
-    for (const std::string& path : list_scenarios({"scenarios"}))
+    for (const std::string& path : list_scenarios({"scenarios"}, without_any))
       library.push_back(load_described_scenario(description, path));
   if (!library.empty()) return library;
   DescribedScenario defaults;

@@ -35,6 +35,36 @@ TEST(DescriptionCheck, FindsAMemberThatIsNotDeclared) {
   EXPECT_EQ(fault<Timer<false>>(scenario_for_test(300)), "");
 }
 
+// Forgotten, and of weight in rows 20 and 21 only: at none at which a fresh core is set.
+template <bool kIsDeclared>
+struct Pulse {
+  double x = 0.0;
+  int row = 0;
+  double pulse = 0.0;
+  void step(double /*dt_s*/) {
+    x += pulse;
+    pulse = ++row == 20 ? 1.0 : 0.0;
+  }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("row", row);
+    if (kIsDeclared) see("pulse", pulse);
+  }
+};
+TEST(DescriptionCheck, ARunThatIsStoppedAndResumedGoesOnAsWithoutAStop) {
+  EXPECT_EQ(fault<Pulse<false>>(scenario_for_test(60)), "");
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario_for_test(60)),
+            "stopped at row 20 and resumed, x_px differs at row 21");
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<true>>(), scenario_for_test(60)), std::nullopt);
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario_for_test(63)), std::nullopt);
+  DescribedScenario scenario = scenario_for_test(300);
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario), std::nullopt);
+  scenario.events = {event_for_test(20, Hitch{0.5})};
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario),
+            "stopped at row 20 and resumed, x_px differs at row 21");
+}
+
 // It follows an action, and is forgotten.
 template <bool kIsDeclared>
 struct Boost {

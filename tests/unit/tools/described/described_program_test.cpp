@@ -206,7 +206,8 @@ TEST_F(DescribedProgram, CommandsThatItHasNotSayWhatToUse) {
       run({"study", "needs"}).err,
       "toy-sim study needs: needs the paper's step; toy describes itself: use study frame-rate, diff\n");
   EXPECT_EQ(run({"study", "frame-rates"}).err,
-            "toy-sim study: unknown study (found frame-rates); allowed: frame-rate\n");
+            "toy-sim study: unknown study (found frame-rates); allowed: frame-rate, hard-cases (did you mean "
+            "frame-rate?)\n");
 }
 
 TEST_F(DescribedProgram, TheStudyOfFrameRatesPlaysTheLibraryOrTheDefaults) {
@@ -228,6 +229,27 @@ TEST_F(DescribedProgram, TheStudyOfFrameRatesPlaysTheLibraryOrTheDefaults) {
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_NE(broken.err.find("defaults at 24 Hz: property \"y stays below 2 px\""), std::string::npos)
       << broken.err;
+}
+
+TEST_F(DescribedProgram, TheStudyOfHardCasesSaysWhichCasesBreakWhichRule) {
+  std::filesystem::create_directory("scenarios");  // Without any.
+  const Outcome good = run({"study", "hard-cases", "--no-figures", "--gate"});
+  EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+  EXPECT_TRUE(good.out.starts_with("25 hard cases: none is broken.\n")) << good.out;
+  const auto broken = [](const Outcome& outcome) {
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+    return outcome.err;
+  };
+  const std::string low = broken(run<Low>({"study", "hard-cases", "--quick", "--no-figures", "--gate"}));
+  EXPECT_NE(low.find("defaults: always: \"y stays below 2 px\" at step 121"), std::string::npos) << low;
+  EXPECT_NE(low.find("defaults/dt-10: always: "), std::string::npos) << low;
+  EXPECT_NE(low.find("defaults/highest-y_px: always: \"y stays below 2 px\" at step 61"), std::string::npos);
+  EXPECT_EQ(low.find("defaults/dt-1e-09"), std::string::npos) << low;
+  const std::string fussy = broken(run<Fussy>({"study", "hard-cases", "--quick", "--no-figures", "--gate"}));
+  EXPECT_NE(fussy.find("defaults/hitch-0.5-s: throws: a frame is too long at step 201"), std::string::npos)
+      << fussy;
+  EXPECT_NE(fussy.find("defaults/jitter-missed-0.5: throws: "), std::string::npos) << fussy;
+  EXPECT_EQ(fussy.find("defaults: "), std::string::npos) << fussy;
 }
 
 TEST_F(DescribedProgram, ShrinkKeepsWhatARunSays) {

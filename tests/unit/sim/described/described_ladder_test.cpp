@@ -1,4 +1,4 @@
-#include "sim/described/rate_ladder.h"
+#include "sim/described/described_ladder.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -36,7 +36,7 @@ struct Faller {
 const std::vector<double> kRates_hz = {50.0, 100.0};
 
 TEST(RateLadder, ADistanceIsThatOfTheStepsErrorAndHalvesWithEachDoubling) {
-  const RateLadder ladder = climb(core_for_test<Faller>(), scenario_for_test(120), kRates_hz);
+  const RateLadder ladder = climb(core_for_test<Faller>(), scenario_for_test(120), kRates_hz, {});
   ASSERT_EQ(ladder.runs.size(), 3U);
   const auto error_px = [](double rate_hz) { return 0.5 * Faller::kGravity_px_per_s2 * 2.0 / rate_hz; };
   for (const RateRun& run : ladder.runs)
@@ -50,7 +50,7 @@ TEST(RateLadder, ADistanceIsThatOfTheStepsErrorAndHalvesWithEachDoubling) {
 TEST(RateLadder, WhatMovesByTheFrameDoesNotConverge) {
   DescribedScenario scenario = scenario_for_test(120);
   scenario.parameters = {{0, word_of(0.01)}};
-  const RateLadder ladder = climb(core_for_test<Faller>(), scenario, kRates_hz);
+  const RateLadder ladder = climb(core_for_test<Faller>(), scenario, kRates_hz, {});
   EXPECT_LT(ladder.gain(), 1.0);
   EXPECT_FALSE(ladder.converges());
 }
@@ -59,7 +59,7 @@ TEST(RateLadder, EventsKeepTheirTimesAndHitchesAreLeftOut) {
   DescribedScenario scenario = scenario_for_test(120);
   scenario.events = {event_for_test(60, Hitch{0.25}), event_for_test(61, Act{0, {}})};
   const DescribedCore core = core_for_test<Faller>();
-  const RateLadder ladder = climb(core, scenario, kRates_hz);
+  const RateLadder ladder = climb(core, scenario, kRates_hz, {});
   EXPECT_TRUE(ladder.has_hitches);
   EXPECT_EQ(ladder.until_s, 2.0);
   // The lift is at one time in every run: none is off by its 50 px beside it.
@@ -68,7 +68,7 @@ TEST(RateLadder, EventsKeepTheirTimesAndHitchesAreLeftOut) {
 
 TEST(RateLadder, NoMoreThanAMinuteIsPlayedAndNoInputOfEachFrame) {
   // As long as a file allows: nothing behind the minute costs time or memory.
-  const RateLadder ladder = climb(core_for_test<Faller>(), scenario_for_test(kStepsMax), {60.0});
+  const RateLadder ladder = climb(core_for_test<Faller>(), scenario_for_test(kStepsMax), {60.0}, {});
   EXPECT_EQ(ladder.until_s, 60.0);
   EXPECT_TRUE(ladder.is_cut);
   DescribedScenario scenario = scenario_for_test(10);

@@ -1,0 +1,62 @@
+#include "sim/described/described_ladder.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/described/scripted_body.h"
+
+namespace hyrax {
+namespace {
+
+constexpr double kUntilMost_s = 60.0;
+constexpr double kWordsMost = 2e7;  // Of the rows of a run that is kept.
+
+class Keeper : public DescribedSink {
+ public:
+  void row(const DescribedRow& row) override { rows_.append(row); }
+  void contact(const DescribedContact& contact) override { side_.contacts.push_back(contact); }
+
+  [[nodiscard]] ComparedSide kept(const DescribedScenario& scenario, std::int64_t steps) {
+    // An event falls into the frame before, too: runs of finer rates have it there.
+    for (const std::int64_t frame : jump_frames(scenario, steps))
+      for (const std::int64_t each : {frame - 1, frame})
+        if (each >= 0 && (side_.jumps.empty() || side_.jumps.back() < each)) side_.jumps.push_back(each);
+    side_.rows = batches_of(rows_);
+    return std::move(side_);
+  }
+
+ private:
+  DescribedRows rows_ = {};
+  ComparedSide side_ = {};
+};
+
+}  // namespace
+
+std::string why_one_rate(const DescribedScenario& scenario) {
+  return scenario.input_arrays.empty() ? "" : "an input has a value for each frame";
+}
+
+RateLadder climb(const DescribedCore& core, const DescribedScenario& scenario,
+                 const std::vector<double>& rates_hz,
+                 const std::function<std::vector<std::string>(const DescribedSummary&)>& faults_of) {
+  RateLadder ladder;
+  const double words = static_cast<double>(core.description.state.values.size() + 2) * kFinestRate_hz;
+  DescribedScenario timed = by_time(scenario, event_frames(scenario, step_count(scenario)),
+                                    std::min(kUntilMost_s, kWordsMost / words), ladder);
+  const auto play_at = [&](double rate_hz, RateRun& run) {
+    timed.clock = {FixedRate{rate_hz}, {}};
+    Keeper keeper;
+    DescribedSink* const sinks[] = {&keeper};
+    const DescribedSummary summary = play(core, timed, sinks);
+    run.contacts = std::accumulate(summary.contacts.begin(), summary.contacts.end(), std::int64_t{0});
+    run.at_rest_since_s = summary.at_rest_since_s;
+    if (faults_of) run.faults = faults_of(summary);
+    return keeper.kept(timed, summary.steps);
+  };
+  hyrax::climb(ladder, rates_hz, play_at, [&](const ComparedSide& a, const ComparedSide& b) {
+    return compare_runs(core.description, a, b).max_px();
+  });
+  return ladder;
+}
+
+}  // namespace hyrax
