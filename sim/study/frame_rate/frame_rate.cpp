@@ -255,11 +255,9 @@ FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rat
     study.until_s = study.is_cut ? kUntilMost_s : std::max(std::ceil(settling), kUntilLeast_s);
   }
   if (step != nullptr)
-    for (const double rate_hz : rates_hz) study.traced.push_back(play_traced(*step, rate_hz, study.until_s));
-  if (!core.constants) {
-    study.landings.assign(study.traced.begin(), study.traced.end());
-    return study;
-  }
+    for (const double rate_hz : rates_hz)
+      study.roundings.push_back(rounding_of(*step, rate_hz, study.until_s));
+  if (!core.constants) return study;
   const std::vector<MethodKind> kinds = frame_methods(core);
   DisplayFlings displays(core, study, rates_hz, flings);
   std::array<std::vector<double>, kDisplayClockNames.size()> spreads_by_paper_px;

@@ -54,20 +54,21 @@ struct Landing {
   bool is_core = true;  ///< Of the paper's method: it has the core's bits, step by step and by sim/ensemble.
 };
 
-/// The drawn fling by a traced step, beside the same operations in 104 bits: sums, products and quotients in
-/// double-double arithmetic, functions in `long double`. Constants are the header's, of a `float` rounded to
-/// it; an int is never rounded. Both take the paths that their own comparisons decide.
-struct TracedLanding : Landing {
-  double rounding_px = 0.0;  ///< The largest distance of both, and the first row that has it.
-  std::int64_t rounding_row = 0;
+/// The drawn fling by a traced step, beside the same operations in wider arithmetic: sums, products and
+/// quotients in double-double, functions in `long double`. Constants are as the header rounds them, ints are
+/// never rounded. Both take the paths that their own comparisons decide.
+struct Rounding {
+  double rate_hz = 0.0;
+  double end_x_px = 0.0;
+  double largest_px = 0.0;  ///< The largest distance of both, and the first row that has it.
+  std::int64_t largest_row = 0;
   std::int64_t other_path_from = -1;  ///< The first row in which they take different paths; -1: none.
   /// The first row, before that, in which a value has lost half its digits: 26 of 53 bits, 12 of 24 if the
   /// step has a `float`; and the value, as a reader of the header would write it. -1: none.
   std::int64_t lost_row = -1;
   std::string lost = {};
 };
-/// Takes from the step what it has of its own beside x, y, vx, vy.
-[[nodiscard]] TracedLanding play_traced(const StepProgram& step, double rate_hz, double duration_s);
+[[nodiscard]] Rounding rounding_of(const StepProgram& step, double rate_hz, double duration_s);
 /// Whether an operation of the step is that of a `float`.
 [[nodiscard]] bool has_float(const StepProgram& step);
 
@@ -116,14 +117,14 @@ struct FrameRateStudy {
   bool has_drag = true;  ///< Else there is hardly anything to take by time.
   bool has_float = false;
   std::vector<Landing> landings;
-  std::vector<TracedLanding> traced;  ///< By rate; empty: the step is not complete.
+  std::vector<Rounding> roundings;  ///< By rate; empty: the step is not complete.
   std::vector<FanPoint> paths;
   std::vector<Independence> scores;  ///< By method, then by clock.
   std::vector<DisplayShift> shifts;  ///< By method, clock and rate.
   /// By clock: flings whose spread is smaller with drag and friction by time.
   std::array<Share, kDisplayClockNames.size()> steadier_by_time;
 };
-/// Of a core without constants only the drawn fling, by its step. @param flings random ones, beside the one
+/// Of a core without constants the roundings alone. @param flings random ones, beside the one
 /// that is drawn. REQUIRES: at least one rate and one fling; constants or a step.
 [[nodiscard]] FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz,
                                               std::int64_t flings, const StepProgram* step = nullptr);

@@ -44,16 +44,17 @@ Table landing_table(const std::vector<Landing>& landings) {
       .add("across", "px", "horizontal part of the path", &Landing::across_px);
 }
 
-Table rounding_table(const std::vector<TracedLanding>& traced) {
-  return StudyTable("rounding", "the drawn fling, and the same operations in 104 bits", traced)
-      .add("rate", "Hz", "display rate", &TracedLanding::rate_hz)
-      .add("rounding", "px", "largest distance of both", &TracedLanding::rounding_px)
-      .add("rounding_row", "1", "the first row that has it", &TracedLanding::rounding_row)
-      .add("other_path_from", "1", "the first row in which they take different paths; -1: none",
-           &TracedLanding::other_path_from)
-      .add("lost_row", "1", "the first row in which a value has lost half its digits; -1: none",
-           &TracedLanding::lost_row)
-      .add("lost", "", "that value", &TracedLanding::lost);
+Table rounding_table(const std::vector<Rounding>& roundings) {
+  return StudyTable("roundings", "the drawn fling, and the same operations in wider arithmetic", roundings)
+      .add("rate", "Hz", "display rate", &Rounding::rate_hz)
+      .add("end_x", "px", "where it is in the end", &Rounding::end_x_px)
+      .add("rounding", "px", "largest distance of both", &Rounding::largest_px)
+      .add("in_row", "1", "the first row that has it", &Rounding::largest_row)
+      .add("other_path_from", "1", "the first row in which rounding decides a comparison; -1: none",
+           &Rounding::other_path_from)
+      .add("lost_in_row", "1", "the first row in which a value has lost half its digits; -1: none",
+           &Rounding::lost_row)
+      .add("lost", "", "that value", &Rounding::lost);
 }
 
 Table path_table(const std::vector<FanPoint>& paths) {
@@ -169,7 +170,7 @@ std::vector<Table> summary_of(const FrameRateStudy& study) {
   std::erase_if(landings.columns,
                 [](const Column& column) { return column.name == "fling" || column.name == "across"; });
   return {score_table("scores", study.scores), std::move(landings), shift_table(study.shifts),
-          end_table(study.shifts), rounding_table(study.traced)};
+          end_table(study.shifts), rounding_table(study.roundings)};
 }
 
 // "The same fling ends at 1,139 px at 24 Hz and 1,701 px at 240 Hz.": at the slowest display and the fastest
@@ -207,24 +208,23 @@ std::string ends_text(const FrameRateStudy& study) {
 }
 
 std::string rounding_text(const FrameRateStudy& study) {
-  if (study.traced.empty()) return "Rounding is not measured: the build cannot trace the whole step.";
-  const TracedLanding& worst = *std::ranges::max_element(study.traced, {}, &TracedLanding::rounding_px);
+  if (study.roundings.empty()) return "Rounding is not measured: the build cannot trace the whole step.";
+  const Rounding& worst = *std::ranges::max_element(study.roundings, {}, &Rounding::largest_px);
   std::string text = fmt::format("Rounding moves the fling by up to {:.2g} px (at {:g} Hz, row {})",
-                                 worst.rounding_px, worst.rate_hz, worst.rounding_row);
-  const auto is_met = [](std::int64_t row) { return row >= 0; };
-  if (const auto at = std::ranges::find_if(study.traced, is_met, &TracedLanding::lost_row);
-      at != study.traced.end())
+                                 worst.largest_px, worst.rate_hz, worst.largest_row);
+  const auto lost =
+      std::ranges::find_if(study.roundings, [](const Rounding& each) { return each.lost_row >= 0; });
+  text += lost == study.roundings.end() ? "; no value loses half its digits"
+                                        : fmt::format("; {} loses half its digits (at {:g} Hz, row {})",
+                                                      lost->lost, lost->rate_hz, lost->lost_row);
+  const auto other =
+      std::ranges::find_if(study.roundings, [](const Rounding& each) { return each.other_path_from >= 0; });
+  if (other != study.roundings.end())
     text +=
-        fmt::format("; {} loses half its digits (at {:g} Hz, row {})", at->lost, at->rate_hz, at->lost_row);
-  else
-    text += "; no value loses half its digits";
-  if (const auto at = std::ranges::find_if(study.traced, is_met, &TracedLanding::other_path_from);
-      at != study.traced.end())
-    text += fmt::format("; it decides a comparison (at {:g} Hz, row {})", at->rate_hz, at->other_path_from);
+        fmt::format("; it decides a comparison (at {:g} Hz, row {})", other->rate_hz, other->other_path_from);
   if (study.has_float)
-    text += fmt::format(". Does float matter here? {} pixel", worst.rounding_px < RestAnchor::kStill_px
-                                                                  ? "No: that is less than half a"
-                                                                  : "Yes: that is more than half a");
+    text += fmt::format(". Does float matter here? {} than half a pixel",
+                        worst.largest_px < RestAnchor::kStill_px ? "No: that is less" : "Yes: that is more");
   return text + ".";
 }
 
@@ -250,7 +250,6 @@ Verdict verdict_of(const FrameRateStudy& study) {
   Table landings{"displays", "", {}};
   for (const auto& [method, name] : {std::pair(std::size_t{0}, std::string("paper")), {1, "by_time"}}) {
     const std::vector<Landing> drawn = drawn_landings(study, method, DisplayClock::steady);
-    if (drawn.empty()) continue;
     if (method == 0) landings.columns = {column_of("rate", "Hz", "display rate", drawn, &Landing::rate_hz)};
     landings.columns.push_back(column_of(
         name + "_settles_at", "px", "", drawn,
@@ -258,9 +257,6 @@ Verdict verdict_of(const FrameRateStudy& study) {
     landings.columns.push_back(column_of(name + "_after", "s", "", drawn, &Landing::time_s, 3));
     landings.columns.push_back(column_of(name + "_path", "px", "", drawn, &Landing::path_px));
   }
-  if (study.shifts.empty())
-    return {answer_of(study),
-            {"One fling on every display, by the core:", std::move(landings), rounding_text(study)}};
   Verdict verdict{
       answer_of(study),
       {"One fling on every display, by the paper's step and with drag and friction by time:",
@@ -293,13 +289,16 @@ Result run_frame_rate(const StudyRequest& request) {
 }  // namespace
 
 Result frame_rate_result(const FrameRateStudy& study) {
-  if (study.shifts.empty())
-    return {.tables = {landing_table(study.landings), rounding_table(study.traced)},
-            .verdict = verdict_of(study),
-            .summary = {landing_table(study.landings), rounding_table(study.traced)}};
+  if (study.shifts.empty()) {
+    const Table roundings = rounding_table(study.roundings);
+    return {.tables = {roundings},
+            .verdict = {"Another step than the paper's: rounding alone is measured.",
+                        {roundings, rounding_text(study)}},
+            .summary = {roundings}};
+  }
   Result result{.tables = {landing_table(study.landings), score_table("independence", study.scores),
                            path_table(study.paths), shift_table(study.shifts), end_table(study.shifts),
-                           rounding_table(study.traced)},
+                           rounding_table(study.roundings)},
                 .figures = frame_rate_figures(study),
                 .verdict = verdict_of(study),
                 .summary = summary_of(study)};

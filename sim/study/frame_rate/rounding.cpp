@@ -3,123 +3,95 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "sim/reference/double_double.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/trace/expression_text.h"
 #include "sim/trace/step_program.h"
-#include "sim/trajectory/run_summary.h"
 
 namespace hyrax {
 namespace {
 
+using Wide = DoubleDouble;
 using Long = long double;
-using LongFunction = Long (*)(Long, Long, Long);
 
-// Null: a fused multiply-add, or no function.
-LongFunction long_function(std::string_view called) {
+// A function of <cmath>, which only `long double` has wider.
+Wide called(const std::string& function, const std::array<Wide, 3>& of) {
+  const Long a = static_cast<Long>(of[0].hi) + static_cast<Long>(of[0].lo);
+  const Long b = static_cast<Long>(of[1].hi) + static_cast<Long>(of[1].lo);
+  const auto wide = [](Long value) {
+    const auto high = static_cast<double>(value);
+    return Wide{high, static_cast<double>(value - static_cast<Long>(high))};
+  };
 #define HYRAX_ONE(name, is_fixed) \
-  if (called == #name) return [](Long a, Long, Long) -> Long { return std::name(a); };
+  if (function == #name) return wide(std::name(a));
 #define HYRAX_TWO(name, is_fixed) \
-  if (called == #name) return [](Long a, Long b, Long) -> Long { return std::name(a, b); };
+  if (function == #name) return wide(std::name(a, b));
   HYRAX_TRACE_FUNCTIONS(HYRAX_ONE, HYRAX_TWO)
 #undef HYRAX_ONE
 #undef HYRAX_TWO
-  return nullptr;
+  return of[0] * of[1] + of[2];  // fma.
 }
 
-// What an operation makes of wider operands. Where these are too large for double-double, of their halves.
-DoubleDouble widely(const Expression& e, const DoubleDouble& a, const DoubleDouble& b,
-                    const DoubleDouble& c) {
-  const DoubleDouble as_rounded{operation_of(e)(a.hi, b.hi, c.hi), 0.0};
+Wide operated(const Expression& e, const std::array<Wide, 3>& of) {
+  const Wide as_rounded{operation_of(e)(of[0].hi, of[1].hi, of[2].hi), 0.0};
   if (e.kind == NumberKind::whole) return as_rounded;
-  DoubleDouble value = a;  // As of a conversion.
-  if (e.op == Operator::negate) value = -a;
-  if (e.op == Operator::add) value = a + b;
-  if (e.op == Operator::multiply) value = a * b;
-  if (e.op == Operator::divide) value = a / b;
-  if (const LongFunction function = long_function(e.name); function != nullptr) {
-    const auto as_long = [](const DoubleDouble& wide) {
-      return static_cast<Long>(wide.hi) + static_cast<Long>(wide.lo);
-    };
-    const Long result = function(as_long(a), as_long(b), as_long(c));
-    value.hi = static_cast<double>(result);
-    value.lo = static_cast<double>(result - static_cast<Long>(value.hi));
-  } else if (e.op == Operator::call) {
-    value = a * b + c;
-  }
-  return std::isfinite(value.hi) && std::isfinite(value.lo) ? value : as_rounded;
+  const Wide value = e.op == Operator::negate     ? -of[0]
+                     : e.op == Operator::add      ? of[0] + of[1]
+                     : e.op == Operator::multiply ? of[0] * of[1]
+                     : e.op == Operator::divide   ? of[0] / of[1]
+                     : e.op == Operator::call     ? called(e.name, of)
+                                                  : of[0];             // A conversion.
+  return std::isfinite(value.hi + value.lo) ? value : as_rounded;  // Double-double ends at 1e290.
 }
 
-// A body moved by the update of a step, in wider arithmetic.
-class WideBody {
- public:
-  WideBody(const TracedStep& step, std::span<const double> members)
-      : step_(step), values_(step.expressions.size()) {
-    for (const double member : members) members_.push_back({member, 0.0});
-  }
+struct WideStep {
+  const TracedStep& step;
+  std::vector<Wide> members = {};
+  std::vector<Wide> values = {};  // By expression.
+  const StepPath* path = nullptr;
 
-  /// @param rounded the values of a rounded body, of which arguments and constants are taken. False: some
-  /// value is not finite.
-  bool update(std::span<const double> rounded) {
-    for (StepIndex index = 0; index < values_.size(); ++index) {
-      const Expression& e = step_.expressions[index];
-      std::array<DoubleDouble, 3> operands;
-      for (std::size_t place = 0; place < e.used_operands().size(); ++place)
-        operands[place] = values_[e.operands[place]];
+  // Plays update along the path that its own comparisons decide. @param rounded the values of the rounded
+  // step, of which arguments and constants are taken.
+  void play(std::span<const double> rounded) {
+    values.clear();
+    for (const Expression& e : step.expressions) {
+      std::array<Wide, 3> of;
+      std::ranges::transform(e.used_operands(), of.begin(),
+                             [&](StepIndex operand) { return values[operand]; });
       const bool is_leaf = e.op == Operator::constant || e.op == Operator::argument;
-      values_[index] =
-          is_leaf ? DoubleDouble{rounded[index], 0.0} : widely(e, operands[0], operands[1], operands[2]);
-      for (std::size_t member = 0; member < members_.size() && e.op == Operator::argument; ++member)
-        if (e.name == member_name(member)) values_[index] = members_[member];
+      values.push_back(is_leaf ? Wide{rounded[values.size()], 0.0} : operated(e, of));
+      for (std::size_t member = 0; member < members.size() && e.op == Operator::argument; ++member)
+        if (e.name == member_name(member)) values.back() = members[member];
     }
-    const auto& paths = step_.paths_of(CoreFunction::update);
-    path_ = static_cast<StepIndex>(
-        std::ranges::find_if(paths,
-                             [&](const StepPath& path) {
-                               return std::ranges::all_of(path.outcomes, [&](const StepOutcome& outcome) {
-                                 const StepComparison& asked = step_.comparisons[outcome.comparison];
-                                 return holds(asked.relation,
-                                              (values_[asked.left] + -values_[asked.right]).hi,
-                                              0.0) == outcome.holds;
-                               });
-                             }) -
-        paths.begin());
-    if (path_ >= paths.size()) return false;
-    for (std::size_t member = 0; member < members_.size(); ++member)
-      members_[member] = values_[paths[path_].members[member]];
-    return true;
+    for (const StepPath& each : step.paths_of(CoreFunction::update))
+      if (std::ranges::all_of(each.outcomes, [&](const StepOutcome& outcome) {
+            const StepComparison& asked = step.comparisons[outcome.comparison];
+            return holds(asked.relation, (values[asked.left] + -values[asked.right]).hi, 0.0) ==
+                   outcome.holds;
+          }))
+        path = &each;
+    for (std::size_t member = 0; member < members.size(); ++member)
+      members[member] = values[path->members[member]];
   }
 
-  /// Of the last update.
-  [[nodiscard]] StepIndex path() const { return path_; }
-  [[nodiscard]] double off(std::size_t member, double rounded) const {
-    return (members_[member] + -rounded).hi;
-  }
-  /// The first value that the path needs and that differs by more than this part of itself; kNoIndex: none.
+  // The first value that the path needs and that is off by more than this part of itself; kNoIndex: none.
   [[nodiscard]] StepIndex first_off(std::span<const double> rounded, double part, double least) const {
-    const StepPath& path = step_.paths_of(CoreFunction::update)[path_];
-    std::vector<bool> is_needed(values_.size());
-    for (const StepIndex member : path.members) is_needed[member] = true;
-    for (const auto& [comparison, holds] : path.outcomes)
-      is_needed[step_.comparisons[comparison].left] = is_needed[step_.comparisons[comparison].right] = true;
+    std::vector<bool> is_needed(values.size());
+    for (const StepIndex member : path->members) is_needed[member] = true;
+    for (const StepOutcome& outcome : path->outcomes)
+      is_needed[step.comparisons[outcome.comparison].left] =
+          is_needed[step.comparisons[outcome.comparison].right] = true;
     StepIndex first = kNoIndex;
-    for (StepIndex index = static_cast<StepIndex>(values_.size()); index-- > 0;) {
+    for (auto index = static_cast<StepIndex>(values.size()); index-- > 0;) {
       if (!is_needed[index]) continue;
-      for (const StepIndex operand : step_.expressions[index].used_operands()) is_needed[operand] = true;
-      const double value = values_[index].hi;
-      if (std::fabs((values_[index] + -rounded[index]).hi) > part * std::max(std::fabs(value), least))
-        first = index;
+      for (const StepIndex operand : step.expressions[index].used_operands()) is_needed[operand] = true;
+      const double off = std::fabs((values[index] + -rounded[index]).hi);
+      if (off > part * std::max(std::fabs(values[index].hi), least)) first = index;
     }
     return first;
   }
-
- private:
-  const TracedStep& step_;
-  std::vector<DoubleDouble> members_, values_;
-  StepIndex path_ = kNoIndex;
 };
 
 }  // namespace
@@ -128,42 +100,32 @@ bool has_float(const StepProgram& step) {
   return std::ranges::count(step.step().expressions, NumberKind::single, &Expression::kind) > 0;
 }
 
-TracedLanding play_traced(const StepProgram& program, double rate_hz, double duration_s) {
-  const bool is_float = has_float(program);
-  const double half_digits = is_float ? 0x1p-12 : 0x1p-26;
-  const double least = is_float ? 0x1p-126 : 0x1p-1022;  // The smallest normal number.
-  const World world{
-      .state = kDrawnFling,
-      .window = {static_cast<int>(kDesktop.right_px) + 128, static_cast<int>(kDesktop.bottom_px) + 128},
-      .sprite = {128, 128}};
-  const double dt_s = 1.0 / rate_hz;
-  TracedBody body(program, world.state);
-  WideBody wide(program.step(), body.members());
-  TracedLanding landing;
-  landing.rate_hz = rate_hz;
-  RestAnchor rest{body.x(), body.y(), 0.0};
+Rounding rounding_of(const StepProgram& program, double rate_hz, double duration_s) {
+  const double half_digits = has_float(program) ? 0x1p-12 : 0x1p-26;
+  const double least = has_float(program) ? 0x1p-126 : 0x1p-1022;  // The smallest normal number.
+  const StepArguments arguments = {1.0 / rate_hz, kDesktop.right_px, kDesktop.bottom_px, 0.0, 0.0};
+  TracedBody body(program, kDrawnFling);
+  WideStep wide{program.step()};
+  for (const double member : body.members()) wide.members.push_back({member, 0.0});
+  Rounding rounding{.rate_hz = rate_hz};
   std::vector<double> values;
-  const double rows = std::ceil(duration_s * rate_hz);
-  for (std::int64_t row = 1; static_cast<double>(row) <= rows; ++row) {
-    program.evaluate(body.members(), update_arguments(dt_s, world.window, world.sprite), values);
-    body.update({world, dt_s});
-    if (!wide.update(values)) break;
-    if (landing.other_path_from < 0 && wide.path() != body.path()) landing.other_path_from = row;
-    if (landing.other_path_from < 0 && landing.lost_row < 0)
-      if (const StepIndex off = wide.first_off(values, half_digits, least); off != kNoIndex) {
-        landing.lost_row = row;
-        landing.lost = expression_text(program.step(), off);
+  for (std::int64_t row = 1; static_cast<double>(row) <= std::ceil(duration_s * rate_hz); ++row) {
+    program.evaluate(body.members(), arguments, values);
+    const StepIndex path = program.run(CoreFunction::update, body.members(), arguments);
+    wide.play(values);
+    const bool is_other = wide.path != &program.step().paths_of(CoreFunction::update)[path];
+    if (is_other && rounding.other_path_from < 0) rounding.other_path_from = row;
+    if (rounding.other_path_from < 0 && rounding.lost_row < 0)
+      if (const StepIndex lost = wide.first_off(values, half_digits, least); lost != kNoIndex) {
+        rounding.lost_row = row;
+        rounding.lost = expression_text(program.step(), lost);
       }
-    if (const double off_px = std::hypot(wide.off(0, body.x()), wide.off(1, body.y()));
-        off_px > landing.rounding_px) {
-      landing.rounding_px = off_px;
-      landing.rounding_row = row;
-    }
-    if (rest.moves_to(body.x(), body.y())) rest.t_s = static_cast<double>(row) * dt_s;
+    const double off_px = std::hypot((wide.members[0] + -body.x()).hi, (wide.members[1] + -body.y()).hi);
+    if (off_px > rounding.largest_px) rounding.largest_row = row;
+    rounding.largest_px = std::max(rounding.largest_px, off_px);
   }
-  landing.end = {body.x(), body.y(), body.vx(), body.vy()};
-  landing.time_s = rest.at_rest_since_s(rows * dt_s).value_or(kNotGiven);
-  return landing;
+  rounding.end_x_px = body.x();
+  return rounding;
 }
 
 }  // namespace hyrax

@@ -1,9 +1,7 @@
 #include "sim/study/hard_cases/hard_case.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -67,30 +65,27 @@ double corner_slack_px(const Model& model, const HardCase& hard_case) {
   const State start = start_state(hard_case.scenario);
   const Bounds bounds = bounds_of(hard_case.scenario.window, hard_case.scenario.sprite);
   const double gravity = model.gravity_px_per_s2, speed = std::hypot(start.vx_px_per_s, start.vy_px_per_s);
-  constexpr std::array<int, 13> kBeside = {-6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 6};
   const auto beside = [](double place, int doubles) {
-    for (int each = 0; each < std::abs(doubles); ++each) place = std::nextafter(place, doubles * HUGE_VAL);
-    return place;
+    return place + doubles * (std::nextafter(place, HUGE_VAL) - place);
   };
   double fault_px = 0.0;
-  for (const int x : kBeside)
-    for (const int y : kBeside) {
-      State last = start;
-      last.x_px = beside(start.x_px, x);
-      last.y_px = beside(start.y_px, y);
-      ExactFling fling{FixedLaws(model)};
-      fling.start(last, bounds);
-      for (double t_s = 0.0; t_s < 4.0; t_s += 0.0625) {
-        const State now = fling.at(t_s);
-        fault_px = std::max(fault_px, energy_gain(last, now, gravity) / gravity);
-        last = now;
-      }
-      const std::vector<ExactImpact>& met = fling.impacts();
-      if (!fling.is_sound() || met.size() < 2 ||
-          (static_cast<int>(met[0].wall) | static_cast<int>(met[1].wall)) != hard_case.exact_corner)
-        return -HUGE_VAL;
-      fault_px = std::max(fault_px, (met[1].t_s - met[0].t_s) * speed);
+  for (int each = 0; each < 13 * 13; ++each) {
+    State last = start;
+    last.x_px = beside(start.x_px, each / 13 - 6);
+    last.y_px = beside(start.y_px, each % 13 - 6);
+    ExactFling fling{FixedLaws(model)};
+    fling.start(last, bounds);
+    for (double t_s = 0.0; t_s < 4.0; t_s += 0.0625) {
+      const State now = fling.at(t_s);
+      fault_px = std::max(fault_px, energy_gain(last, now, gravity) / gravity);
+      last = now;
     }
+    const std::vector<ExactImpact>& met = fling.impacts();
+    if (!fling.is_sound() || met.size() < 2 ||
+        (static_cast<int>(met[0].wall) | static_cast<int>(met[1].wall)) != hard_case.exact_corner)
+      return -HUGE_VAL;
+    fault_px = std::max(fault_px, (met[1].t_s - met[0].t_s) * speed);
+  }
   return 1e-12 * (bounds.right_px + bounds.bottom_px + speed * speed / gravity) - fault_px;
 }
 

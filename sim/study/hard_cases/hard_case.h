@@ -39,8 +39,8 @@ struct HardCase {
 /// The listing with the core's gravity, without drag, friction, rest rule and loss at walls.
 [[nodiscard]] Core lossless(const Core& core);
 
-/// 100 random flings (ManyFlings) at 60 Hz, by the core and without losses, beside others whose start is an
-/// ulp, or a part, of each value away: in how many their contacts part, and when.
+/// 100 random flings (ManyFlings) at 60 Hz, by the core and without losses, beside others that start apart by
+/// an ulp of each value, or by more: in how many their contacts part, and when.
 [[nodiscard]] Table parting_table(const Core& core);
 
 /// The cases made from a scenario: itself with its expected failures, and the families of what it does

@@ -282,10 +282,10 @@ Result run_hard_cases(const StudyRequest& request) {
   if (std::ranges::none_of(cases, &HardCase::is_lossless, &PlayedCase::hard_case)) return result;
   result.tables.push_back(parting_table(request.core));
   result.summary.push_back(result.tables.back());
-  result.verdict.text.emplace_back(
-      fmt::format("Random flings (seed {}) at 60 Hz beside others that start almost alike: when their "
-                  "contacts part, median (95 %):",
-                  kFlingSeed));
+  result.verdict.text.emplace_back(fmt::format(
+      "Random flings (seed {}) at 60 Hz beside others that start apart by an ulp, or by more: when their "
+      "contacts part, median (95 %):",
+      kFlingSeed));
   result.verdict.text.emplace_back(result.tables.back());
   return result;
 }

@@ -1,4 +1,4 @@
-// What the study frame-rate measures and what breaks its verdict.
+// What studies measure, and a core, a method or a reference that turns each verdict.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/study/frame_rate/frame_rate.h"
+#include "sim/study/speed_error/speed_error.h"
+#include "tests/unit/sim/study/clocks.h"
 
 namespace hyrax {
 namespace {
@@ -73,6 +75,83 @@ TEST(FrameRate, AShiftIsFromTheRateNearestToSixtyHertz) {
     EXPECT_GT(study.shifts[0].shift_px.high, 0.0);
     EXPECT_EQ(study.shifts[1].shift_px.high, 0.0) << "from itself";
     EXPECT_GT(study.shifts[2].shift_px.high, 0.0);
+  }
+}
+
+MethodKind method_named(const std::string& name) {
+  const std::vector<MethodKind> kinds = frame_methods(shipped_core());
+  return *std::ranges::find(kinds, name, &MethodKind::name);
+}
+Problem problem_named(const std::string& name) {
+  const std::vector<Problem> problems = study_problems(FixedLaws());
+  return *std::ranges::find(problems, name, &Problem::name);
+}
+
+// Says that it meets walls when the exact fling does, whatever its rows.
+class ClaimsExactImpacts : public Method {
+ public:
+  explicit ClaimsExactImpacts(std::unique_ptr<Method> method) : method_(std::move(method)) {}
+  void start(const State& motion, const Bounds& bounds, bool goes_on) override {
+    method_->start(motion, bounds, goes_on);
+    exact_.start(motion, bounds);
+  }
+  bool play(std::span<const double> frames_s) override {
+    for (const double dt_s : frames_s) time_.play(dt_s);
+    static_cast<void>(exact_.at(time_.time_s()));
+    return method_->play(frames_s);
+  }
+  [[nodiscard]] State motion() const override { return method_->motion(); }
+  [[nodiscard]] const std::vector<ExactImpact>* impacts() const override { return &exact_.impacts(); }
+
+ private:
+  std::unique_ptr<Method> method_;
+  ExactFling exact_;
+  Timeline time_;
+};
+
+// A bounce takes 64 % of the vertical energy: where only one of both has had it, they differ by as much.
+TEST(SpeedError, ComparesEnergiesWhereBothHaveMetEachWallEquallyOften) {
+  const Problem fling = problem_named("fling");
+  const auto energy_of = [&](const MethodKind& kind) {
+    return measure_errors(shipped_core(), fling, kind, stage_frames_s(fling, 60.0), 60.0).energy_rel;
+  };
+  const MethodKind paper = method_named("paper");
+  MethodKind claims = paper;
+  claims.make = [&paper] { return std::make_unique<ClaimsExactImpacts>(paper.make()); };
+  EXPECT_LT(energy_of(paper), 0.05);
+  EXPECT_GT(energy_of(claims), 0.2);
+}
+
+TEST(SpeedError, TheScanFindsTheLeastErrorBetweenTheRatesOrAtTheirEnd) {
+  const Problem arc = problem_named("long-arc");
+  const auto error_px = [&](double rate_hz) {
+    return measure_errors(shipped_core(), arc, method_named("paper"), stage_frames_s(arc, rate_hz), rate_hz)
+        .position_px;
+  };
+  const LeastError paper = least_error(shipped_core(), arc, method_named("paper"), {15.0, 60.0, 960.0});
+  EXPECT_LT(paper.position_px, error_px(60.0) - 0.1);
+  for (double rate_hz = 15.0; rate_hz < 960.0; rate_hz *= 1.01)
+    EXPECT_LT(paper.position_px, error_px(rate_hz) + 0.01);
+  EXPECT_NEAR(paper.rate_hz, 56.0, 1.0);
+  EXPECT_EQ(least_error(shipped_core(), arc, method_named("normalised-drag"), {15.0, 60.0, 960.0}).rate_hz,
+            960.0);
+}
+
+TEST(SpeedError, AnOrderWithWallsIsTheMedianOfManyFlings) {
+  SpeedErrorOptions options;
+  options.rates_hz = {60.0};
+  options.order_rates_hz = {60.0, 120.0, 240.0, 480.0, 960.0};
+  options.cost.repetitions = 1;
+  const std::vector<MethodKind> methods = {method_named("exact-flight"), method_named("swept-clamp"),
+                                           method_named("paper")};
+  const SpeedError study =
+      study_speed_error(shipped_core(), {problem_named("fling")}, methods, options, steady_ns);
+  ASSERT_EQ(study.orders.size(), 2u) << "the paper's step has none";
+  for (const auto& [method, order] : {std::pair(std::size_t{0}, 1.0), {1, 2.0}}) {
+    EXPECT_EQ(study.orders[method].flings, kOrderFlings);
+    EXPECT_NEAR(study.orders[method].order, order, 0.15);
+    EXPECT_LT(study.orders[method].least, study.orders[method].order - 0.05);
+    EXPECT_GT(study.orders[method].most, study.orders[method].order + 0.05);
   }
 }
 
