@@ -4,28 +4,26 @@
 #include <cmath>
 
 #include "sim/compare/run_distance.h"
+#include "sim/result/number_text.h"
 
 namespace hyrax {
 namespace {
 
-constexpr double kVisible_px = 0.01;  // Smaller distances are drawn on a logarithmic axis.
-
 // Distances of very different size, and zeros among them.
 Axis distance_axis(const std::vector<double>& distances_px) {
-  double largest_px = 0.0;
-  double smallest_px = 0.0;
-  for (const double px : distances_px) {
-    if (px > largest_px) largest_px = px;
-    if (px > 0.0 && (smallest_px == 0.0 || px < smallest_px)) smallest_px = px;
-  }
-  Axis axis{.label = "distance, px"};
-  if (largest_px == 0.0 || largest_px >= kVisible_px) {
-    axis.low = 0.0;
-    return axis;
-  }
-  axis.is_logarithmic = true;
-  axis.zero_at = smallest_px / 10.0;
-  return axis;
+  double smallest_px = HUGE_VAL;
+  for (const double px : distances_px)
+    if (px > 0.0) smallest_px = std::min(smallest_px, px);
+  return {.label = "distance, px", .is_logarithmic = true, .zero_at = smallest_px / 10.0};
+}
+
+// The outline of a sprite.
+Series outline(const std::string& name, const Look& look, double left, double top, const Size& size) {
+  const double right = left + size.width_px, bottom = top + size.height_px;
+  return {.name = name,
+          .look = look,
+          .x = {left, right, right, left, left},
+          .y = {top, top, bottom, bottom, top}};
 }
 
 }  // namespace
@@ -83,17 +81,57 @@ Figure Overlay::figure(const Texts& texts) const {
   mark("first difference", first_difference_, Marker::square);
   mark("end", end_, Marker::dot);
   Figure figure{.title = texts.title, .subtitle = texts.subtitle};
+  const Pair farthest =
+      pairs.empty() ? Pair{} : *std::ranges::max_element(pairs, {}, [](const Pair& pair) { return pair.px; });
   for (const Series& series : scene) figure.legend.push_back({series.name, series.look});
   Plot over_time{.x = {.label = "time, s"},
                  .y = distance_axis(distance.y),
                  .when_empty = start_ ? "the same place at every time" : "no row is finite in both"};
   if (!first_difference_) distance.x = distance.y = {};
   over_time.series = {std::move(distance)};
-  Plot paths{.x = {.label = "x of the centre, px"},
-             .y = {.label = "y of the centre, px, downwards", .is_reversed = true},
-             .series = std::move(scene),
-             .has_equal_scales = true};
-  figure.body = std::vector<Plot>{std::move(paths), std::move(over_time)};
+  // As large as the window and what is drawn, whatever the room.
+  const auto ends = [&](std::vector<double> Series::*values) {
+    std::pair found(HUGE_VAL, -HUGE_VAL);
+    for (const Series& series : scene)
+      for (const double value : series.*values)
+        found = {std::min(found.first, value), std::max(found.second, value)};
+    return found;
+  };
+  const auto [left, right] = ends(&Series::x);
+  const auto [top, bottom] = ends(&Series::y);
+  Plot paths{
+      .x = {.label = "x of the centre, px", .low = left, .high = right},
+      .y = {.label = "y of the centre, px, downwards", .is_reversed = true, .low = top, .high = bottom},
+      .series = scene,
+      .has_equal_scales = true};
+  figure.body = std::vector<Plot>{std::move(paths)};
+  auto& plots = std::get<std::vector<Plot>>(figure.body);
+  if (farthest.px > 0.0) {
+    // Both sprites whole, or, of a small distance, their upper left corners.
+    const double dx = farthest.b.x_px - farthest.a.x_px, dy = farthest.b.y_px - farthest.a.y_px;
+    const double side_px = std::max(texts.sprite.width_px, texts.sprite.height_px);
+    const bool is_whole = 4.0 * farthest.px > side_px;
+    const double half_y = is_whole ? 0.5 * std::fabs(dy) + 0.7 * side_px : 1.5 * farthest.px;
+    const double shape = (right - left) / (bottom - top);
+    const double half = std::max(half_y, (0.5 * std::fabs(dx) + (is_whole ? 0.7 * side_px : 0.0)) / shape);
+    const double to_middle = is_whole ? 0.5 * side_px : 0.0, x = 0.5 * dx + to_middle,
+                 y = 0.5 * dy + to_middle;
+    plots.push_back({.x = {.label = "x from there, px", .low = x - shape * half, .high = x + shape * half},
+                     .y = {.label = "farthest, at " + rounded(farthest.t_s) + " s: y from the corner of " +
+                                    texts.a + ", px, downwards",
+                           .is_reversed = true,
+                           .low = y - half,
+                           .high = y + half},
+                     .series = {outline(texts.a, scene[1].look, 0.0, 0.0, texts.sprite),
+                                outline(texts.b, scene[2].look, dx, dy, texts.sprite),
+                                {.name = "largest distance",
+                                 .look = {.form = Form::line_and_points, .width_px = 1.5, .marker_size = 0.8},
+                                 .x = {0.0, dx},
+                                 .y = {0.0, dy}}},
+                     .texts = {{0.5 * dx, 0.5 * dy, rounded(farthest.px, 3) + " px", Tone::ink}},
+                     .has_equal_scales = true});
+  }
+  plots.push_back(std::move(over_time));
   return figure;
 }
 

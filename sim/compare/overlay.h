@@ -1,4 +1,5 @@
-// Two runs in one picture: both paths, and their distance over time.
+// Two runs in one picture: both paths, both sprites where they are farthest apart, magnified, and their
+// distance over time.
 #pragma once
 
 #include <cstddef>

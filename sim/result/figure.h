@@ -181,7 +181,8 @@ struct Figure {
   std::string subtitle = {};
   std::string note = {};  ///< At the title's right: what else a reader would take wrongly; may be empty.
   Tone note_tone = Tone::vermilion;
-  std::variant<std::vector<Plot>, Grid> body = {};  ///< Plots are side by side; of one x, stacked.
+  std::variant<std::vector<Plot>, Grid> body =
+      {};  ///< Plots are side by side, those of equal scales in twos; of one x, stacked.
   std::vector<LegendEntry> legend = {};
   std::vector<std::string> remarks = {};  ///< Sentences below.
 };

@@ -282,8 +282,11 @@ class ReportTest(browser.BrowserTest):
         wide, narrow = {"size": (1400, 900)}, {"size": (375, 844)}
         actions = [["look", wide], ["evaluate", order], ["look", narrow], ["evaluate", order]]
         same, differs = self.open({**self.report("golden"), "actions": actions}, {**self.report("fling", "--against", "golden.h5"), "actions": [
-            *actions, ["evaluate", "document.querySelectorAll('.divergence').length === document.querySelectorAll('figure').length"],
-            ["download", "#chart-distance button", str(self.folder / "distance.csv")]]})
+            *actions, ["evaluate", "document.querySelectorAll('.divergence').length === document.querySelectorAll('figure.chart').length"],
+            ["download", "#chart-distance button", str(self.folder / "distance.csv")], ["evaluate", "document.getElementById('farthest').innerText"]]})
+        farthest = float(re.match(r"Farthest: ([\d.]+) px at", differs["values"][-1])[1])
+        measured = self.hyrax_sim("diff", "golden.h5", "fling.h5", "--json").json["max_px"]
+        self.assertAlmostEqual(farthest, measured, delta=0.006 * measured)
         _, beside, _, below = same["values"]
         self.assertEqual((beside[0], below[0]), (None, None))
         self.assertLess(beside[3][0], beside[1][0])

@@ -326,17 +326,19 @@ double draw_body(Svg& svg, const std::vector<Plot>& plots, double width, double 
   }
   const bool is_stack = are_stacked(plots);
   // As many side by side as are wide enough.
+  const std::size_t most = is_stack ? 1 : plots.front().has_equal_scales ? 2 : plots.size();
   const std::size_t beside =
-      std::clamp(static_cast<std::size_t>(width / kPlotMin), std::size_t{1}, is_stack ? 1 : plots.size());
-  const double part = width / static_cast<double>(beside), height = beside > 1 ? kHeightOfSeveral : kHeight;
+      std::clamp(static_cast<std::size_t>(width / kPlotMin), std::size_t{1}, std::min(most, plots.size()));
   double end = top, axis_left = 0.0;
   for (const Plot& plot : plots)
     if (is_stack)
-      axis_left = PlotDrawing(svg, plot, kSheetMargin, width - kRight, top, height, axis_left).axis_left();
+      axis_left = PlotDrawing(svg, plot, kSheetMargin, width - kRight, top, kHeight, axis_left).axis_left();
   for (std::size_t index = 0; index < plots.size(); ++index) {
     const std::size_t column = index % beside;
     if (column == 0 && index > 0) top = end + kBetween;
-    const double start = static_cast<double>(column) * part;
+    const bool is_alone = beside == 1 || (column == 0 && index > 0 && index + 1 == plots.size());
+    const double part = is_alone ? width : width / static_cast<double>(beside);
+    const double height = is_alone ? kHeight : kHeightOfSeveral, start = static_cast<double>(column) * part;
     Plot plot = plots[index];
     const bool is_narrow = part < kPlotMin && plot.y.categories.empty();
     const std::vector<LegendEntry> names = is_narrow ? take_names(plot) : std::vector<LegendEntry>();

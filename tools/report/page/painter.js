@@ -110,9 +110,24 @@ export class Painter {
     return [(x + sprite[0] / 2) * this.scale, (y + sprite[1] / 2) * this.scale];
   }
 
-  #path(context, rows) {
-    const flown = new Path2D(), jumps = new Path2D();
-    let x = NaN, y = NaN;
+  // Of a path that goes over itself again only the first time is dashed, so that dashes do not fill the gaps of others.
+  #path(context, rows, isDashed = false) {
+    const flown = new Path2D(), jumps = new Path2D(), seen = new Map(), cell = 4 * this.ratio;
+    let x = NaN, y = NaN, count = 0, isUp = false;
+    const once = (fromX, fromY, toX, toY) => {
+      const parts = Math.max(1, Math.ceil(Math.hypot(toX - fromX, toY - fromY) / cell));
+      for (let part = 1; part <= parts; ++part) {
+        const at = share => [fromX + (share / parts) * (toX - fromX), fromY + (share / parts) * (toY - fromY)];
+        const key = at(part - 0.5).map(place => Math.floor(place / cell)).join();
+        const isAgain = count - (seen.get(key) ?? count) > 4;
+        if (!seen.has(key)) seen.set(key, count);
+        ++count;
+        if (isAgain && !isUp && part > 1) flown.lineTo(...at(part - 1));
+        if (!isAgain && isUp) flown.moveTo(...at(part - 1));
+        isUp = isAgain;
+      }
+      if (!isUp) flown.lineTo(toX, toY);
+    };
     for (let i = 0; i < rows.x.length; ++i) {
       const [nextX, nextY] = this.#middle(rows.x[i], rows.y[i], sizesAt(this.scene.sizes, rows.step?.[i] ?? 0).sprite);
       if (!Number.isFinite(nextX + nextY)) break;
@@ -123,6 +138,7 @@ export class Painter {
         x = NaN;
       }
       if (Number.isNaN(x)) flown.moveTo(nextX, nextY);
+      else if (isDashed) once(x, y, nextX, nextY);
       else flown.lineTo(nextX, nextY);
       [x, y] = [nextX, nextY];
     }
@@ -142,7 +158,7 @@ export class Painter {
     context.lineJoin = 'round';
     if (scene.other) {
       this.#pen(context, scene.tint ?? 'bad', 1.5, true);
-      this.#path(context, scene.other);
+      this.#path(context, scene.other, true);
     }
     if (!scene.rows) return;
     this.#pen(context, 'path', 1.5);
@@ -221,6 +237,26 @@ export class Painter {
     context.fill();
   }
 
+  /** Both sprites on a canvas of its own, or of a small distance their upper left corners, with a rule from one to the other. Returns how many times it is magnified. */
+  magnify(canvas, here, there, sprite, tint) {
+    const { ratio } = this, side = Math.max(...sprite), [dx, dy] = [there.x - here.x, there.y - here.y], px = Math.hypot(dx, dy), isWhole = 4 * px > side;
+    canvas.width = Math.round(canvas.clientWidth * ratio);
+    canvas.height = Math.round(canvas.clientHeight * ratio);
+    const half = isWhole ? Math.max(0.5 * Math.abs(dy) + 0.7 * side, ((0.5 * Math.abs(dx) + 0.7 * side) * canvas.height) / canvas.width) : 1.5 * px;
+    const scale = canvas.height / (2 * half), context = canvas.getContext('2d'), aside = isWhole ? side / 2 : 0;
+    const corner = [canvas.width / 2 - (dx / 2 + aside) * scale, canvas.height / 2 - (dy / 2 + aside) * scale], other = [corner[0] + dx * scale, corner[1] + dy * scale];
+    const outline = ([x, y], name, width, isDashed) => {
+      this.#pen(context, name, width, isDashed);
+      context.strokeRect(x, y, ...sprite.map(length => Math.min(length * scale, 1e5)));
+    };
+    outline(corner, 'path', 3);
+    outline(other, tint, 2, true);
+    this.#pen(context, 'ink', 1.5);
+    this.#line(context, [corner, other]);
+    for (const [x, y] of [corner, other]) this.#line(context, [[x - (4 * ratio * dy) / px, y + (4 * ratio * dx) / px], [x + (4 * ratio * dy) / px, y - (4 * ratio * dx) / px]]);
+    return scale / this.scale;
+  }
+
   // An SVG takes long to draw: it is drawn once for each size.
   #stamp(pose, side) {
     const image = this.#images[pose], key = `${pose} ${side}`;
@@ -259,7 +295,7 @@ export class Painter {
     context.textAlign = 'center';
     flights.forEach(({ name, rows, tint }, i) => {
       this.#pen(context, tint, 1, tint === 'ink');
-      this.#path(context, rows);
+      this.#path(context, rows, tint === 'ink');
       if (!name) return;
       // Above its end, each in a line of its own.
       const [x, y] = this.#middle(rows.x.at(-1), rows.y.at(-1), this.scene.sizes[0].sprite), half = context.measureText(name).width / 2;

@@ -1,7 +1,7 @@
 // Puts the page together: replays the runs, shows one, follows the reader.
 import { Charts } from './charts.js';
 import { Core } from './core.js';
-import { contactsIn, doubles, firstAtLeast, lastAtMost, rowsOf } from './data.js';
+import { contactsIn, doubles, firstAtLeast, lastAtMost, rangeOf, rowsOf } from './data.js';
 import { element, make, report, root, save } from './document.js';
 import { Playground } from './fling.js';
 import { contactsOf, coverageOf, expectationOf, inputsOf, originOf, shownMax } from './lists.js';
@@ -10,7 +10,7 @@ import { count, firstOf, fixed, rounded } from './numbers.js';
 import { followLook, Painter, wallStyle } from './painter.js';
 import { Player, showReadouts } from './player.js';
 import { partsOf } from './record.js';
-import { placeAt, replay, sizesOf } from './replay.js';
+import { placeAt, replay, sizesAt, sizesOf } from './replay.js';
 import { distancesFrom, shownAt } from './series.js';
 import { verdictOf } from './verdict.js';
 import { WhatIf } from './what_if.js';
@@ -118,11 +118,22 @@ class View {
     this.whatIf = new WhatIf(core, this, partsOf(record), reopen);
     this.setMode('replay');
     this.openLink() || this.#openWorst();
+    this.#magnify();
     this.paint();
   }
 
   #setScene({ rows, contacts, run, other }, sizes) {
     this.painter.setScene({ sizes, rows, contacts, inputs: run.inputs, other: other?.rows, tint: other?.tint });
+  }
+
+  // Two runs: both sprites where they are farthest apart.
+  #magnify() {
+    const { result: { other, rows }, sizes } = this, [, most] = rangeOf(other?.distances ?? []);
+    element('farthest').hidden = !(most > 0);
+    if (!(most > 0)) return;
+    const row = other.distances.indexOf(most), [here, there] = [placeAt(rows, rows.t[row]), placeAt(other.rows, rows.t[row])];
+    const times = this.painter.magnify(element('magnifier'), here, there, sizesAt(sizes, rows.step[row]).sprite, other.tint ?? 'bad');
+    element('farthest-note').textContent = `Farthest: ${rounded(most, 3)} px at ${rounded(rows.t[row])} s, ${rounded(times, 2)} times as large; dashed: the ${other.name}.`;
   }
 
   // Two runs: the second around their largest distance, again and again until the reader does something. Runs that settle
@@ -180,6 +191,7 @@ class View {
     this.charts.update(result, sizes);
     this.moment.replace(result.rows, index);
     this.player.follow(result.contacts, result.run);
+    this.#magnify();
     showVerdict(result);
     showContacts(result, step => this.player.seekStep(step));
   }
@@ -205,6 +217,7 @@ class View {
     this.painter.fit();
     this.charts.fit();
     this.player.paintTicks();
+    this.#magnify();
     this.paint();
   }
   repaint() {

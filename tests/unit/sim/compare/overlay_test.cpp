@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
+#include "sim/result/number_text.h"
 #include "tests/unit/sim/result/described.h"
 
 namespace hyrax {
@@ -38,14 +40,36 @@ TEST(Overlay, HasNoAxisOfDistancesThatAreAllZero) {
   EXPECT_EQ(plots[0].series.size(), 5u);  // Walls, paths, start and end.
 }
 
-TEST(Overlay, DrawsSmallDistancesOnALogarithmicAxisWithALineForZero) {
+TEST(Overlay, DrawsDistancesOnALogarithmicAxisWithALineForZero) {
   Overlay overlay;
-  for (const double px : {0.0, 1e-6, 1e-9, 0.0099}) overlay.add(row_at(0, 0.0, 2.0), row_at(0, px, 2.0));
-  const Axis axis = plots_of(overlay)[1].y;
+  for (const double px : {0.0, 1e-6, 1e-9, 700.0}) overlay.add(row_at(0, 0.0, 2.0), row_at(0, px, 2.0));
+  const Axis axis = plots_of(overlay)[2].y;
   EXPECT_TRUE(axis.is_logarithmic);
   EXPECT_DOUBLE_EQ(axis.zero_at, 1e-10);
-  overlay.add(row_at(1, 0.0, 2.0), row_at(1, 0.01, 2.0));
-  EXPECT_FALSE(plots_of(overlay)[1].y.is_logarithmic);
+}
+
+// Of a sprite of 2 px in a window of 10 x 20: corners of both where they are close, both whole where they are
+// not.
+TEST(Overlay, MagnifiesBothSpritesWhereTheyAreFarthestAndRulesTheDistance) {
+  for (const auto& [px, half, whole] : {std::tuple(1e-9, 1.5e-9, 0.0), {0.4, 0.6, 0.0}, {6.0, 8.8, 1.0}}) {
+    Overlay overlay;
+    overlay.add(row_at(0, 1.0, 2.0), row_at(0, 1.0, 2.0));
+    overlay.add(row_at(1, 1.0, 2.0), row_at(1, 1.0 + px, 2.0));
+    overlay.add(row_at(2, 1.0, 2.0), row_at(2, 1.0 + px / 2, 2.0));
+    const Plot plot = plots_of(overlay)[1];
+    const double away = (1.0 + px) - 1.0;
+    ASSERT_EQ(plot.series.size(), 3u);
+    EXPECT_EQ(plot.series[0].x, (std::vector<double>{0, 2, 2, 0, 0}));
+    EXPECT_EQ(plot.series[1].x, (std::vector<double>{away, away + 2, away + 2, away, away}));
+    EXPECT_EQ(plot.series[2].x, (std::vector<double>{0.0, away}));
+    EXPECT_TRUE(plot.y.label.starts_with("farthest, at 0.5 s: ")) << plot.y.label;
+    EXPECT_EQ(plot.texts[0].text, rounded(away, 3) + " px");
+    EXPECT_NEAR((plot.y.high - plot.y.low) / 2, half, 1e-6 * half);
+    EXPECT_NEAR((plot.y.high + plot.y.low) / 2, whole, 1e-9);
+    EXPECT_NEAR((plot.x.high + plot.x.low) / 2, away / 2 + whole, 1e-9);
+    EXPECT_NEAR((plot.x.high - plot.x.low) / (plot.y.high - plot.y.low), 0.5, 1e-6)
+        << "as wide as the window";
+  }
 }
 
 TEST(Overlay, LeavesOutWhatIsNotFinite) {
@@ -63,7 +87,7 @@ TEST(Overlay, KeepsTheLargestDistanceOfALongRun) {
     Overlay overlay;
     for (std::int64_t step = 0; step < 100'002; ++step)
       overlay.add(row_at(step, 0.0, 0.0), row_at(step, step == farthest ? 7.0 : 1.0, 0.0));
-    const Series distance = plots_of(overlay)[1].series[0];
+    const Series distance = plots_of(overlay)[2].series[0];
     EXPECT_LE(distance.y.size(), Overlay::kPairsMax);
     EXPECT_GT(distance.y.size(), Overlay::kPairsMax / 4);
     EXPECT_EQ(std::ranges::max(distance.y), 7.0) << farthest;

@@ -91,6 +91,29 @@ test('the hyrax looks where it goes, stands and hangs; an arrow shows the veloci
   assert.deepEqual(arrow(3000, 4000)[0], 'stroke ink 3: from 140,80 248,224');
 });
 
+test('a dashed path that goes over itself again is drawn there once', () => {
+  // Down 40 px, up the same way, aside and down beside it: the window is 4 times as large on the canvas, cells are 8 px.
+  const over = { t: [0, 1, 2, 3, 4], x: [0, 0, 0, 10, 10], y: [0, 40, 0, 0, 40], vx: [0, 99, 99, 99, 99], vy: [99, 99, 99, 99, 99], step: [0, 0, 0, 0, 0] };
+  const [dashed, solid] = [drawn({ rows: over, other: over })].flat().filter(line => line.startsWith('stroke')).map(line => line.replace(/^.*: /, ''));
+  assert.equal(solid, 'from 20,40 20,200 20,40 60,40 60,200');
+  assert.equal(dashed, 'from 20,40 20,200 20,184 from 20,40 60,40 60,200');
+});
+
+test('both sprites are magnified, whole or by their corners, with a rule from one to the other', () => {
+  const painter = new Painter(canvas, () => {}), glass = document.createElement('canvas');
+  painter.setScene({ sizes, inputs: [] });
+  glass.clientWidth = 200;
+  glass.clientHeight = 100; // 400 x 200 px.
+  const of = (dx, dy) => [painter.magnify(glass, { x: 5, y: 6 }, { x: 5 + dx, y: 6 + dy }, [10, 20], 'bad'), ...glass.getContext().log];
+  // 1 px: 3 px are 200 px high, both corners as far from the middle.
+  const [times, ...lines] = of(0.6, 0.8), short = text => text.replace(/\d+\.\d+/g, at => Math.round(at));
+  assert.equal(Math.round(times * painter.scale), 67);
+  assert.deepEqual(lines.map(short), ['stroke path 6: box 180,73 667,1333', 'stroke bad 4 dashed: box 220,127 667,1333', 'stroke ink 3: from 180,73 220,127', 'stroke ink 3: from 174,78 186,69', 'stroke ink 3: from 214,131 226,122']);
+  // 30 px: both are on it.
+  const boxes = of(0, 30).filter(line => String(line).includes('box')).map(line => line.match(/box ([\d.]+),([\d.]+) ([\d.]+),([\d.]+)/).slice(1).map(Number));
+  for (const [x, y, width, height] of boxes) assert.ok(x > 0 && y > 0 && x + width < 400 && y + height < 200, boxes.join(' '));
+});
+
 test('others fly beside it: their paths below it, they as pale as ghosts', () => {
   const flights = [{ rows: { t: [0, 1], x: [0, 10], y: [0, 10] }, tint: 'green' }, { rows: { t: [0, 1], x: [10, 20], y: [0, 10] }, tint: 'ink' }];
   const trail = { step: [0, 0], x: [0, 30], y: [0, 10] };

@@ -80,7 +80,7 @@ test('each list of a run is at its place, and leads to its step', async () => {
   assert.deepEqual(buttons.map(button => (button.fire('click'), row())), [10, 20, 6, 6]);
   assert.deepEqual(saved.splice(0).slice(-1), [['a.json', '{}']]);
   await opened([run('a')]);
-  assert.deepEqual([element('description').hidden, element('inputs').hidden], [true, true]);
+  assert.deepEqual([element('description').hidden, element('inputs').hidden, element('farthest').hidden], [true, true, true]);
 });
 
 test('beside another run it opens on the second around their largest distance', async t => {
@@ -93,6 +93,7 @@ test('beside another run it opens on the second around their largest distance', 
   assert.match(log.find(line => line.includes('bad 3 dashed')), /^stroke bad 3 dashed: from 20,40 /);
   assert.match(log.filter(line => line.includes('of 0.4'))[0], /^stroke bad 2 of 0\.4: box 180,60 40,80$/); // x 30 + 15, y 15.
   assert.ok(element('charts').children[0].id === 'chart-distance');
+  assert.deepEqual([element('farthest').hidden, text('farthest-note').replace(/, [\d.,]+ times/, '')], [false, 'Farthest: 100 px at 3 s as large; dashed: the golden file.']);
   // A replay that differs is beside the rows of the file; a link says which moment is shown.
   for (const [more, options, note] of [[{ rows: far }, { found: () => ({ stateHash: 'cd', firstDifference: 10 }), hash: '#step=50' }, 'Dashed: the file.'], [{ golden: { agrees: true, rows_compared: 41 } }, { against: { rows: far }, hash: '#step=50' }, '']]) {
     await opened([run('a', more)], options);
