@@ -176,7 +176,7 @@ std::string range_text(const ValueInfo& value, const std::array<Word, 2>& range)
   const auto text = [&](Word word) {
     if (value.type == ValueType::boolean) return std::string(word != 0 ? "true" : "false");
     if (word < value.names.size()) return value.names[static_cast<std::size_t>(word)];
-    if (is_floating(value.type)) return shortest_text(number_of(value.type, word));
+    if (is_floating(value.type)) return shortest_text(shown_number_of(value.type, word));
     return is_signed_integer(value.type) ? std::to_string(static_cast<std::int64_t>(word))
                                          : std::to_string(word);
   };
@@ -190,14 +190,14 @@ Expectation judge_final(const ValueInfo& value, const std::array<Word, 2>& range
   if (value.type == ValueType::boolean)
     verdict.measured = measured != 0;
   else if (is_floating(value.type))
-    verdict.measured = number_of(value.type, measured);
+    verdict.measured = shown_number_of(value.type, measured);
   else if (const double number = number_of(value.type, measured);
            value.names.empty() && std::fabs(number) <= 1e15)
     verdict.measured = number;
   else
     verdict.measured = range_text(value, {measured, measured});
-  const bool is_range = range[0] != range[1];
-  if (is_range) verdict.range = {number_of(value.type, range[0]), number_of(value.type, range[1])};
+  if (is_floating(value.type) || range[0] != range[1])
+    verdict.range = {number_of(value.type, range[0]), number_of(value.type, range[1])};
   return verdict;
 }
 

@@ -71,13 +71,19 @@ struct BoolLimit {
   constexpr operator bool() const { return value; }
   bool value;
 };
+
+/// A limit of what has none, as a struct: any number, so that what is refused is the struct.
+struct AnyLimit {
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  constexpr AnyLimit(T /*limit*/) {}
+};
 // NOLINTEND(google-explicit-constructor)
 
 /// The values of what an author passes: of a member, a getter, a range. Others have none.
 template <class T>
 struct ValueOf {
-  struct None {};
-  using Limit = None;
+  using Limit = AnyLimit;
 };
 template <Value T>
 struct ValueOf<T> {
@@ -132,6 +138,10 @@ class SeeValues {
   void operator()(std::string_view name, T&& at, const LimitOf<T> (&limits)[2]) {
     member(name, std::forward<T>(at), Limits<LimitOf<T>>{limits[0], limits[1]});
   }
+  template <class T>
+  void operator()(std::string_view /*name*/, T&& /*at*/, const LimitOf<T> (&/*limits*/)[1]) {
+    static_assert(kNever<T>, "hyrax: limits are two, {LOW, HIGH}");
+  }
   template <class T, std::size_t N>
   void operator()(std::string_view name, T&& at, const NameText (&names)[N]) {
     member(name, std::forward<T>(at), Names{names});
@@ -144,6 +154,11 @@ class SeeValues {
   template <Getter Get, class Set>
   void operator()(std::string_view name, Get&& get, Set&& set, const LimitOf<Get> (&limits)[2]) {
     property(name, get, set, Limits<LimitOf<Get>>{limits[0], limits[1]});
+  }
+  template <Getter Get, class Set>
+  void operator()(std::string_view /*name*/, Get&& /*get*/, Set&& /*set*/,
+                  const LimitOf<Get> (&/*limits*/)[1]) {
+    static_assert(kNever<Get>, "hyrax: limits are two, {LOW, HIGH}");
   }
   template <Getter Get, class Set, std::size_t N>
   void operator()(std::string_view name, Get&& get, Set&& set, const NameText (&names)[N]) {

@@ -1,6 +1,17 @@
 #include "sim/described/value.h"
 
+#include <charconv>
+
 namespace hyrax {
+
+double shown_number_of(ValueType type, Word word) {
+  double number = number_of(type, word);
+  if (type != ValueType::float32) return number;
+  char text[32];
+  const auto written = std::to_chars(text, text + sizeof text, value_of<float>(word));
+  std::from_chars(text, written.ptr, number);
+  return number;
+}
 
 std::string unit_of(std::string_view name) {
   while (true) {  // The last part that is no number.

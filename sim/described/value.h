@@ -73,6 +73,9 @@ template <class T>
   return static_cast<double>(word);
 }
 
+/// The double that texts show: of a float32 the one whose shortest text is the float's, as 0.1.
+[[nodiscard]] double shown_number_of(ValueType type, Word word);
+
 /// Whether a < b, exactly. REQUIRES: words of that type.
 [[nodiscard]] constexpr bool is_less(ValueType type, Word a, Word b) {
   if (is_floating(type)) return std::bit_cast<double>(a) < std::bit_cast<double>(b);

@@ -70,11 +70,13 @@ std::optional<NumberField> number_at(Scenario& scenario, std::string_view pointe
   };
   visit_world(scenario, find);
   find("/record/every", {&scenario.record_every, 1.0, kFramesMax});
+  auto* const trace = std::get_if<RecordedSteps>(&scenario.clock.base);
+  const double frames = trace == nullptr ? 0.0 : static_cast<double>(trace->dt_s.size());
   if (auto* const steps = std::get_if<std::int64_t>(&scenario.length))
-    find("/steps", timing({steps, 0.0, kFramesMax}));
+    find("/steps", timing({steps, frames, trace == nullptr ? kFramesMax : frames}));
   if (auto* const duration_s = std::get_if<double>(&scenario.length))
     find("/duration_s", timing({duration_s, 0.0, kNoLimit}));
-  if (auto* const trace = std::get_if<RecordedSteps>(&scenario.clock.base))
+  if (trace != nullptr)
     if (const auto frame = take_index(pointer, "/clock/dt_s/", trace->dt_s.size())) {
       find("", frame_field(trace->dt_s[*frame]));
       return found;

@@ -69,6 +69,7 @@ class OwnCoresFiles(InstalledPackage):
         cls.programs = {}
         for name, core, tuning in (("first", CORE, TUNING), ("default", CORE.replace("gravity = 900", "gravity = 950"), TUNING),
                                    ("included", CORE, TUNING.replace("0.5", "0.625")),
+                                   ("lively", CORE.replace("// MORE", "").replace("y <= 300);", 'y <= 300);\n    see.always("slow", vy < 600);'), TUNING),
                                    ("longer", CORE.replace("// MORE", 'see("spin", spin);').replace("hits = 0", "hits = 0, spin = 0"), TUNING)):
             (cls.source / "toy_core.h").write_text(core, encoding="utf-8")
             (cls.source / "tuning.h").write_text(tuning, encoding="utf-8")
@@ -184,6 +185,14 @@ class OwnCoresFiles(InstalledPackage):
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "spin", says="--accept shape")
         self.expect(AGREED, "bless", "scenarios", "--reason", "spin", "--accept", "shape")
         self.check(AGREED)
+
+    def test_a_property_that_is_broken_is_told_beside_what_differs(self):
+        self.expect(AGREED, "bless", "scenarios", "--reason", "first")
+        self.use("lively")
+        outcome = self.expect(DISAGREED, "check", "--annotate", "github")
+        self.assertIn('  fault   scenarios/falls.json: property "slow" does not hold at step 40 (', outcome.out)
+        # What the core is the cause of is marked where its header changed.
+        self.assertIn("::error file=toy_core.h,line=", outcome.out)
 
     def test_diff_reads_files_of_an_older_description(self):
         self.use("longer")

@@ -231,6 +231,11 @@ REFUSED = {
         "hyrax: an action has a name for each argument",
     STEP + STATE + "template <class See> void actions(See&& see) { see(\"a\", [&](double& b) { b = x; }, {\"b\"}); }":
         "hyrax: an argument of an action is a double, float, bool, integer or enum, by value",
+    STEP + "struct ball { double y = 0; " + STATE.replace("x", "y") + " } b; template <class See> void state(See&& see) { see(\"b\", b, {0.0, 1.0}); }":
+        "hyrax: limits and names are of values, not of a struct",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", x, {1.0}); }": "hyrax: limits are two, {LOW, HIGH}",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", [&] { return x; }, [&](double y) { x = y; }, {1.0}); }":
+        "hyrax: limits are two, {LOW, HIGH}",
     STEP + "bool b; template <class See> void state(See&& see) { see(\"b\", b, {\"no\", \"yes\"}); }": "hyrax: names are of the values of an enum or integer",
 }
 HEADER = """#include <memory>

@@ -165,12 +165,35 @@ class Shapes(InstalledPackage):
         self.assertEqual(drift["worst"], self.expect(AGREED, "drift", "fling.json", "--json").json["runs"][0]["worst"])
         self.assertEqual(self.expect(AGREED, "run", "as-paper.json", "--json").json["runs"][0]["state_hash"], paper["state_hash"])
         self.assertIn("with FLOOR 0.7, not the core's own 0.65\n", self.expect(AGREED, "run", "floor.json").out)
-        self.expect(BAD_INPUT, "run", "as-moon.json", says="/parameters/AIR_DRAG: unknown constant of the core (found AIR_DRAG); allowed: PULL, AIR, ")
+        # All are told at once, by validate, too.
+        for command in ("run", "validate"):
+            outcome = self.expect(BAD_INPUT, command, "as-moon.json")
+            self.assertEqual(outcome.err.count(": unknown constant of the core (found "), len(MOON))
+            self.assertIn("/parameters/AIR_DRAG: unknown constant of the core (found AIR_DRAG); allowed: PULL, AIR, ", outcome.err)
+        self.write("own.json", {**self.fling(), "parameters": {"FLOOR": 0.65}})
+        self.assertNotIn("not the core's own", self.expect(AGREED, "run", "own.json").out)
         self.use("spin")
-        for command in ("run", "check", "drift"):
+        for command in ("run", "check", "drift", "validate"):
             outcome = self.hyrax_sim(command, "floor.json")
             self.assertEqual(outcome.exit_code, BAD_INPUT)
         self.expect(BAD_INPUT, "run", "floor.json", says="floor.json: /parameters: needs a core of the same shape")
+
+    def test_the_accepted_core_is_played_with_the_parameters_of_a_scenario(self):
+        for name, parameters in (("plain", {}), ("weaker", {"PULL": 700}), ("dull", {"BOUNCE": 0.5, "PULL": 700})):
+            self.write(f"scenarios/{name}.json", {**self.fling(), "name": name, "parameters": parameters})
+        self.use("moon")
+        self.expect(AGREED, "bless", "scenarios", "--reason", "x")
+        self.write("moon.h", moon_header().replace("BOUNCE = 0.75", "BOUNCE = 0.8"))
+        self.write("CMakeLists.txt", PLAIN.format(arguments="scenarios PHYSICS moon.h", language="CXX"))
+        self.assertEqual(self.configure(self.folder).exit_code, 0)
+        succeed("cmake", "--build", self.folder / "build")
+        program.PROGRAM = self.folder / "build/moon-sim"
+        document = self.expect(DISAGREED, "check", "--json", "--flings", "0").json
+        (group,) = document["groups"]
+        self.assertEqual((group["operation"], group["detail"]), ("core", "BOUNCE 0.75 -> 0.8"))
+        # Its parameters leave nothing of what changed.
+        self.assertEqual(group["scenarios"], ["scenarios/plain.json", "scenarios/weaker.json"])
+        self.assertEqual({each["scenario"]: each["status"] for each in document["results"]}["scenarios/dull.json"], "agreed")
 
     def test_another_shape_is_refused_by_its_first_expression_and_has_the_rest(self):
         for name, (_, _, expression) in SHAPES.items():

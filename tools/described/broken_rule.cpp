@@ -26,14 +26,12 @@ class Shrinker {
 
   ShrunkScenario shrink() {
     shorten();
-    // Without a hold that is let go later there would be an event that no file may have.
-    if (std::ranges::none_of(result_.scenario.events, [](const DescribedEvent& event) {
-          return std::holds_alternative<Hold>(event.action);
-        }))
-      drop_each(&DescribedScenario::events);
+    drop_each(&DescribedScenario::events);
     drop_each(&DescribedScenario::parameters);
     drop_each(&DescribedScenario::inputs);
+    drop_each(&DescribedScenario::input_arrays);
     drop_each(&DescribedScenario::start);
+    shorten();  // Without what was dropped, the rule may be broken earlier.
     return std::move(result_);
   }
 
@@ -58,14 +56,14 @@ class Shrinker {
     for (const TimedEvent& event : events)
       if (event.frame < steps) kept.push_back({event.frame, *event.action});
     shorter.events = std::move(kept);
+    for (InputArray& input : shorter.input_arrays) input.words.resize(static_cast<std::size_t>(steps));
+    if (auto* const trace = std::get_if<RecordedSteps>(&shorter.clock.base))
+      trace->dt_s.resize(static_cast<std::size_t>(steps));
     shorter.length = steps;
     return keep_if_broken(shorter);
   }
 
   void shorten() {
-    if (std::holds_alternative<RecordedSteps>(result_.scenario.clock.base) ||
-        !result_.scenario.input_arrays.empty())
-      return;
     if (broken_.step > 0) keep_if_broken_after(broken_.step);
     for (std::int64_t cut = step_count(result_.scenario) / 2; cut > 0; cut /= 2)
       while (step_count(result_.scenario) > cut && keep_if_broken_after(step_count(result_.scenario) - cut)) {
@@ -75,9 +73,21 @@ class Shrinker {
   void drop_each(auto member) {
     for (std::size_t index = (result_.scenario.*member).size(); index-- > 0;) {
       DescribedScenario smaller = result_.scenario;
-      (smaller.*member).erase((smaller.*member).begin() + static_cast<std::ptrdiff_t>(index));
+      drop(smaller.*member, index);
       keep_if_broken(smaller);
     }
+  }
+  static void drop(auto& list, std::size_t index) {
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+  }
+  // A hold takes the `go` behind it along, which no file may have alone.
+  static void drop(std::vector<DescribedEvent>& events, std::size_t index) {
+    const auto is_go = [](const DescribedEvent& event) { return std::holds_alternative<Go>(event.action); };
+    if (is_go(events[index])) return;
+    const bool is_hold = std::holds_alternative<Hold>(events[index].action);
+    const auto behind = events.erase(events.begin() + static_cast<std::ptrdiff_t>(index));
+    if (const auto go = std::find_if(behind, events.end(), is_go); is_hold && go != events.end())
+      events.erase(go);
   }
 
   const DescribedCore& core_;

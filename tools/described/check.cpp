@@ -172,8 +172,10 @@ ExitCode check(const DescribedCore& core, CheckRequest& request) {
   count_reproduced(core, found);
   set_groups(groups_of(found), report);
   std::vector<CoreWords> cores;
-  for (const DescribedCoreVerdict& verdict : found.cores)
+  for (const DescribedCoreVerdict& verdict : found.cores) {
     cores.push_back({verdict.golden_folder, verdict.exit_code, verdict.text()});
+    cores.back().mark_first_of(verdict.changes);
+  }
   put_into_words(cores, report);
   for (const std::string& name : found.never_shown)
     report.paragraphs.push_back({.subject = fmt::format("property \"{}\": no scenario shows it", name)});

@@ -51,7 +51,7 @@ Command described_new_command(const DescribedCore& core) {
 }
 
 Command described_validate_command(const DescribedCore& core) {
-  return validate_command_of([&core](const std::string& path) {
+  return validate_command_of([&core](const Core& /*paper*/, const std::string& path) {
     const DescribedScenario scenario = load_described_scenario(core.description, path);
     return GoodScenario{scenario.name, step_count(scenario), scenario.events.size()};
   });

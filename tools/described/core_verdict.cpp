@@ -32,8 +32,8 @@ void add_defaults(const Description& before, const Description& now, DescribedCo
       change.kind = HeaderChangeKind::constant;
       change.detail =
           fmt::format("{} {} -> {}", to.name, value_text(to, from.initial), value_text(to, to.initial));
-      change.from = {from.name, number_of(from.type, from.initial)};
-      change.to = {to.name, number_of(to.type, to.initial)};
+      change.from = {from.name, shown_number_of(from.type, from.initial)};
+      change.to = {to.name, shown_number_of(to.type, to.initial)};
       change.file = "description.json";
       change.of_default = {list, place, from.initial};
     }

@@ -55,7 +55,7 @@ DescribedComparison compare_files(const DescribedCore& core, const DescribedFile
     result.distance.has_unknown_rows = !are_known;
     result.shape = shape;
     const bool is_exact = tolerance.is_exact();
-    if (result.agrees() && is_exact && a.head().state_hash != b.head().state_hash) {
+    if (shape.empty() && result.agrees() && is_exact && a.head().state_hash != b.head().state_hash) {
       result.difference = are_known ? DifferenceClass::shape : DifferenceClass::values;
       if (are_known) result.shape = "a file contradicts itself: all rows agree, the state hashes do not";
     }

@@ -1,6 +1,5 @@
 #include "tools/described/value_json.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -9,15 +8,6 @@
 
 namespace hyrax {
 namespace {
-
-// The double whose shortest text is that of the float: 0.1, not 0.10000000149011612.
-double shortest_double(float value) {
-  char text[32];
-  const auto written = std::to_chars(text, text + sizeof text, value);
-  double nearest = static_cast<double>(value);
-  std::from_chars(text, written.ptr, nearest);
-  return nearest;
-}
 
 template <class T>
 std::array<Word, 2> range_of_type() {
@@ -40,7 +30,7 @@ std::optional<Word> exact_word(const Json& json, ValueType type) {
     bits = static_cast<Word>(*negative);
   else if (const auto* const positive = json.get<std::uint64_t>())
     bits = *positive;
-  else if (const double value = *json.get<double>(); value >= -0x1p63 && value < 0x1p64)
+  else if (const double value = *json.get<double>(); value > -0x1p63 && value < 0x1p64)
     bits = is_negative ? static_cast<Word>(static_cast<std::int64_t>(value)) : static_cast<Word>(value);
   else
     return std::nullopt;
@@ -51,6 +41,13 @@ std::optional<Word> exact_word(const Json& json, ValueType type) {
 // A text as the document would have it, without names.
 std::string number_text(ValueType type, Word word) {
   return to_text(value_json({.name = {}, .type = type}, word));
+}
+
+// Of a float the number as it is written: what rounds to a limit may be beyond it.
+bool is_within(const Json& json, ValueType type, Word word, const std::array<Word, 2>& limits) {
+  if (!is_floating(type)) return !is_less(type, word, limits[0]) && !is_less(type, limits[1], word);
+  const auto limit = [&](Word end) { return value_json({.name = {}, .type = type}, end).number(); };
+  return limit(limits[0]) <= json.number() && json.number() <= limit(limits[1]);
 }
 
 std::optional<Word> read_name(const JsonPlace& here, const ValueInfo& value) {
@@ -123,8 +120,7 @@ std::array<Word, 2> file_limits(const ValueInfo& value) {
 Json value_json(const ValueInfo& value, Word word) {
   if (word < value.names.size()) return value.names[word];
   if (value.type == ValueType::boolean) return word != 0;
-  if (value.type == ValueType::float32) return shortest_double(value_of<float>(word));
-  if (value.type == ValueType::float64) return std::bit_cast<double>(word);
+  if (is_floating(value.type)) return shown_number_of(value.type, word);
   if (is_signed_integer(value.type) && static_cast<std::int64_t>(word) < 0)
     return static_cast<std::int64_t>(word);
   return word;
@@ -145,7 +141,7 @@ std::optional<Word> read_value(const JsonPlace& here, const ValueInfo& value, bo
   if (!value.names.empty() && here.json()->get<std::string>() != nullptr) return read_name(here, value);
   const std::array<Word, 2> limits = is_limited ? file_limits(value) : range_of(value.type);
   const auto word = here.json()->is_number() ? exact_word(*here.json(), value.type) : std::nullopt;
-  if (word && !is_less(value.type, *word, limits[0]) && !is_less(value.type, limits[1], *word)) return word;
+  if (word && is_within(*here.json(), value.type, *word, limits)) return word;
   if (limits == range_of(ValueType::float64) && here.json()->is_number())
     return here.breaks_rule("number is too large");
   std::string rule = is_floating(value.type) ? "must be a number" : "must be a whole number";

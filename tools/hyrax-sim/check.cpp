@@ -72,12 +72,7 @@ std::vector<CoreWords> words_of(const CoreChecks& cores, bool scenarios_agree) {
   for (const CoreVerdict* const core : verdicts) {
     words.push_back(
         {core->golden_folder, core->exit_code, core_text(*core, verdicts.size() == 1, scenarios_agree)});
-    const auto change = std::ranges::find_if(core->changes, [](const HeaderChange& each) {
-      return each.kind != HeaderChangeKind::removed && !each.file.empty();
-    });
-    if (change == core->changes.end()) continue;
-    words.back().file = change->file;
-    words.back().line = change->line;
+    words.back().mark_first_of(core->changes);
   }
   return words;
 }

@@ -9,7 +9,8 @@
 namespace hyrax {
 
 /// The program's core with the scenario's parameters. @param path names the scenario.
-/// ERRORS: Failure(bad_input) "PATH: /parameters: ..." if the core takes none, or none of such a name.
+/// ERRORS: Failure(bad_input) "PATH: /parameters: ..." if the core takes none, or with a line for each of
+/// another name.
 [[nodiscard]] Core run_core(const Core& core, const std::string& path, const Scenario& scenario);
 
 }  // namespace hyrax

@@ -21,14 +21,13 @@ void print_good(const std::string& path, const GoodScenario& scenario, const Pri
   print_text("\n");
 }
 
-ExitCode validate(const ValidateRequest& request,
-                  const std::function<GoodScenario(const std::string& path)>& read) {
+ExitCode validate(const Core& core, const ValidateRequest& request, const ReadScenario& read) {
   const std::vector<std::string> paths = list_scenarios(request.files);
   CommandResults results;
   std::size_t good = 0;
   for (const std::string& path : paths)
     results.attempt(path, [&] {
-      print_good(path, read(path), request.printing);
+      print_good(path, read(core, path), request.printing);
       results.add(Json::Object{{"scenario", path}, {"status", "good"}});
       ++good;
     });
@@ -47,12 +46,14 @@ void declare_validate(Options& options, ValidateRequest& request) {
 
 }  // namespace
 
-Command validate_command_of(std::function<GoodScenario(const std::string& path)> read) {
+Command validate_command_of(ReadScenario read) {
   return {.name = "validate",
           .summary = "check scenario files for errors, without playing them",
           .example = "hyrax-sim validate scenarios",
-          .declare = with_request<ValidateRequest>(
-              declare_validate, [read](const ValidateRequest& request) { return validate(request, read); })};
+          .declare = with_request<ValidateRequest>(declare_validate,
+                                                   [read](const Core& core, const ValidateRequest& request) {
+                                                     return validate(core, request, read);
+                                                   })};
 }
 
 Command schema_command_of(std::function<std::string()> schema) {

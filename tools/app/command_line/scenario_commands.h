@@ -15,8 +15,9 @@ struct GoodScenario {
   std::size_t events = 0;
 };
 
-/// @param read throws a Failure where the file is bad.
-[[nodiscard]] Command validate_command_of(std::function<GoodScenario(const std::string& path)> read);
+/// ERRORS: Failure where `run` refuses the file.
+using ReadScenario = std::function<GoodScenario(const Core& core, const std::string& path)>;
+[[nodiscard]] Command validate_command_of(ReadScenario read);
 [[nodiscard]] Command schema_command_of(std::function<std::string()> schema);
 
 }  // namespace hyrax

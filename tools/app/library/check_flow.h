@@ -126,6 +126,16 @@ struct CoreWords {
   std::string text;       ///< Complete lines; empty of the accepted one.
   std::string file = {};  ///< In which its first change is; empty: not known.
   std::int64_t line = 0;
+
+  /// @param changes values that are a HeaderChange.
+  void mark_first_of(const auto& changes) {
+    const auto change = std::ranges::find_if(changes, [](const HeaderChange& each) {
+      return each.kind != HeaderChangeKind::removed && each.line > 0 && !each.file.empty();
+    });
+    if (change == changes.end()) return;
+    file = change->file;
+    line = change->line;
+  }
 };
 
 /// Of the verdicts that differ; and finds renamed scenarios.

@@ -192,9 +192,18 @@ void add_others(CheckReport& report) {
     report.paragraphs.push_back({.lines = acceptance_text({unexpected.front()->path}, unexpected)});
 }
 
-// How many of those that differ break their expectations as well, and the names of the physics models, where
-// they differ: each sentence once.
+// What else does not hold in those that differ: faults, of the first few, and how many break their
+// expectations; and the names of the physics models, where they differ: each sentence once.
 void add_remarks(CheckReport& report) {
+  constexpr std::int64_t kNamed = 3;
+  std::string faults;
+  std::int64_t faulty = 0;
+  for (const ScenarioVerdict* const verdict : report.verdicts)
+    if (verdict->group != nullptr && !verdict->faults.empty() && !verdict->is_non_finite &&
+        ++faulty <= kNamed)
+      faults += fmt::format("  fault   {}: {}\n", printable(verdict->path), fmt::join(verdict->faults, "; "));
+  if (faulty > kNamed) faults += fmt::format("          and {} more\n", faulty - kNamed);
+  if (faulty > 0) report.paragraphs.push_back({.lines = faults});
   const auto broken = std::ranges::count_if(report.verdicts, [](const ScenarioVerdict* verdict) {
     return verdict->group != nullptr && !verdict->broken.empty();
   });

@@ -116,13 +116,14 @@ void print_motion(const Core& core, const RunSummary& summary) {
     print_text("  not settled    {}\n", summary.why_not_settled());
 }
 
-// "with GRAVITY 980, not the core's own 1200"; several are joined by "; ".
+// "with GRAVITY 980, not the core's own 1200"; several are joined by "; ". Empty: all are the core's own.
 std::string parameters_text(const Core& core) {
   std::string text;
+  if (core.parameters.empty()) return text;
   const Constants& own = core.own->paper_match.constants.value();
   for (std::size_t place = 0; place < core.constant_names.size(); ++place)
     for (const auto& [name, value] : core.parameters)
-      if (name == core.constant_names[place])
+      if (name == core.constant_names[place] && value != own.*kConstantFields[place])
         text += fmt::format("{} {} {}, not the core's own {}", text.empty() ? "with" : ";", name, value,
                             own.*kConstantFields[place]);
   return text;
@@ -167,7 +168,8 @@ void print_run(const Core& core, const ScenarioRun& run, const Printing& printin
     print_text("{}: {}; the run ended there\n", VerdictWord{"NOT FINITE", false}, text);
   print_text("{}\n", title_of(run.scenario, summary.steps, summary.simulated_s));
   if (!is_paper_model(core.name)) print_text("  core           {}\n", core.name);
-  if (!core.parameters.empty()) print_text("  parameters     {}\n", parameters_text(core));
+  if (const std::string text = parameters_text(core); !text.empty())
+    print_text("  parameters     {}\n", text);
   print_motion(core, summary);
   if (printing.is_verbose()) print_details(summary);
   if (run.start) print_text("{}\n", start_text(*run.start, true));

@@ -173,6 +173,11 @@ TEST(DescribedExpectations, EachRuleHoldsAndIsBroken) {
   EXPECT_EQ(of_x.wanted, "2 .. 4");
   EXPECT_TRUE(of_x.holds);
   EXPECT_FALSE(verdict({.final = {{0, range(3.5, 4.0)}}}).holds);
+  const Expectation of_spin = verdict({.final = {{3, range(0.1F, 0.1F)}}});  // Of a float, shortest for it.
+  EXPECT_EQ(of_spin.wanted, "0.1");
+  EXPECT_EQ(of_spin.range->low, 0.1F);  // Moves with `--update-expect`.
+  summary.final[3] = word_of(0.3F);
+  EXPECT_EQ(std::get<double>(verdict({.final = {{3, range(0.1F, 0.2F)}}}).measured), 0.3);
   const Expectation of_gear = verdict({.final = {{4, range(Gear::neutral, Gear::neutral)}}});
   EXPECT_FALSE(of_gear.holds);
   EXPECT_EQ(of_gear.wanted, "neutral");

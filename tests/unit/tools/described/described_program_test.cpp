@@ -274,6 +274,33 @@ TEST_F(DescribedProgram, ShrinkKeepsWhatARunSays) {
   EXPECT_EQ(run({"shrink", "good.json", "-o", "x.json", "--run-limit", "5s"}).exit_code, 2);
 }
 
+TEST_F(DescribedProgram, ShrinkLeavesOutHoldsAndInputsByTheFrame) {
+  std::string widths = "800";
+  for (int frame = 1; frame < 90; ++frame) widths += ", 800";
+  write_text_file("high.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 90,
+      "inputs": {"width_px": [)" + widths +
+                                   R"(]},
+      "events": [{"step": 3, "hold": {}}, {"step": 13, "go": {}}, {"step": 20, "hold": {}}],
+      "expect": {"final": {"x_px": [0, 101]}}})");
+  EXPECT_EQ(run({"shrink", "high.json", "-o", "small.json"}).exit_code, 0);
+  const std::string text = read_text_file("small.json");
+  EXPECT_NE(text.find("\"steps\": 1,\n"), std::string::npos) << text;
+  for (const char* const left_out : {"events", "hold", "inputs"})
+    EXPECT_EQ(text.find(left_out), std::string::npos) << text;
+}
+
+TEST_F(DescribedProgram, TwoFilesOfWhichOneGoesOnLongerContradictNothing) {
+  for (const char* const steps : {"20", "30"}) {
+    write_text_file(
+        "a.json",
+        std::string(R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": )") + steps + "}");
+    EXPECT_EQ(run({"run", "a.json", "-o", std::string(steps) + ".h5"}).exit_code, 0);
+  }
+  const Outcome outcome = run({"diff", "20.h5", "30.h5"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("the scenarios differ: /steps 20 -> 30\n"), std::string::npos) << outcome.out;
+}
+
 TEST_F(DescribedProgram, AScenarioWhoseInputsChangeByTheFrameHasOneRate) {
   write_text_file("pushed.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 3,
                                      "inputs": {"width_px": [800, 700, 600]}})");

@@ -89,6 +89,18 @@ TEST(DescribedScenarioJson, AFloatIsWrittenShortestAndReadsBackTheSame) {
   }
 }
 
+TEST(DescribedScenarioJson, ALimitOfAFloatBindsTheNumberAsItIsWritten) {
+  const auto read = [](const char* text) {
+    const Json number = parse_json(text, "float");
+    JsonProblems problems;
+    return read_value(JsonPlace(&number, "", problems), value_info<float>("gain", 1.0F, {{0.1F, 2.0F}}));
+  };
+  EXPECT_EQ(read("0.1"), word_of(0.1F));
+  EXPECT_EQ(read("2"), word_of(2.0F));
+  EXPECT_EQ(read("2.0000001"), std::nullopt);     // Rounds to 2.
+  EXPECT_EQ(read("0.0999999999"), std::nullopt);  // Rounds to 0.1.
+}
+
 TEST(DescribedScenarioJson, AnEventIsWrittenWithoutItsTime) {
   const Description pool = pool_description();
   EXPECT_EQ(to_text(event_json(pool, Act{0, {word_of(1.5), word_of(-2.0)}})),

@@ -68,6 +68,7 @@ TEST(SweepLimits, OfClocksAreTheReaders) {
   set_at(fixed, "/clock", Json::Object{{"dt_s", Json::Array{0.5, 0.25}}});
   set_at(fixed, "/steps", 2);
   expect_same_limits(fixed, "/clock/dt_s/1");
+  expect_same_limits(fixed, "/steps");  // The array's length, and nothing else.
 }
 
 std::string sweep_text(std::int64_t members, const std::string& x_px) {
