@@ -20,9 +20,9 @@ std::string side_of(const Expectation& expectation) {
 
 class Shrinker {
  public:
-  Shrinker(const DescribedCore& core, const DescribedScenario& scenario, const BrokenRule& broken,
+  Shrinker(const FindBroken& find, const DescribedScenario& scenario, const BrokenRule& broken,
            const std::function<bool()>& is_over)
-      : core_(core), broken_(broken), is_over_(is_over), result_{.scenario = scenario} {}
+      : find_(find), broken_(broken), is_over_(is_over), result_{.scenario = scenario} {}
 
   ShrunkScenario shrink() {
     shorten();
@@ -40,7 +40,7 @@ class Shrinker {
     if (!result_.is_complete || is_over_()) return result_.is_complete = false;
     ++result_.trials;
     for (const BrokenRule& again :
-         broken_rules(core_, smaller, [&](std::string_view rule) { return rule == broken_.rule; })) {
+         find_(smaller, [&](std::string_view rule) { return rule == broken_.rule; })) {
       if (!again.is_same_rule(broken_)) continue;
       result_.scenario = smaller;
       broken_.step = again.step;
@@ -90,7 +90,7 @@ class Shrinker {
       events.erase(go);
   }
 
-  const DescribedCore& core_;
+  const FindBroken& find_;
   BrokenRule broken_;
   const std::function<bool()>& is_over_;
   ShrunkScenario result_;
@@ -125,9 +125,9 @@ std::vector<BrokenRule> broken_rules(const DescribedCore& core, const DescribedS
   return all;
 }
 
-ShrunkScenario shrunk(const DescribedCore& core, const DescribedScenario& scenario, const BrokenRule& broken,
+ShrunkScenario shrunk(const FindBroken& find, const DescribedScenario& scenario, const BrokenRule& broken,
                       const std::function<bool()>& is_over) {
-  return Shrinker(core, scenario, broken, is_over).shrink();
+  return Shrinker(find, scenario, broken, is_over).shrink();
 }
 
 }  // namespace hyrax

@@ -38,9 +38,12 @@ struct ShrunkScenario {
   std::int64_t trials = 0;
   bool is_complete = true;  ///< Else the search was ended.
 };
+/// What a scenario breaks, if it is the rule that is asked for.
+using FindBroken = std::function<std::vector<BrokenRule>(const DescribedScenario& scenario,
+                                                         const std::function<bool(std::string_view)>& asks)>;
 /// Shorter, and with fewer events and values, as long as it breaks the same rule. @param is_over ends the
 /// search.
-[[nodiscard]] ShrunkScenario shrunk(const DescribedCore& core, const DescribedScenario& scenario,
+[[nodiscard]] ShrunkScenario shrunk(const FindBroken& find, const DescribedScenario& scenario,
                                     const BrokenRule& broken, const std::function<bool()>& is_over);
 
 }  // namespace hyrax

@@ -26,7 +26,10 @@ struct FuzzFailure {
 FuzzFinding find(const DescribedCore& core, const FuzzRequest& request, std::uint64_t run,
                  const FuzzFailure& failure) {
   const BrokenRule& broken = failure.broken;
-  DescribedScenario scenario = shrunk(core, failure.scenario, broken, [] { return false; }).scenario;
+  const auto find_again = [&](const auto& smaller, const auto& asks) {
+    return broken_rules(core, smaller, asks);
+  };
+  DescribedScenario scenario = shrunk(find_again, failure.scenario, broken, [] { return false; }).scenario;
   const std::string path = failure_path(request, scenario.name);
   scenario.description = fmt::format("Run {} of {}-sim fuzz --seed {}: breaks {}: {}.", run,
                                      core.description.core, request.first_seed(), broken.rule, broken.found);

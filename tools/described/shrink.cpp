@@ -6,6 +6,7 @@
 #include "tools/described/commands.h"
 #include "tools/described/scenario_json.h"
 #include "tools/files/failure.h"
+#include "tools/files/guarded_child.h"
 
 namespace hyrax {
 namespace {
@@ -27,14 +28,29 @@ SmallerScenario find_smaller(const DescribedCore& core, const std::string& path,
   const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                                    std::chrono::duration<double>(limits.search_s));
   const DescribedScenario scenario = load_described_scenario(core.description, path);
-  const std::vector<BrokenRule> broken = broken_rules(core, scenario, [](std::string_view) { return true; });
+  // Each run that crashes, or does not end, has a process of its own.
+  const auto end_of = [&](const DescribedScenario& played) {
+    const WorkEnd end_of_run = in_child("hyrax-sim shrink", {.wall_s = limits.run_s}, [&] {
+      static_cast<void>(play(core, played, {}));
+      return std::string();
+    });
+    return end_of_run.result ? "" : end_text(end_of_run, limits.run_s);
+  };
+  const bool crashes = !end_of(scenario).empty();
+  const FindBroken find = [&](const DescribedScenario& played, const auto& asks) {
+    if (!crashes) return broken_rules(core, played, asks);
+    const std::string how = end_of(played);
+    return how.empty() ? std::vector<BrokenRule>()
+                       : std::vector{BrokenRule{"ends", how, "", step_count(played)}};
+  };
+  const std::vector<BrokenRule> broken = find(scenario, [](std::string_view) { return true; });
   if (broken.empty())
     refuse_input(
         path +
         ": nothing to keep: the run ends, stays finite, breaks no property and no rule of `expect`, its "
         "description is complete, and stopped and resumed it goes on as without a stop");
   const std::string kept = kept_of(broken.front());
-  ShrunkScenario smaller = shrunk(core, scenario, broken.front(), [end] { return Clock::now() >= end; });
+  ShrunkScenario smaller = shrunk(find, scenario, broken.front(), [end] { return Clock::now() >= end; });
   smaller.scenario.description = shrunk_from(scenario.name, step_count(scenario), kept);
   return {.kept = kept,
           .text = to_text(to_json(core.description, smaller.scenario), 1) + "\n",
@@ -48,9 +64,10 @@ SmallerScenario find_smaller(const DescribedCore& core, const std::string& path,
 
 Command described_shrink_command(const DescribedCore& core) {
   return shrink_command_of(
-      "that it throws, is not finite, breaks a property or a rule of `expect`, shows that the description is "
+      "that it throws, ends the program, does not end, is not finite, breaks a property or a rule of "
+      "`expect`, shows that the description is "
       "not complete, or goes on otherwise where it is stopped and resumed",
-      false, [&core](const Core& /*paper*/, const std::string& path, const ShrinkLimits& limits) {
+      [&core](const Core& /*paper*/, const std::string& path, const ShrinkLimits& limits) {
         return find_smaller(core, path, limits);
       });
 }

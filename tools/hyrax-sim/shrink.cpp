@@ -36,7 +36,7 @@ Command shrink_command() {
       "that it breaks a rule of `expect` or an invariant, or that it is not finite; that ends the program, "
       "or "
       "does not end; or to which the accepted core gives other bits",
-      true, find_smaller);
+      find_smaller);
 }
 
 }  // namespace hyrax

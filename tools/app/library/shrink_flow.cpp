@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "sim/result/number_text.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
@@ -56,15 +58,14 @@ ExitCode shrink(const Core& core, const ShrinkRequest& request, const ShrinkScen
   return ExitCode::agreed;
 }
 
-void declare(Options& options, const std::string& said, bool has_run_limit, ShrinkRequest& request) {
+void declare(Options& options, const std::string& said, ShrinkRequest& request) {
   options.files(request.files, {"SCENARIO", "", "a scenario of which `run` says " + said}, 1, 1);
   options.text(request.output,
                {"-o,--output", "SMALL.json", "the smallest scenario of which it says the same"});
   options.time(request.time_limit_s,
                {"--time-limit", "TIME", "how long to search, as 60s, 5m or 2h (default: 60s)"});
-  if (has_run_limit)
-    options.time(request.run_limit_s,
-                 {"--run-limit", "TIME", "a run that takes longer does not end (default: 10s)"});
+  options.time(request.run_limit_s,
+               {"--run-limit", "TIME", "a run that takes longer does not end (default: 10s)"});
   options.flag(request.is_forced, {"--force", "", "replace an existing SMALL.json"});
   for (const char* const name : {"--fails", "--against"})
     options.removed(name, "`hyrax-sim shrink SCENARIO -o SMALL.json` keeps what `run` says of SCENARIO");
@@ -73,14 +74,18 @@ void declare(Options& options, const std::string& said, bool has_run_limit, Shri
 
 }  // namespace
 
+std::string end_text(const WorkEnd& end, double limit_s) {
+  if (end.is_timed_out()) return fmt::format("no end within {:g} s", limit_s);
+  if (end.signal == 0) return "ends the program";
+  return fmt::format("signal {} (SIG{})", end.signal, sigabbrev_np(end.signal));
+}
+
 std::string shrunk_from(const std::string& name, std::int64_t steps, const std::string& kept) {
   return fmt::format("Shrunk from {}, {}; kept: {}.", name, plain_counted(steps, "frame"), kept);
 }
 
-Command shrink_command_of(const std::string& said, bool has_run_limit, ShrinkScenario find) {
-  const auto declare_it = [=](Options& options, ShrinkRequest& request) {
-    declare(options, said, has_run_limit, request);
-  };
+Command shrink_command_of(const std::string& said, ShrinkScenario find) {
+  const auto declare_it = [=](Options& options, ShrinkRequest& request) { declare(options, said, request); };
   const auto run = [find = std::move(find)](const Core& core, const ShrinkRequest& request) {
     return shrink(core, request, find);
   };

@@ -7,6 +7,7 @@
 
 #include "sim/core/core.h"
 #include "tools/app/command_line/options.h"
+#include "tools/files/guarded_child.h"
 
 namespace hyrax {
 
@@ -33,11 +34,13 @@ struct SmallerScenario {
 using ShrinkScenario =
     std::function<SmallerScenario(const Core& core, const std::string& path, const ShrinkLimits& limits)>;
 
+/// Of a run that ended its process: "signal 11 (SIGSEGV)", "no end within 10 s".
+[[nodiscard]] std::string end_text(const WorkEnd& end, double limit_s);
+
 /// The description of a smaller scenario. @param name, steps of the one that it is made of.
 [[nodiscard]] std::string shrunk_from(const std::string& name, std::int64_t steps, const std::string& kept);
 
-/// @param said what `run` may say of a scenario that is made smaller. @param has_run_limit whether a run that
-/// does not end is ended.
-[[nodiscard]] Command shrink_command_of(const std::string& said, bool has_run_limit, ShrinkScenario find);
+/// @param said what `run` may say of a scenario that is made smaller.
+[[nodiscard]] Command shrink_command_of(const std::string& said, ShrinkScenario find);
 
 }  // namespace hyrax

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <functional>
 #include <numeric>
@@ -88,12 +87,6 @@ std::string broken_sides(const Core& core, const Scenario& scenario, const RunSu
 std::string non_finite_name(const Scenario& scenario, const RunSummary& run) {
   const std::string text = non_finite_text(scenario, run.final);
   return text.empty() ? "" : first_word(text) + " becomes non-finite\n";
-}
-
-std::string end_text(const WorkEnd& end, double limit_s) {
-  if (end.is_timed_out()) return fmt::format("no end within {:g} s", limit_s);
-  if (end.signal == 0) return "ends the program";
-  return fmt::format("signal {} (SIG{})", end.signal, sigabbrev_np(end.signal));
 }
 
 // `expect` with this rule alone.

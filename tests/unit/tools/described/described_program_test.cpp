@@ -271,7 +271,39 @@ TEST_F(DescribedProgram, ShrinkKeepsWhatARunSays) {
   const Outcome nothing = run({"shrink", "good.json", "-o", "none.json"});
   EXPECT_EQ(nothing.exit_code, 2);
   EXPECT_TRUE(nothing.err.starts_with("good.json: nothing to keep: the run ends, ")) << nothing.err;
-  EXPECT_EQ(run({"shrink", "good.json", "-o", "x.json", "--run-limit", "5s"}).exit_code, 2);
+}
+
+struct Fatal {
+  double x = 0.0;
+  bool is_endless = false;
+  void step(double dt_s) {
+    x += dt_s;
+    while (is_endless && x > 0.5) [[maybe_unused]] const volatile double unused = x;
+    if (x > 0.5) std::abort();
+  }
+  template <class See>
+  void state(See&& see) {
+    see("x_m", x);
+  }
+  template <class See>
+  void parameters(See&& see) {
+    see("endless", is_endless);
+  }
+};
+
+TEST_F(DescribedProgram, ShrinkKeepsHowARunEndsTheProgram) {
+  const std::string start = R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 4}, "steps": 60,
+      "events": [{"step": 30, "hitch": {"dt_s": 1}}], "parameters": {"endless": )";
+  write_text_file("ends.json", start + "false}}");
+  Outcome outcome = run<Fatal>({"shrink", "ends.json", "-o", "small.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("kept: signal 6 (SIGABRT)\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(read_text_file("small.json").find("\"steps\": 3\n"), std::string::npos);
+  write_text_file("endless.json", start + "true}}");
+  outcome = run<Fatal>({"shrink", "endless.json", "-o", "endless-small.json", "--run-limit", "0.1s"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("kept: no end within 0.1 s\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(read_text_file("endless-small.json").find("\"endless\": true"), std::string::npos);
 }
 
 TEST_F(DescribedProgram, ShrinkLeavesOutHoldsAndInputsByTheFrame) {
