@@ -182,6 +182,7 @@ class ArcMeter final : public ArcVisitor {
   /// since the last call, or without those on the ground from resting_from_step on that began before row
   /// end_step.
   void settle(std::int64_t end_step, std::optional<std::int64_t> resting_from_step);
+  [[nodiscard]] bool has_contacts_to_settle() const { return !open_contacts_.empty(); }
   /// Without what the cutter knows: skipped arcs and the first row that is not finite.
   [[nodiscard]] DriftSummary summary() const {
     DriftSummary summary = summary_;

@@ -16,7 +16,7 @@ void DriftMeter::row(const Row& row) {
   last_ = row;
   if (is_before_input)
     end_stretch(row.step);
-  else if (!resting_.open_from_step())
+  else if (!resting_.open_from_step() && meter_.has_contacts_to_settle())
     meter_.settle(row.step, std::nullopt);
   if (periods_) judge_period(row.step);
 }
