@@ -45,7 +45,7 @@ struct Study {
   std::string summary = {};  ///< In a few words, for the help.
   bool takes_scenarios = false;
   bool takes_within = false;
-  bool needs_paper_step = true;        ///< Else the request has constants or a complete step.
+  bool needs_paper_step = true;
   std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.
   /// ERRORS: RequestRefused.
   Result (*run)(const StudyRequest& request) = nullptr;

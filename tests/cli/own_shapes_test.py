@@ -17,6 +17,7 @@ sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import replay  # noqa: E402 pylint: disable=wrong-import-position
 
 HYRAX_SIM = program.PROGRAM
+HARD = str(SOURCE / "scenarios/hard")
 
 SHIPPED = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
 # Constants of its own, under names of its own.
@@ -202,7 +203,13 @@ class Shapes(InstalledPackage):
                 for arguments in (("drift", "fling.json"), ("study", "needs"), ("run", "fling.json", "--drift")):
                     outcome = self.expect(BAD_INPUT, *arguments, says="needs the paper's step, with any constants")
                     self.assertRegex(outcome.err, rf"\(found in the core {name}: .*{re.escape(expression)}\)\n")
-                self.assertIn("; no value loses half its digits.\n", self.expect(AGREED, "study", "frame-rate", "--quick").out)
+                rates = self.expect(AGREED, "study", "frame-rate", "--quick").out
+                self.assertIn("From 2000 Hz, 60 Hz is up to ", rates)
+                self.assertIn("the fling does not converge: from 125 to 250 Hz it changes by up to ", rates)  # Drag acts once a frame.
+                self.assertIn("; no value loses half its digits.\n", rates)
+                hard = self.expect(AGREED, "study", "hard-cases", HARD, "--quick", "--no-figures", "--json").json
+                self.assertEqual({each["verdict"] for case in hard["cases"] for name, each in case["invariants"].items() if name != "expectations"},
+                                 {"held"})  # What they expect is of the paper's core.
                 computed, steps = self.expect_sweep_as_runs()
                 self.assertGreater(computed, 0)
                 self.assertLessEqual(computed, steps)
@@ -221,17 +228,20 @@ class Shapes(InstalledPackage):
     def test_a_core_of_float_is_told_whether_float_matters(self):
         self.use("single")
         outcome = self.expect(AGREED, "study", "frame-rate", "--quick", "--json", "--report", "page.html")
+        self.assertRegex(outcome.json["answer"], r"^From 2000 Hz, 60 Hz is up to [\d,.]+ px away, 240 Hz up to [\d,.]+ px\.$")
+        self.assertEqual([(row["rate_hz"], row["off_px"]) for row in outcome.json["rates"]][-1], (2000, 0))
         self.assertEqual([round(row["end_x_px"]) for row in outcome.json["roundings"]], [1139, 1238, 1485, 1701])
         self.assertIn("Does float matter here? No: that is less than half a pixel.", (self.folder / "page.html").read_text(encoding="utf-8"))
         self.expect(BAD_INPUT, "study", "needs", says="needs the paper's step")
-        self.use("round")  # It cannot be traced.
-        self.expect(BAD_INPUT, "study", "frame-rate", says="needs the paper's step")
+        self.use("round")  # It cannot be traced, and does not calculate as it should.
+        self.expect(NOT_STRICT, "study", "frame-rate", "--quick", "--no-figures")
 
     def test_control_fuzz_finds_a_core_that_leaves_the_window(self):
         self.use("leak")
         outcome = self.expect(DISAGREED, "fuzz", "--runs", "200")
         self.assertIn("breaks an invariant: in-bounds", outcome.out)
-        self.assertIn(f"\n  {program.PROGRAM} run ", outcome.out)  # No study of hard cases for this shape.
+        self.assertIn(f"\n  {program.PROGRAM} study hard-cases ", outcome.out)
+        self.expect(DISAGREED, "study", "hard-cases", HARD, "--quick", "--no-figures", "--gate", says="in-bounds is broken by ")
 
     def test_a_core_that_changes_how_the_processor_calculates_is_not_played(self):
         self.expect(AGREED, "run", "fling.json", "-o", "run.csv")

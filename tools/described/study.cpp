@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/compare/rate_ladder_text.h"
 #include "sim/described/described_ladder.h"
 #include "sim/result/display_rates.h"
-#include "sim/result/number_text.h"
+#include "sim/study/frame_rate/ladder_result.h"
 #include "tools/app/study/study_command.h"
 #include "tools/described/commands.h"
 #include "tools/described/hard_cases.h"
@@ -17,106 +16,6 @@
 
 namespace hyrax {
 namespace {
-
-// A run of a ladder, with what the columns need of it.
-struct RateRow {
-  const RateLadder* of = nullptr;
-  const RateRun* run = nullptr;
-  [[nodiscard]] double off_px() const { return run->off_px.value_or(kNotGiven); }
-};
-
-std::vector<RateRow> rows_of(const std::vector<RateLadder>& ladders) {
-  std::vector<RateRow> rows;
-  for (const RateLadder& each : ladders)
-    for (const RateRun& run : each.runs) rows.push_back({&each, &run});
-  return rows;
-}
-
-// The scenario that is farthest off at each rate.
-std::vector<RateRow> worst_rows(const std::vector<RateLadder>& ladders) {
-  std::vector<RateRow> worst;
-  for (const RateRow& row : rows_of(ladders)) {
-    const auto same =
-        std::ranges::find(worst, row.run->rate_hz, [](const RateRow& each) { return each.run->rate_hz; });
-    if (same == worst.end())
-      worst.push_back(row);
-    else if (!(row.off_px() <= same->off_px()))
-      *same = row;
-  }
-  return worst;
-}
-
-Table rate_table(const std::vector<RateRow>& rows) {
-  const auto of_run = [&rows](const std::string& name, const std::string& unit, const std::string& what,
-                              auto get) {
-    return column_of(name, unit, what, rows, [get](const RateRow& row) { return get(*row.run); });
-  };
-  return {"rates",
-          fmt::format("distance from the run at {:g} Hz, at equal times", kFinestRate_hz),
-          {column_of("scenario", "", "its name", rows, [](const RateRow& row) { return row.of->scenario; }),
-           of_run("rate", "Hz", "frame rate", [](const RateRun& run) { return run.rate_hz; }),
-           column_of("off", "px", "largest distance", rows, &RateRow::off_px),
-           of_run("contacts", "1", "contacts of the run", [](const RateRun& run) { return run.contacts; }),
-           of_run("at_rest_since", "s", "when the last movement of half a pixel ended",
-                  [](const RateRun& run) { return run.at_rest_since_s.value_or(kNotGiven); })}};
-}
-
-std::string px_text(double px) {
-  return std::isnan(px) ? "an unknown distance" : fmt::format("up to {:.3g} px", px);
-}
-
-std::string answer_of(const std::vector<RateLadder>& ladders) {
-  const std::vector<RateRow> worst = worst_rows(ladders);
-  const auto at = [&](double rate_hz) -> const RateRow& {
-    return *std::ranges::find(worst, rate_hz, [](const RateRow& row) { return row.run->rate_hz; });
-  };
-  return fmt::format("From {:g} Hz, 60 Hz is {} away, 240 Hz {}.", kFinestRate_hz, px_text(at(60.0).off_px()),
-                     px_text(at(240.0).off_px()));
-}
-
-Figure figure_of(const std::vector<RateLadder>& ladders) {
-  constexpr std::array kTones = {Tone::blue,      Tone::orange, Tone::green,
-                                 Tone::vermilion, Tone::purple, Tone::sky_blue};
-  Plot plot{.x = display_rate_axis(22.0, 1100.0),
-            .y = {.label = "largest distance, px (logarithmic)", .is_logarithmic = true}};
-  Figure figure{.subtitle =
-                    fmt::format("Largest distance from the run at {:g} Hz, at equal times", kFinestRate_hz)};
-  for (std::size_t index = 0; index < std::min(ladders.size(), kTones.size()); ++index) {
-    Series series{.name = ladders[index].scenario,
-                  .look = {.form = Form::line_and_points, .tone = kTones[index]}};
-    for (const RateRun& run : ladders[index].runs) {
-      const double px = run.off_px.value_or(kNotGiven);
-      series.x.push_back(run.rate_hz);
-      series.y.push_back(px > 0.0 ? px : kNotGiven);
-    }
-    figure.legend.push_back({series.name, series.look});
-    plot.series.push_back(std::move(series));
-  }
-  if (ladders.size() > kTones.size())
-    figure.subtitle += fmt::format("; the first {} of {} scenarios", kTones.size(), ladders.size());
-  figure.body = std::vector{std::move(plot)};
-  return figure;
-}
-
-std::vector<std::string> broken_rules(const std::vector<RateLadder>& ladders) {
-  std::vector<std::string> broken;
-  for (const RateRow& row : rows_of(ladders))
-    for (const std::string& fault : row.run->faults)
-      broken.push_back(fmt::format("{} at {:g} Hz: {}", row.of->scenario, row.run->rate_hz, fault));
-  return broken;
-}
-
-std::vector<std::string> notes_of(const std::vector<RateLadder>& ladders) {
-  std::vector<std::string> notes;
-  for (const RateLadder& each : ladders) {
-    notes.push_back(convergence_text(each));
-    if (each.is_cut)
-      notes.push_back(fmt::format("{}: its first {:.3g} s only.", each.scenario, each.until_s));
-    if (each.has_hitches)
-      notes.push_back(each.scenario + ": without its hitches, which belong to its own frames.");
-  }
-  return notes;
-}
 
 std::vector<DescribedScenario> scenarios_of(const Description& description, const StudyInput& input) {
   if (input.scenarios.empty()) return library_or_defaults(description);
@@ -145,17 +44,7 @@ Result study_frame_rate(const DescribedCore& core, const StudyInput& input) {
     input.report_progress("scenarios", std::ssize(ladders) + std::ssize(left_out), std::ssize(scenarios));
   }
   if (ladders.empty()) refuse_input("hyrax-sim study frame-rate: " + left_out.front());
-  Verdict verdict{.answer = answer_of(ladders), .broken = broken_rules(ladders)};
-  verdict.text = {"The largest distance at each rate, and the scenario that has it:",
-                  rate_table(worst_rows(ladders))};
-  for (const auto& notes : {notes_of(ladders), left_out})
-    for (const std::string& note : notes) verdict.text.emplace_back(note);
-  Result result{.tables = {rate_table(rows_of(ladders))},
-                .figures = {figure_of(ladders)},
-                .verdict = verdict,
-                .summary = {rate_table(rows_of(ladders))}};
-  result.figures.front().title = headline(verdict);
-  return result;
+  return ladder_result(ladders, left_out);
 }
 
 }  // namespace

@@ -60,14 +60,6 @@ std::string write_failure(const FuzzRequest& request, std::uint64_t run, const F
   return path;
 }
 
-// Shows the failure again.
-std::string command_for(const Core& core, const std::string& written) {
-  const std::string path = as_argument(written);
-  return program_command(core.constants
-                             ? std::vector<std::string>{"study", "hard-cases", path, "--gate", "--no-figures"}
-                             : std::vector<std::string>{"run", path});
-}
-
 FuzzFinding find(const Core& core, const FuzzRequest& request, std::uint64_t run,
                  const FuzzFailure& failure) {
   const InvariantText& broken = text_of(failure.broken);
@@ -81,7 +73,10 @@ FuzzFinding find(const Core& core, const FuzzRequest& request, std::uint64_t run
           plain_counted(shrunk.scenario.events.size(), "event"), step_count(failure.scenario),
           failure.scenario.events.size(),
           shrunk.fails_again ? "" : "it did not fail again: what it does depends on more than the scenario\n",
-          request.printing.is_quiet() ? "" : "  " + command_for(core, path) + "\n"),
+          request.printing.is_quiet()
+              ? ""
+              : "  " + program_command({"study", "hard-cases", as_argument(path), "--gate", "--no-figures"}) +
+                    "\n"),
       .json = {{"run", run},
                {"rule", broken.name},
                {"found", failure.found},

@@ -40,7 +40,11 @@ Result run_study(const Study& study, const StudyInput& input) {
   for (const std::string& path : input.scenarios) {
     request.scenarios.push_back({path, load_scenario(path)});
     const Scenario& scenario = request.scenarios.back().scenario;
-    require_paper_core(run_core(input.core, path, scenario), path);
+    const Core core = run_core(input.core, path, scenario);
+    if (study.needs_paper_step || core.constants)
+      require_paper_core(core, path);
+    else
+      require_measurable(core, path, scenario);
     const std::string& name = scenario.name;
     if (!names.insert(name).second)
       refuse_input(path + ": /name: duplicate scenario name (found " + name +
@@ -67,7 +71,7 @@ Command study_command() {
                        study.default_scenarios,
                        [&study](const StudyInput& input) { return run_study(study, input); },
                        [&study](const Core& core) {
-                         if (study.needs_paper_step || core.constants || !program_step(core))
+                         if (study.needs_paper_step || core.constants)
                            require_paper_core(core, "hyrax-sim study " + study.name);
                        }});
   Command command = study_command_of(

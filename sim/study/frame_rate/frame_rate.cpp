@@ -1,5 +1,7 @@
 #include "sim/study/frame_rate/frame_rate.h"
 
+#include "sim/study/frame_rate/core_ladder.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -241,6 +243,18 @@ class DisplayFlings {
   std::vector<Landing> landings_;  // By rate, then by fling; the drawn one first.
 };
 
+Scenario drawn_scenario(double duration_s) {
+  Scenario scenario;
+  scenario.name = "the fling";
+  scenario.window = {1920, 1080};
+  scenario.sprite = {128, 128};
+  scenario.clock = {FixedRate{60.0}, {}};
+  scenario.length = duration_s;
+  scenario.start = {kDrawnFling.x_px, kDrawnFling.y_px};
+  scenario.start_velocity = velocity_of(kDrawnFling);
+  return scenario;
+}
+
 }  // namespace
 
 FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz, std::int64_t flings,
@@ -257,7 +271,10 @@ FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rat
   if (step != nullptr)
     for (const double rate_hz : rates_hz)
       study.roundings.push_back(rounding_of(*step, rate_hz, study.until_s));
-  if (!core.constants) return study;
+  if (!core.constants) {
+    study.ladder = climb(core, drawn_scenario(study.until_s), rates_hz);
+    return study;
+  }
   const std::vector<MethodKind> kinds = frame_methods(core);
   DisplayFlings displays(core, study, rates_hz, flings);
   std::array<std::vector<double>, kDisplayClockNames.size()> spreads_by_paper_px;

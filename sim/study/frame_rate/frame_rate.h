@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/compare/rate_ladder.h"
 #include "sim/core/core.h"
 #include "sim/motion/state.h"
 #include "sim/result/estimate.h"
@@ -117,15 +118,16 @@ struct FrameRateStudy {
   bool has_drag = true;  ///< Else there is hardly anything to take by time.
   bool has_float = false;
   std::vector<Landing> landings;
-  std::vector<Rounding> roundings;  ///< By rate; empty: the step is not complete.
+  std::vector<Rounding> roundings;   ///< By rate; empty: the step is not complete.
+  std::optional<RateLadder> ladder;  ///< The drawn fling's, of a core without constants.
   std::vector<FanPoint> paths;
   std::vector<Independence> scores;  ///< By method, then by clock.
   std::vector<DisplayShift> shifts;  ///< By method, clock and rate.
   /// By clock: flings whose spread is smaller with drag and friction by time.
   std::array<Share, kDisplayClockNames.size()> steadier_by_time;
 };
-/// Of a core without constants the roundings alone. @param flings random ones, beside the one
-/// that is drawn. REQUIRES: at least one rate and one fling; constants or a step.
+/// Of a core without constants the ladder and the roundings alone. @param flings random ones, beside the one
+/// that is drawn. REQUIRES: at least one rate and one fling.
 [[nodiscard]] FrameRateStudy study_frame_rate(const Core& core, const std::vector<double>& rates_hz,
                                               std::int64_t flings, const StepProgram* step = nullptr);
 

@@ -10,6 +10,7 @@
 #include "sim/result/display_rates.h"
 #include "sim/result/number_text.h"
 #include "sim/study/frame_rate/frame_rate.h"
+#include "sim/study/frame_rate/ladder_result.h"
 #include "sim/study/study.h"
 #include "sim/study/study_table.h"
 
@@ -289,12 +290,12 @@ Result run_frame_rate(const StudyRequest& request) {
 }  // namespace
 
 Result frame_rate_result(const FrameRateStudy& study) {
-  if (study.shifts.empty()) {
-    const Table roundings = rounding_table(study.roundings);
-    return {.tables = {roundings},
-            .verdict = {"Another step than the paper's: rounding alone is measured.",
-                        {roundings, rounding_text(study)}},
-            .summary = {roundings}};
+  if (study.ladder) {
+    Result result = ladder_result({*study.ladder});
+    result.verdict.text.emplace_back(rounding_text(study));
+    for (std::vector<Table>* const tables : {&result.tables, &result.summary})
+      tables->push_back(rounding_table(study.roundings));
+    return result;
   }
   Result result{.tables = {landing_table(study.landings), score_table("independence", study.scores),
                            path_table(study.paths), shift_table(study.shifts), end_table(study.shifts),

@@ -44,7 +44,7 @@ struct HardCase {
 [[nodiscard]] Table parting_table(const Core& core);
 
 /// The cases made from a scenario: itself with its expected failures, and the families of what it does
-/// (hard_families.cpp), whatever its name.
+/// (hard_families.cpp), whatever its name. Of a core without constants those that need none.
 [[nodiscard]] std::vector<HardCase> hard_cases_of(const Core& core, const Scenario& scenario);
 
 /// A case with what was measured of it; `measures` with the invariants that are a case's own.

@@ -280,7 +280,7 @@ Result run_hard_cases(const StudyRequest& request) {
                 .verdict = verdict_of(cases, judgements),
                 .summary = {summary_of(cases)}};
   if (std::ranges::none_of(cases, &HardCase::is_lossless, &PlayedCase::hard_case)) return result;
-  result.tables.push_back(parting_table(request.core));
+  if (request.core.constants) result.tables.push_back(parting_table(request.core));
   result.summary.push_back(result.tables.back());
   result.verdict.text.emplace_back(fmt::format(
       "Random flings (seed {}) at 60 Hz beside others that start apart by an ulp, or by more: when their "
@@ -296,6 +296,7 @@ Study hard_cases_study() {
   return {.name = "hard-cases",
           .summary = "what must hold in every step, however hard the scenario",
           .takes_scenarios = true,
+          .needs_paper_step = false,
           .default_scenarios = "scenarios/hard",
           .run = run_hard_cases};
 }

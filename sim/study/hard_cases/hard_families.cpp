@@ -188,7 +188,7 @@ void add_hitches(FamilyBase& base) {
       HardCase& member = base.add(fmt::format("{}-{:g}-s", moment, dt_s),
                                   "one frame takes long: nothing may be launched or fall through");
       member.scenario.events = {{frame, Hitch{dt_s}}};
-      if (frame != kHitchAtRest || !has_settled_by(base, frame)) continue;
+      if (frame != kHitchAtRest || !base.core.constants || !has_settled_by(base, frame)) continue;
       member.rests_from_s = static_cast<double>(frame) * base_dt_s(base.scenario.clock);
       // It falls for so long and is turned at the frame's end: that throws it so high.
       const Constants laws = base.core.constants.value();
@@ -212,7 +212,7 @@ void add_jitters(FamilyBase& base) {
     for (const double amount : kind.amounts)
       base.add(fmt::format("{}-{:g}", kind.name, amount), "no two frames take the same time")
           .scenario.clock.jitter = Jitter{kind.kind, amount, 2026};
-  const double resonant_hz = zero_speed_hz(base.core);
+  const double resonant_hz = base.core.constants ? zero_speed_hz(base.core) : 0.0;
   if (!(resonant_hz >= 1.0 && resonant_hz <= kZenoFastest_hz)) return;
   for (const double fraction : {0.001, 0.1}) {
     Scenario& scenario = base.add(fmt::format("resonant-{:g}", fraction),
@@ -369,7 +369,8 @@ void add_corners(FamilyBase& base) {
     return;
   for (const bool is_right : {false, true})
     for (const bool is_low : {false, true}) {
-      if (why_no_exact_fling(reference_model(base.core)).empty()) add_exact_corner(base, is_right, is_low);
+      if (base.core.constants && why_no_exact_fling(reference_model(base.core)).empty())
+        add_exact_corner(base, is_right, is_low);
       for (const std::string_view where : {"in-it", "an-ulp-from-it", "into-it"}) {
         const auto inside = [where](double corner_px, double other_px) {
           if (where == "in-it") return corner_px;
@@ -424,11 +425,18 @@ void add_starts_outside(FamilyBase& base) {
           axis = sign * away_px;
 }
 
+struct Family {
+  void (*add_members)(FamilyBase&);
+  bool needs_constants = false;
+};
 // In the order in which their cases are played.
-constexpr void (*kFamilies[])(FamilyBase&) = {
-    add_repeated_flings, add_lossless_bounces, add_frames,           add_jitters, add_speeds,
-    add_corners,         add_starts_outside,   add_grazings,         add_hitches, add_places_on_bounds,
-    add_rests,           add_billion_steps,    add_subnormal_frames, add_zenos};
+constexpr Family kFamilies[] = {{add_repeated_flings},  {add_lossless_bounces, true},
+                                {add_frames},           {add_jitters},
+                                {add_speeds},           {add_corners},
+                                {add_starts_outside},   {add_grazings, true},
+                                {add_hitches},          {add_places_on_bounds},
+                                {add_rests, true},      {add_billion_steps},
+                                {add_subnormal_frames}, {add_zenos, true}};
 
 // Whether the run ends with a sprite that is larger than its window and is not held.
 bool is_larger_than_window(const Scenario& scenario) {
@@ -458,15 +466,16 @@ std::vector<HardCase> hard_cases_of(const Core& core, const Scenario& scenario) 
                   .made_from = scenario.name,
                   .why = scenario.description.value_or(""),
                   .scenario = scenario};
-  if (is_larger_than_window(scenario))
+  if (core.constants && is_larger_than_window(scenario))
     itself.never_at_rest =
         "the sprite is larger than the window: it jumps from wall to wall forever, without any input";
-  else if (slides_to_subnormal_speed(base))
+  else if (core.constants && slides_to_subnormal_speed(base))
     itself.never_at_rest = "vx becomes subnormal and stays so, never 0; the position stands still";
   itself.must_come_to_rest = !itself.never_at_rest.empty();
   itself.is_long = base.length > 1'000'000;
   base.members.push_back(std::move(itself));
-  for (const auto add_members : kFamilies) add_members(base);
+  for (const Family& family : kFamilies)
+    if (core.constants || !family.needs_constants) family.add_members(base);
   return std::move(base.members);
 }
 
