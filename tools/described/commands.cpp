@@ -1,5 +1,7 @@
 #include "tools/described/commands.h"
 
+#include <cmath>
+
 #include "sim/scenario/frame_clock.h"
 #include "tools/app/clock/new_scenario.h"
 #include "tools/app/command_line/scenario_commands.h"
@@ -9,11 +11,12 @@
 namespace hyrax {
 namespace {
 
-// What a list has by default, as the member of a scenario.
+// What a list has by default, as the member of a scenario, which holds no infinity.
 void add_defaults(std::string_view key, const ValueList& list, Json::Object& document) {
   Json::Object defaults;
   for (const ValueInfo& value : list.values)
-    defaults.emplace_back(value.name, value_json(value, value.initial));
+    if (std::isfinite(number_of(value.type, value.initial)))
+      defaults.emplace_back(value.name, value_json(value, value.initial));
   if (!defaults.empty()) document.emplace_back(key, std::move(defaults));
 }
 

@@ -1,5 +1,6 @@
 // Reads the description of a core as files have it.
 #include <algorithm>
+#include <limits>
 
 #include "tools/described/value_json.h"
 
@@ -19,6 +20,16 @@ std::string text_in(const JsonPlace& object, std::string_view key) {
   return object.required(key).text().value_or("");
 }
 
+// A core's own may be what no scenario holds: not finite.
+Word word_in(const JsonPlace& place, const ValueInfo& value) {
+  using Limits = std::numeric_limits<double>;
+  const auto* const text = place.json()->get<std::string>();
+  for (const double number : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()})
+    if (text != nullptr && is_floating(value.type) && *text == value_text(value, word_of(number)))
+      return word_of(number);
+  return read_value(place, value).value_or(0);
+}
+
 ValueInfo value_in(const JsonPlace& object) {
   ValueInfo value{.name = text_in(object, "name")};
   const std::string type = text_in(object, "type");
@@ -32,11 +43,10 @@ ValueInfo value_in(const JsonPlace& object) {
   each_element(object.member("names"),
                [&](const JsonPlace& name) { value.names.push_back(name.text().value_or("")); });
   if (const JsonPlace initial = object.member("default"); is_given(initial))
-    value.initial = read_value(initial, value).value_or(0);
+    value.initial = word_in(initial, value);
   const JsonPlace limits = object.member("limits");
   if (is_given(limits) && limits.array() != nullptr && limits.array()->size() == 2)
-    value.limits = {read_value(limits.element(0), value).value_or(0),
-                    read_value(limits.element(1), value).value_or(0)};
+    value.limits = {word_in(limits.element(0), value), word_in(limits.element(1), value)};
   return value;
 }
 

@@ -114,7 +114,12 @@ std::array<Word, 2> range_of(ValueType type) {
 
 std::array<Word, 2> file_limits(const ValueInfo& value) {
   if (!value.names.empty()) return {0, value.names.size() - 1};
-  return value.limits.value_or(range_of(value.type));
+  std::array<Word, 2> limits = range_of(value.type);
+  for (std::size_t end = 0; end < 2; ++end)  // A limit may be infinite, a number of a file not.
+    if (value.limits && !is_less(value.type, (*value.limits)[end], limits[0]) &&
+        !is_less(value.type, limits[1], (*value.limits)[end]))
+      limits[end] = (*value.limits)[end];
+  return limits;
 }
 
 Json value_json(const ValueInfo& value, Word word) {
@@ -129,7 +134,9 @@ Json value_json(const ValueInfo& value, Word word) {
 std::string value_text(const ValueInfo& value, Word word) {
   const Json json = value_json(value, word);
   const auto* const text = json.get<std::string>();
-  return text != nullptr ? *text : to_text(json);
+  std::string shown = text != nullptr ? *text : to_text(json);
+  std::erase(shown, '"');  // Of "Infinity".
+  return shown;
 }
 
 std::optional<Word> read_value(const JsonPlace& here, const ValueInfo& value, bool is_limited) {

@@ -273,6 +273,24 @@ TEST_F(DescribedProgram, ShrinkKeepsWhatARunSays) {
   EXPECT_TRUE(nothing.err.starts_with("good.json: nothing to keep: the run ends, ")) << nothing.err;
 }
 
+struct Uncapped {
+  double x = 0.0, cap = std::numeric_limits<double>::infinity();
+  void step(double dt_s) { x = std::min(x + dt_s, cap); }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+  }
+  template <class See>
+  void inputs(See&& see) {
+    see("cap_px", cap);
+  }
+};
+
+TEST_F(DescribedProgram, AnInputWithoutABoundIsLeftOutOfANewScenario) {
+  EXPECT_EQ(run<Uncapped>({"new", "first"}).err, "");
+  EXPECT_EQ(read_text_file("first.json").find("cap_px"), std::string::npos);
+}
+
 struct Fatal {
   double x = 0.0;
   bool is_endless = false;

@@ -125,6 +125,20 @@ TEST(DescribedScenarioJson, NoPlaceToRestIsAnErrorWithoutPixels) {
             "end in _px)");
 }
 
+TEST(DescribedScenarioJson, AnInfiniteLimitOrDefaultIsOneOfTheCoreAndOfNoFile) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Description open;
+  open.core = "open";
+  open.state.values = {value_info<double>("x", 0.0, {{0.0, kInfinity}})};
+  open.parameters.values = {value_info("cap", kInfinity), value_info("none", std::nan("")),
+                            value_info("low", -std::numeric_limits<float>::infinity())};
+  const std::string text = to_text(description_json(open), 3);
+  EXPECT_EQ(parse_description(text, "open", "description"), open) << text;
+  EXPECT_EQ(value_text(open.parameters.values[2], open.parameters.values[2].initial), "-Infinity");
+  EXPECT_EQ(file_limits(open.state.values[0]), (std::array{word_of(0.0), word_of(1.7976931348623157e308)}));
+  EXPECT_EQ(to_text(schema_json(open)).find("Infinity"), std::string::npos);
+}
+
 TEST(DescribedScenarioJson, DescriptionAndSchemaAreApproved) {
   const Description pool = pool_description();
   expect_approved(kFolder + "pool_description.json", to_text(description_json(pool), 3) + "\n");
