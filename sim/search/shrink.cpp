@@ -71,6 +71,11 @@ class Shrinker {
     scenario = best_;
     scenario.record_every = 1;
     accept(std::move(scenario));
+    for (std::size_t index = best_.parameters.size(); index-- > 0;) {
+      scenario = best_;
+      scenario.parameters.erase(scenario.parameters.begin() + static_cast<std::ptrdiff_t>(index));
+      accept(std::move(scenario));
+    }
   }
 
   // The frames of a recorded clock can be cut anywhere.
@@ -152,7 +157,8 @@ class Shrinker {
 Complexity complexity_of(const Scenario& scenario) {
   return {.steps = step_count(scenario),
           .events = static_cast<std::int64_t>(scenario.events.size()),
-          .extras = (scenario.expect ? 1 : 0) + (scenario.record_every != 1 ? 1 : 0),
+          .extras = (scenario.expect ? 1 : 0) + (scenario.record_every != 1 ? 1 : 0) +
+                    std::ssize(scenario.parameters),
           .clock = scenario.clock.jitter ? 3 : static_cast<std::int64_t>(scenario.clock.base.index()),
           .digits = digits_of(scenario)};
 }

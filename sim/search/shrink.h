@@ -18,7 +18,7 @@ namespace hyrax {
 struct Complexity {
   std::int64_t steps = 0;
   std::int64_t events = 0;
-  std::int64_t extras = 0;  ///< `expect`, and `record` where it is not 1.
+  std::int64_t extras = 0;  ///< `expect`, `record` where it is not 1, each parameter.
   std::int64_t clock = 0;   ///< 0: a rate, 1: one dt, 2: recorded, 3: jittered.
   std::int64_t digits = 0;  ///< Of all numbers, in decimal.
   /// The simpler is less.

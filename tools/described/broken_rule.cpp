@@ -31,6 +31,9 @@ class Shrinker {
     drop_each(&DescribedScenario::inputs);
     drop_each(&DescribedScenario::input_arrays);
     drop_each(&DescribedScenario::start);
+    DescribedScenario steady = result_.scenario;
+    steady.clock.jitter.reset();
+    if (result_.scenario.clock.jitter) keep_if_broken(steady);
     shorten();  // Without what was dropped, the rule may be broken earlier.
     return std::move(result_);
   }

@@ -51,6 +51,12 @@ TEST(Shrink, WhatIsNeededIsKept) {
             (Complexity{.steps = 0, .events = 0, .clock = 3, .digits = 5}));
   EXPECT_EQ(left([](const Scenario& each) { return each.expect.has_value(); }).extras, 1);
   EXPECT_EQ(left(meets_the_top).extras, 0);
+  scenario.parameters = {{"AIR_DRAG", 0.9}, {"GRAVITY", 980.0}, {"REST_THRESHOLD", 7.0}};
+  const auto has_gravity = [](const Scenario& each) {
+    return std::ranges::any_of(each.parameters,
+                               [](const Parameter& given) { return given.name == "GRAVITY"; });
+  };
+  EXPECT_EQ(shrink(shipped_core(), scenario, has_gravity).scenario.parameters.size(), 1u);
   scenario = fling_at(60.0, 0);
   scenario.clock = {RecordedSteps{{0.5, 0.01, 0.01, 0.01, 0.25}}, {}};
   scenario.length = std::monostate();

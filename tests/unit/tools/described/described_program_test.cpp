@@ -324,10 +324,11 @@ TEST_F(DescribedProgram, ShrinkKeepsHowARunEndsTheProgram) {
   EXPECT_NE(read_text_file("endless-small.json").find("\"endless\": true"), std::string::npos);
 }
 
-TEST_F(DescribedProgram, ShrinkLeavesOutHoldsAndInputsByTheFrame) {
+TEST_F(DescribedProgram, ShrinkLeavesOutHoldsInputsByTheFrameAndJitter) {
   std::string widths = "800";
   for (int frame = 1; frame < 90; ++frame) widths += ", 800";
-  write_text_file("high.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 90,
+  write_text_file("high.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60,
+      "jitter": {"kind": "uniform", "fraction": 0.1, "seed": 1}}, "steps": 90,
       "inputs": {"width_px": [)" + widths +
                                    R"(]},
       "events": [{"step": 3, "hold": {}}, {"step": 13, "go": {}}, {"step": 20, "hold": {}}],
@@ -335,7 +336,7 @@ TEST_F(DescribedProgram, ShrinkLeavesOutHoldsAndInputsByTheFrame) {
   EXPECT_EQ(run({"shrink", "high.json", "-o", "small.json"}).exit_code, 0);
   const std::string text = read_text_file("small.json");
   EXPECT_NE(text.find("\"steps\": 1,\n"), std::string::npos) << text;
-  for (const char* const left_out : {"events", "hold", "inputs"})
+  for (const char* const left_out : {"events", "hold", "inputs", "jitter"})
     EXPECT_EQ(text.find(left_out), std::string::npos) << text;
 }
 
