@@ -12,6 +12,7 @@
 #include "sim/core/core.h"
 #include "sim/result/result.h"
 #include "sim/scenario/scenario.h"
+#include "sim/study/methods/cost.h"
 #include "sim/trace/step_player.h"
 
 namespace hyrax {
@@ -29,8 +30,9 @@ struct StudyRequest {
   bool is_quick = false;                              ///< A smaller study, in seconds.
   std::optional<double> within_px = {};               ///< A tolerance.
   std::shared_ptr<const StepProgram> core_step = {};  ///< Null: the core's step is not complete.
-  std::string machine = {};            ///< Name of the processor, for results that depend on it.
-  std::int64_t (*now_ns)() = nullptr;  ///< A clock that never goes back.
+  std::string machine = {};  ///< Name of the processor, for results that depend on it.
+  CostMeter measure_costs = {};
+  bool is_costs_only = false;  ///< Nothing but calls of measure_costs is wanted; the result is not used.
   /// Called from time to time with what is counted ("steps"), how many are done, and of how many.
   std::function<void(const std::string& unit, std::int64_t done, std::int64_t total)> report_progress = {};
 };

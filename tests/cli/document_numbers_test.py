@@ -107,8 +107,8 @@ STATED = (
     ("tools/app/library/shrink_flow.cpp", "5m or 2h (default: {}s)", "tools/app/library/shrink_flow.h", "search_s"),
     ("tools/app/library/shrink_flow.cpp", "does not end (default: {}s)", "tools/app/library/shrink_flow.h", "run_s"),
     (STUDIES, "plays the same flights at rates from {} Hz upward", "sim/study/speed_error/speed_error_study.cpp", "options.rates_hz = "),
-    (STUDIES, "Times come in {} rounds", "sim/study/methods/cost.h", "repetitions"),
-    (DRIFT, "medians of {} rounds in random", "sim/study/methods/cost.h", "repetitions"),
+    (STUDIES, "In each process come {} rounds", "sim/study/methods/cost.h", "rounds ="),
+    (STUDIES, "with `--quick`, never fewer than {}.", "sim/study/methods/cost.cpp", "kLeast"),
     (STUDIES, "the study plays {} flings like it", "sim/study/speed_error/speed_error.h", "kBandFlings"),
     *((document, words, "sim/study/speed_error/speed_error.h", "kOrderFlings") for document, words in (
         ("CHANGELOG.md", "medians of {} flings"), (STUDIES, "with walls of each of {} flings"), (STUDIES, "in the median of {} flings"))),
@@ -172,8 +172,8 @@ NO_SOURCE = {
         "3 4 1 0 0 0 0 1 0"), SWEEPS: "0 1 1 4 64 2 12.2 96",
     CORE: "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6 60 240 779 0.0885 137 60 227", "tests/browser/README.md": "1,000,001",
     DRIFT: "1e-11 1 44 60 200 10 90 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006", BENCHMARKS: "2 12.2.0 10 600", HYRAX: "10 11 60 8",
-    STUDIES: ("95 22:209 1927 95 7:1 1979 3 10 90 95 1 60 8 60 8 60 15 0 60 4 60 "
-        "0.5 1.5 95 52 2e7 24 60 144 240 60 100 1 100 50 16 60 0 0 0 3 75 8 960 60"),
+    STUDIES: ("95 22:209 1927 95 7:122 1936 10 90 21 2 1 46,812 17 5 60 8 60 8 60 15 0 60 4 60 "
+        "0.5 1.5 95 0 52 2e7 24 60 144 240 60 100 1 100 50 16 60 0 0 0 3 75 8 960 60"),
     "tests/must_fail/README.md": "0", OWN: "980 0 2.0 2.0 0 20 320.0 4096.0 0 1 20.0 600 120 120 1000 60 300 0 100 120 0 64 1e-9 1 1e-5 1 2 4 8 256 301 8 0 1e9 100,000 3",
     TESTS: ("1e9 40 16 0.1.0 12 107 107 14 22 107 107 12 107 107 12 107 107 12 106 106 12 106 106 12 106 106 12 106 "
         "106 19 106 106 12 12 78 107 24.04 13 106 16.8 1 200 165 12 23 44 44 0 0 102 97 0 5 163 128 24 11 196 105 62 29 55 48 0 "
@@ -245,13 +245,17 @@ def computed():
     normal = sum(speed >= sys.float_info.min for speed in speeds)
     unsteady, *parts = decided("sim/study/methods/cost.h", "kDriftMax_rel") + [
         float(each) for each in re.findall(r"quantile\(probes_ns, (0\.\d5)\)", text_of("sim/study/methods/cost.cpp"))]
+    chance, least = decided("sim/study/methods/cost.cpp", "kChanceMax, kLeast")
+    processes = max(least, math.ceil(1 + math.log2(stated(STUDIES, "for the {} pairs of its own")[0] / chance)))
     rates_hz = re.search(r"\{(20\.0, 24\.0, 25\.0[^}]*)\}", text_of("sim/study/hard_cases/hard_families.cpp"))[1].split(",")
     return (
         (STUDIES, "It is {} px off after one second at {} Hz, and {} px at {} Hz", [round(ends_px[0], 2), 60, round(ends_px[1]), 7680]),
         (STUDIES, "so that after some {}\nsteps it is below {} px/s", [round(normal, -2), float(f"{sys.float_info.min:.1e}")]),
         (STUDIES, "and {} steps later stuck at two units of the last place ({}\npx/s)", [round(len(speeds) - normal, -1), speeds[-1]]),
         (STUDIES, "more than {} %\n({}th minus {}th percentile)", [100 * unsteady, *(100 * part for part in parts)]),
-        (STUDIES, "is also dropped at {}\ndisplay rates", [len(rates_hz)]), 
+        (STUDIES, "If that takes {} % longer", [100 * unsteady]), (STUDIES, "keep that below {} % for all its comparisons", [100 * chance]),
+        (STUDIES, "are equal): {} for the", [processes]), (DRIFT, "in every one of {} processes", [processes]),
+        (STUDIES, "is also dropped at {}\ndisplay rates", [len(rates_hz)]),
         ("README.md", "Below {} Hz a sprite on the floor", rates[:1]), (FILES, "the {} scenarios here", [SCENARIOS]),
         *((STUDIES, words, [100 * part for part in decided(f"sim/study/{source}.cpp", name)]) for words, source, name in (
             ("spread less in more than {} % of the flings, beyond", "frame_rate/frame_rate_study", "steadier_by_time[clock].low() >"),)),

@@ -148,15 +148,15 @@ WORDS = {
         ("tools/app/drift/drift_result.cpp", r"`steps_astray` is called `(\w+)`", r'column_of_one\("(differing\w+)"'),
         ("tools/app/library/run_flow.cpp", r"; `run -o (FILE\.csv)`\.")),
     "sim/study/README.md": (
-        ("sim/study/methods/cost.h", r"is \*cheaper\* only if (the 95 % interval of a / b, round by round, is below 1);"),
-        ("sim/study/methods/cost.cpp", r"all costs are `(not measured: clock unsteady)`\."),
-        (SPEED, r"\| least squares of (log error against log dt), with walls"), (SPEED, r"each work once a round and (in random order)\."),
+        ("sim/study/methods/cost.h", r"a is \*cheaper\* only if it is (in every process)\."),
+        ("sim/study/methods/cost.cpp", r"in some process is `(not measured: clock unsteady)`\."),
+        (SPEED, r"\| least squares of (log error against log dt), with walls"), (SPEED, r"each work once a round and (in random order) \(`order_seed`\);"),
         (SPEED, r"For each, the study measures the (largest distance from the exact fling), and the (time per simulated second)\. The exact fling has"),
         (SPEED, r"\(`set_up` in the files: (time of a run before its first frame)\)"),
         (SPEED, "An energy error is the (largest difference of energy) over the rows at which (both have met each wall equally often / largest kinetic energy of the exact fling),"),
         (NEEDS, "`path moves` is the (largest distance at equal times), `contacts moved` counts (contacts that moved, appeared or vanished), "
          r"`end moves` is the (distance at the end)\."),
-        ("sim/study/study_table.h", "shorter a step is without the part, where that is above its (95 % interval)"),
+        ("sim/study/study_table.h", "shorter a step is without the part, where its (95 % interval) is above 0"),
         ("sim/study/hard_cases/hard_cases_study.cpp", r"verdicts (held, finding \(an expected failure\), broken, or finding gone \(it holds\))\."),
         ("sim/study/frame_rate/frame_rate_study.cpp", "Other contacts: (flings that meet a side wall or the top another number of times) "
          r"than at 60 Hz\."), ("sim/study/frame_rate/frame_rate_study.cpp", r"The score is (100 \(1 - mean spread / mean horizontal path\)):")),

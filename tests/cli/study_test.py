@@ -1,5 +1,6 @@
 """The command study: the files, output and errors of needs, speed-error and hard-cases."""
 
+import math
 import re
 
 import h5py
@@ -74,6 +75,19 @@ class SpeedError(ProgramTest):
         text = (self.folder / "speed-error-long-arc.svg").read_text(encoding="utf-8")
         for part in ("Pareto front", "rk8pd", "cost, ns"):
             self.assertNotEqual(part in text, "not measured: clock unsteady" in text, part)
+        self.assertEqual((document["rounds"], document["order_seed"]), (5, 1))
+        self.assertLessEqual(document["ranked_pairs"], document["pairs"])
+        self.assertLessEqual(document["pairs"] * 2 ** (1 - document["processes"]), 0.05)
+        self.assertGreater(document["pairs"] * 2 ** (2 - document["processes"]), 0.05, "no more processes than that takes")
+
+    def test_a_process_measures_costs_for_the_one_that_started_it(self):
+        arguments = ("study", "speed-error", "--quick", "--costs-of-process")
+        times, = self.expect(AGREED, *arguments, "0").out.splitlines()
+        self.assertGreater(len(times.split()), 200, "the clock, and a time of each work")
+        self.assertTrue(all(float(time) >= 0 or math.isnan(float(time)) for time in times.split()))
+        self.assertEqual(self.names(), [], "writes no file")
+        self.expect(BAD_INPUT, *arguments, "1001", says="--costs-of-process: must be a whole number 0 .. 1000 (found 1001)")
+        self.assertNotIn("--costs-of-process", self.expect(AGREED, "study", "--help").out)
 
 
 class HardCases(ProgramTest):

@@ -66,11 +66,7 @@ pid_t fork_until_end() {
 
 constexpr char kHasReturned = '=';  // Before the result, which may be empty.
 
-[[noreturn]] void work_as_child(int result_end, const ChildLimits& limits,
-                                const std::function<std::string()>& work) noexcept {
-  reset_signals();
-  set_limits(limits);
-  if (limits.is_silent && std::freopen("/dev/null", "w", stderr) == nullptr) close(STDERR_FILENO);
+[[noreturn]] void work_as_child(int result_end, const std::function<std::string()>& work) noexcept {
   const std::string result = kHasReturned + work();
   for (std::size_t at = 0; at < result.size();) {
     const ssize_t count = write(result_end, result.data() + at, result.size() - at);
@@ -108,12 +104,20 @@ void limit_wall_time(double limit_s) {
   setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-WorkEnd in_child(const std::string& what, const ChildLimits& limits,
-                 const std::function<std::string()>& work) {
+namespace {
+
+// @param act what the child does; it writes its result to the end of a pipe, and does not return.
+WorkEnd end_of_child(const std::string& what, const ChildLimits& limits,
+                     const std::function<void(int result_end)>& act) {
   int ends[2];
   const bool has_pipe = pipe2(ends, O_CLOEXEC) == 0;
   const pid_t child = has_pipe ? fork_until_end() : -1;
-  if (child == 0) work_as_child(ends[1], limits, work);
+  if (child == 0) {
+    reset_signals();
+    set_limits(limits);
+    if (limits.is_silent && std::freopen("/dev/null", "w", stderr) == nullptr) close(STDERR_FILENO);
+    act(ends[1]);
+  }
   if (has_pipe) close(ends[1]);
   const std::string result = child > 0 ? read_all(ends[0]) : "";
   if (has_pipe) close(ends[0]);
@@ -124,8 +128,28 @@ WorkEnd in_child(const std::string& what, const ChildLimits& limits,
       throw Failure(ExitCode::cannot_access,
                     what + ": the exit status of its child process is unknown: " + std::strerror(errno));
   if (WIFSIGNALED(status)) return {.result = {}, .signal = WTERMSIG(status)};
-  if (!result.starts_with(kHasReturned)) return {};
-  return {.result = result.substr(1), .signal = 0};
+  if (status != 0) return {};
+  return {.result = result, .signal = 0};
+}
+
+}  // namespace
+
+WorkEnd in_child(const std::string& what, const ChildLimits& limits,
+                 const std::function<std::string()>& work) {
+  WorkEnd end = end_of_child(what, limits, [&](int result_end) { work_as_child(result_end, work); });
+  if (!end.result || !end.result->starts_with(kHasReturned)) return {.result = {}, .signal = end.signal};
+  return {.result = end.result->substr(1), .signal = 0};
+}
+
+WorkEnd in_new_process(const std::string& what, const ChildLimits& limits,
+                       std::vector<std::string> arguments) {
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+  return end_of_child(what, limits, [&](int result_end) {
+    if (dup2(result_end, STDOUT_FILENO) >= 0) execv("/proc/self/exe", words.data());
+    _exit(1);
+  });
 }
 
 }  // namespace hyrax

@@ -1,10 +1,12 @@
-// Work that may crash, or not end: done in a child process, so that it cannot harm this one.
+// Work that may crash, not end, or need another layout in memory: done in a child process, so that it cannot
+// harm this one.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hyrax {
 
@@ -34,6 +36,13 @@ struct WorkEnd {
 /// process that ignores SIGCHLD.
 [[nodiscard]] WorkEnd in_child(const std::string& what, const ChildLimits& limits,
                                const std::function<std::string()>& work);
+
+/// Starts this program again, as a process that shares no memory with this one: code, stack and heap lie
+/// elsewhere (address-space layout randomisation), on other pages of memory. Costs the start of a program.
+/// @param arguments the first is the program's name. @return as its result what it printed on standard
+/// output, if its exit code is 0. ERRORS: as in_child. REQUIRES: standard output is open.
+[[nodiscard]] WorkEnd in_new_process(const std::string& what, const ChildLimits& limits,
+                                     std::vector<std::string> arguments);
 
 /// In the work: from now on it may take so long, whatever its limit was.
 void limit_wall_time(double limit_s);

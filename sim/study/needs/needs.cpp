@@ -136,9 +136,9 @@ std::vector<PartNeed> parts_of(const Script& script) {
 // What leaving out a part saves is the difference of two runs; of different paths it would say more about
 // these than about the part. The last one is without all parts that are not needed.
 void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, const CostOptions& options,
-                const NanosecondClock& now_ns) {
+                const CostMeter& measure_costs) {
   if (needs.steps == 0) return;
-  std::vector<std::function<void()>> works{timed(core, script, ModelParts())};
+  Works works{timed(core, script, ModelParts())};
   std::vector<PartNeed*> timed_parts;
   ModelParts needed;
   for (PartNeed& part : needs.parts) {
@@ -151,7 +151,7 @@ void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, co
     timed_parts.push_back(&part);
   }
   works.push_back(timed(core, script, needed));
-  const Costs measured = measure_costs(works, now_ns, options);
+  const Costs measured = costs_of(measure_costs(works, options));
   const auto steps = static_cast<double>(std::min(needs.steps, kFramesTimedMax));
   const Cost& complete = measured.costs.front();
   const auto per_step = [steps](const Cost& run) {
@@ -214,13 +214,13 @@ void count_paths(const Core& core, ScenarioNeeds& needs, const Scenario& scenari
 }
 
 void find_methods(const Core& core, ScenarioNeeds& needs, const Scenario& scenario,
-                  const NeedsOptions& options, const NanosecondClock& now_ns) {
+                  const NeedsOptions& options, const CostMeter& measure_costs) {
   const ScenarioProblem made = problem_of(scenario);
   needs.why_no_methods = made.why_not;
   if (!made.problem) return;
   const SpeedErrorOptions speed{
       .rates_hz = options.rates_hz, .cost = options.cost, .errors_asked_px = {options.within_px}};
-  needs.methods = study_speed_error(core, {*made.problem}, frame_methods(core), speed, now_ns);
+  needs.methods = study_speed_error(core, {*made.problem}, frame_methods(core), speed, measure_costs);
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ Need need_of(const PathDifference& difference, double within_px) {
 }
 
 ScenarioNeeds study_needs(const Core& core, const Scenario& scenario, const NeedsOptions& options,
-                          const NanosecondClock& now_ns) {
+                          const CostMeter& measure_costs) {
   const Script script = script_of(scenario);
   const Rows complete = play_rows(core, script, AllParts());
   ScenarioNeeds needs;
@@ -252,8 +252,8 @@ ScenarioNeeds study_needs(const Core& core, const Scenario& scenario, const Need
   }
   leave_out_unneeded(core, needs, script, complete, options.within_px);
   if (options.core_step) count_paths(core, needs, scenario, options.core_step);
-  take_times(core, needs, script, options.cost, now_ns);
-  if (!options.rates_hz.empty()) find_methods(core, needs, scenario, options, now_ns);
+  take_times(core, needs, script, options.cost, measure_costs);
+  if (!options.rates_hz.empty()) find_methods(core, needs, scenario, options, measure_costs);
   return needs;
 }
 

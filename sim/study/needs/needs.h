@@ -45,8 +45,8 @@ struct PartNeed {
   PathDifference difference = {};
   Need need = Need::needed;
   std::optional<std::size_t> input = {};  ///< Index into Script::inputs; none: a part of the step, or jitter.
-  /// Of the step with all parts minus the one without, round by round; may be negative. Not measured where
-  /// the part changes the run, and of jitter and inputs.
+  /// Of the step with all parts minus the one without, process by process; may be negative. Not measured
+  /// where the part changes the run, and of jitter and inputs.
   MedianEstimate saved_ns_per_step = {};
 
   /// Whether it takes longer with the part, beyond the noise.
@@ -74,7 +74,7 @@ struct ScenarioNeeds {
 
 struct NeedsOptions {
   double within_px = 1.0;
-  CostOptions cost;
+  CostOptions cost = {};
   /// The core's, whose paths are counted; null: they are not.
   std::shared_ptr<const StepProgram> core_step = {};
   std::vector<double> rates_hz;  ///< For the cheapest method; empty: it is not searched for.
@@ -82,7 +82,7 @@ struct NeedsOptions {
 
 /// Plays the scenario with each part left out in turn, and times it.
 [[nodiscard]] ScenarioNeeds study_needs(const Core& core, const Scenario& scenario,
-                                        const NeedsOptions& options, const NanosecondClock& now_ns);
+                                        const NeedsOptions& options, const CostMeter& measure_costs);
 
 [[nodiscard]] Need need_of(const PathDifference& difference, double within_px);
 

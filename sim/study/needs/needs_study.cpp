@@ -196,7 +196,8 @@ std::string cheapest_text(const ScenarioNeeds& needs, double within_px) {
   const WorkPoint* const best = cheapest_of(needs);
   const WorkPoint* const paper = cheapest_of(needs, true);
   const std::string head = fmt::format("\nCheapest within {:g} px of the exact motion: ", within_px);
-  if (!methods.probe.is_steady()) {
+  const std::vector<std::size_t>& as_cheap = methods.cheapest.front().as_cheap;
+  if (best == nullptr && !(methods.probe.is_steady() && as_cheap.empty())) {
     const std::string within = within_text(methods, within_px);
     return fmt::format("{}{}; that near: {}.{}", head, unsteady_text(methods.probe), within,
                        within.starts_with("the paper's step at") ? "" : paper_scan_text(methods, within_px));
@@ -205,10 +206,10 @@ std::string cheapest_text(const ScenarioNeeds& needs, double within_px) {
   std::string text =
       fmt::format("{}{} at {:.0f} Hz, {:.0f} ns per simulated second.", head,
                   methods.methods[best->method].label, best->rate_hz, best->cost.time_ns.median);
-  if (const std::vector<std::size_t>& as_cheap = methods.cheapest.front().as_cheap; !as_cheap.empty())
-    text += fmt::format("\nIts cost does not differ measurably from that of {}{}.",
-                        point_text(methods, as_cheap.front()),
-                        as_cheap.size() > 1 ? fmt::format(" and {} more", as_cheap.size() - 1) : "");
+  if (!as_cheap.empty())
+    text +=
+        fmt::format("\nIt is not cheaper in every process than {}{}.", point_text(methods, as_cheap.front()),
+                    as_cheap.size() > 1 ? fmt::format(" and {} more", as_cheap.size() - 1) : "");
   if (paper == nullptr) text += paper_scan_text(methods, within_px);
   if (paper != nullptr && paper != best)
     text += fmt::format("\nThe paper's step gets that close at {:.0f} Hz, {:.0f} ns per simulated second.",
@@ -237,7 +238,7 @@ std::string answer_of(const ScenarioNeeds& needs) {
   text += without.is_same_bits     ? "it keeps its bits"
           : without.path_px == 0.0 ? "only its speed changes"
                                    : fmt::format("it moves by {} at most", length_text(without.path_px));
-  if (!needs.probe.is_steady() || std::isnan(needs.unneeded_out_ns.median)) return text + ".";
+  if (std::isnan(needs.unneeded_out_ns.median) || std::isnan(needs.step_ns.median)) return text + ".";
   return fmt::format("{} and a step takes {:.2f} of {:.2f} ns.", text, needs.unneeded_out_ns.median,
                      needs.step_ns.median);
 }
@@ -256,7 +257,7 @@ void add_needs(Verdict& verdict, const ScenarioNeeds& needs, double within_px, c
       request.core_step
           ? fmt::format("It takes {} of the step.\n", paths_text(needs.paths_taken, *request.core_step))
           : "",
-      needs.probe.is_steady()
+      !std::isnan(needs.step_ns.median)
           ? fmt::format("Times on {}: medians; of all rows against the step with all parts, "
                         "{:.2f} ns ({:.2f} .. {:.2f}).",
                         request.machine, needs.step_ns.median, needs.step_ns.low, needs.step_ns.high)
@@ -284,6 +285,7 @@ Result run_needs(const StudyRequest& request) {
   NeedsOptions options;
   options.within_px = request.within_px.value_or(kWithin_px);
   options.core_step = request.core_step;
+  options.cost.is_only = request.is_costs_only;
   if (request.is_quick) options.cost.sample_ns = 5'000;
   if (has_few_scenarios)
     options.rates_hz =
@@ -296,9 +298,10 @@ Result run_needs(const StudyRequest& request) {
     const Core core = with_parameters(request.core, named.scenario.parameters).value();
     if (request.core_step && !core.parameters.empty())
       options.core_step = make_step_program(listing_step(*core.constants));
-    scenarios.push_back(study_needs(core, named.scenario, options, request.now_ns));
+    scenarios.push_back(study_needs(core, named.scenario, options, request.measure_costs));
     options.core_step = request.core_step;
   }
+  if (request.is_costs_only) return {};
   const double within_px = options.within_px;
   Result result{.tables = {part_table(scenarios), coverage_table(scenarios), cheapest_table(scenarios)},
                 .summary = summary_of(scenarios, within_px, options.core_step.get())};

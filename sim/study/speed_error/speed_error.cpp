@@ -44,10 +44,12 @@ class Measurer {
       }
   }
 
-  void measure_costs_of_all(const NanosecondClock& now_ns) {
-    const Costs measured = measure_costs(works_, now_ns, options_.cost, options_.report_progress);
+  void measure_costs_of_all(const CostMeter& measure_costs) {
+    count_pairs(study_);
+    study_.cost = options_.cost;
+    study_.cost.processes = std::max(study_.cost.processes, processes_for(study_.comparisons));
+    const Costs measured = costs_of(measure_costs(works_, study_.cost));
     study_.probe = measured.probe;
-    study_.repetitions = options_.cost.repetitions;
     for (std::size_t i = 0; i < study_.set_ups.size(); ++i)
       study_.set_ups[i].cost = measured.costs[set_up_works_[i]];
     for (const Timed& timed : timed_) {
@@ -55,6 +57,7 @@ class Measurer {
       point.cost = difference_of(measured.costs[timed.work], measured.costs[set_up_works_[timed.set_up]],
                                  study_.problems[point.problem].duration_s());
     }
+    count_pairs(study_);
   }
 
  private:
@@ -91,7 +94,7 @@ class Measurer {
   SpeedError& study_;
   const SpeedErrorOptions& options_;
   std::map<std::pair<std::size_t, double>, std::shared_ptr<const Frames>> frames_;
-  std::vector<std::function<void()>> works_;
+  Works works_;
   std::vector<Timed> timed_;
   std::vector<std::size_t> set_up_works_;  // As many as SpeedError::set_ups.
 };
@@ -172,13 +175,15 @@ void find_cheapest(SpeedError& study, const std::vector<double>& errors_asked_px
       std::vector<std::size_t> below;
       for (std::size_t point = 0; point < study.points.size(); ++point) {
         const WorkPoint& p = study.points[point];
-        if (p.problem != problem || !is_ranked(study, p) || !(p.errors.position_px < error_px)) continue;
+        if (p.problem != problem || !is_comparable(study, p) || !(p.errors.position_px < error_px)) continue;
         below.push_back(point);
+        if (!is_ranked(study, p)) continue;
         improve(answer.point, point);
         if (p.method == 0) improve(answer.paper_point, point);
       }
       std::copy_if(below.begin(), below.end(), std::back_inserter(answer.as_cheap), [&](std::size_t point) {
-        return point != *answer.point && !is_cheaper(cost(*answer.point), cost(point));
+        return point != answer.point &&
+               !(answer.point && is_ranked_cheaper(study, study.points[*answer.point], study.points[point]));
       });
       study.cheapest.push_back(std::move(answer));
     }
@@ -271,45 +276,48 @@ PowerFit fitted_power(const std::vector<double>& dt_s, const std::vector<double>
   return fit;
 }
 
-bool is_ranked(const SpeedError& study, const WorkPoint& point) {
-  return point.cost.is_measured() && point.rate_hz >= kRowRate_hz &&
+bool is_comparable(const SpeedError& study, const WorkPoint& point) {
+  return !point.errors.is_failed && point.rate_hz >= kRowRate_hz &&
          !study.methods[point.method].is_reference();
 }
 
-void mark_pareto(SpeedError& study) {
-  for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
-    std::vector<std::size_t> at;
-    std::vector<Cost> costs;
-    std::vector<double> errors;
-    for (std::size_t point = 0; point < study.points.size(); ++point) {
-      const WorkPoint& p = study.points[point];
-      if (p.problem != problem || !is_ranked(study, p)) continue;
-      at.push_back(point);
-      costs.push_back(p.cost);
-      errors.push_back(std::max(p.errors.position_px, rounding_px(p.errors)));  // All exact ones are equal.
-    }
-    const std::vector<bool> is_front = pareto_front(costs, errors);
-    for (std::size_t i = 0; i < at.size(); ++i) study.points[at[i]].is_pareto = is_front[i];
-  }
+bool is_ranked(const SpeedError& study, const WorkPoint& point) {
+  return point.cost.is_measured() && is_comparable(study, point);
 }
 
-std::vector<bool> pareto_front(const std::vector<Cost>& costs, const std::vector<double>& errors) {
+bool is_ranked_cheaper(const SpeedError& study, const WorkPoint& a, const WorkPoint& b) {
+  return is_cheaper(a.cost, b.cost, study.comparisons);
+}
+
+void count_pairs(SpeedError& study) {
+  study.ranked_pairs = 0;
+  std::int64_t pairs = 0;
+  for (auto a = study.points.begin(); a != study.points.end(); ++a)
+    for (auto b = study.points.begin(); is_comparable(study, *a) && b != a; ++b) {
+      if (b->problem != a->problem || !is_comparable(study, *b)) continue;
+      ++pairs;
+      if (is_ranked_cheaper(study, *a, *b) || is_ranked_cheaper(study, *b, *a)) ++study.ranked_pairs;
+    }
+  study.comparisons = pairs;
+}
+
+void mark_pareto(SpeedError& study) {
   // The largest distance is taken at rows: a smaller difference says where in a frame they fall.
   constexpr double kErrorApart_rel = 1e-3;
-  assert(costs.size() == errors.size());
-  std::vector<bool> is_front(costs.size(), false);
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    bool is_beaten = std::isnan(errors[i]) || !costs[i].is_measured();
-    for (std::size_t other = 0; other < costs.size() && !is_beaten; ++other)
-      is_beaten = errors[other] <= errors[i] * (1.0 + kErrorApart_rel) &&
-                  costs[other].time_ns.median < costs[i].time_ns.median && is_cheaper(costs[other], costs[i]);
-    is_front[i] = !is_beaten;
-  }
-  return is_front;
+  const auto error_px = [](const WorkPoint& point) {
+    return std::max(point.errors.position_px, rounding_px(point.errors));  // NaN of a NaN.
+  };
+  for (WorkPoint& point : study.points)
+    point.is_pareto = is_ranked(study, point) && !std::isnan(error_px(point)) &&
+                      std::ranges::none_of(study.points, [&](const WorkPoint& other) {
+                        return other.problem == point.problem && is_ranked(study, other) &&
+                               error_px(other) <= error_px(point) * (1.0 + kErrorApart_rel) &&
+                               is_ranked_cheaper(study, other, point);
+                      });
 }
 
 SpeedError study_speed_error(const Core& core, std::vector<Problem> problems, std::vector<MethodKind> methods,
-                             const SpeedErrorOptions& options, const NanosecondClock& now_ns) {
+                             const SpeedErrorOptions& options, const CostMeter& measure_costs) {
   assert(!problems.empty() && !methods.empty() && methods.front().name == "paper");
   SpeedError study;
   study.laws = FixedLaws(reference_model(core));
@@ -319,7 +327,8 @@ SpeedError study_speed_error(const Core& core, std::vector<Problem> problems, st
   study.high_hz = options.rates_hz.back();
   Measurer measurer(core, study, options);
   measurer.measure_errors_of_all();
-  measurer.measure_costs_of_all(now_ns);
+  measurer.measure_costs_of_all(measure_costs);
+  if (options.cost.is_only) return study;
   mark_pareto(study);
   fit_orders(core, study, options);
   scan_rates(core, study, options.rates_hz);

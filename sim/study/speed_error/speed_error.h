@@ -59,9 +59,8 @@ struct WorkPoint {
   /// Of the frames; of the reference kRowRate_hz, of an adaptive method that and end_only_hz.
   double rate_hz = 0.0;
   MethodErrors errors;
-  Cost cost = {};  ///< Of a simulated second, without the run's set-up; not measured if it failed.
-  bool is_pareto =
-      false;  ///< No other ranked point of its problem is as accurate, and cheaper beyond the noise.
+  Cost cost = {};          ///< Of a simulated second, without the run's set-up; not measured if it failed.
+  bool is_pareto = false;  ///< No other ranked point of its problem is as accurate, and ranked cheaper.
 };
 
 /// What a run costs before its first frame: the time of a run without frames.
@@ -123,8 +122,8 @@ struct CheapestBelow {
   std::size_t problem = 0;
   double error_px = 0.0;
   PointIndex point = {};  ///< None: no method is so accurate.
-  std::vector<std::size_t> as_cheap =
-      {};  ///< Others below the error than which `point` is not cheaper beyond the noise.
+  /// Others below the error than which `point` is not ranked cheaper, or whose cost is not measured.
+  std::vector<std::size_t> as_cheap = {};
   PointIndex paper_point = {};  ///< None: the paper's step is not, at any rate that is ranked.
 };
 
@@ -140,7 +139,9 @@ struct SpeedError {
   std::vector<CheapestBelow> cheapest;
   std::vector<PaperErrors> paper;  ///< Of the first problem, if it is free flight.
   ClockProbe probe;
-  int repetitions = 0;
+  CostOptions cost = {};               ///< As it was measured.
+  std::int64_t comparisons = 0;        ///< Pairs of comparable points of one problem,
+  std::int64_t ranked_pairs = 0;       ///< and those of which one is ranked cheaper.
   double low_hz = 0.0, high_hz = 0.0;  ///< The rates.
 };
 
@@ -148,15 +149,21 @@ struct SpeedErrorOptions {
   std::vector<double> rates_hz;             ///< Each kRowRate_hz times a power of two, from the lowest.
   std::vector<double> band_rates_hz = {};   ///< Rates of `bands`; empty: there are none.
   std::vector<double> order_rates_hz = {};  ///< To which orders with walls are fitted; empty: there are none.
-  CostOptions cost;
+  CostOptions cost = {};                    ///< Its processes: as many as the comparisons take.
   std::vector<double> errors_asked_px = {100.0, 10.0, 1.0,
-                                         0.1,   0.01, 1e-6};             ///< What is cheapest below each?
-  std::function<void(std::int64_t, std::int64_t)> report_progress = {};  ///< See measure_costs; may be empty.
+                                         0.1,   0.01, 1e-6};  ///< What is cheapest below each?
 };
 
 /// Costs are compared like with like: with kRowRate_hz rows a second. A slower rate gives fewer, and the
-/// reference method is the limit: neither is ranked. REQUIRES: as above; it did not fail.
+/// reference method is the limit: neither is compared, nor a method that failed.
+[[nodiscard]] bool is_comparable(const SpeedError& study, const WorkPoint& point);
+/// Of which the cost is measured, too.
 [[nodiscard]] bool is_ranked(const SpeedError& study, const WorkPoint& point);
+
+/// Whether the study ranks the cost of one as cheaper: see is_cheaper. REQUIRES: points of one problem.
+[[nodiscard]] bool is_ranked_cheaper(const SpeedError& study, const WorkPoint& a, const WorkPoint& b);
+/// Counts SpeedError::comparisons, and once costs are measured ranked_pairs.
+void count_pairs(SpeedError& study);
 
 /// The rate at which a free flight is one frame: an adaptive method gives its end, and no other row.
 [[nodiscard]] double end_only_hz(const Problem& problem);
@@ -165,7 +172,7 @@ struct SpeedErrorOptions {
 /// problem is not free flight. REQUIRES: a problem; the paper's step is the first method.
 [[nodiscard]] SpeedError study_speed_error(const Core& core, std::vector<Problem> problems,
                                            std::vector<MethodKind> methods, const SpeedErrorOptions& options,
-                                           const NanosecondClock& now_ns);
+                                           const CostMeter& measure_costs);
 
 /// The rules that do not hold, each a sentence with method, problem and rate; never about a time.
 [[nodiscard]] std::vector<std::string> broken_rules(const SpeedError& study);
@@ -199,13 +206,8 @@ struct SpeedErrorOptions {
 /// Order of errors (> 0) against dt. REQUIRES: two points or more, in the order of dt.
 [[nodiscard]] PowerFit fitted_power(const std::vector<double>& dt_s, const std::vector<double>& errors);
 
-/// Sets WorkPoint::is_pareto of all points; errors that are no more than rounding are equal.
+/// Sets WorkPoint::is_pareto of all points: ranked ones than which no other that is as accurate, to a
+/// thousandth, is ranked cheaper. Errors that are no more than rounding are equal; a NaN is not accurate.
 void mark_pareto(SpeedError& study);
-
-/// The points than which no other that is as accurate, to a thousandth, is cheaper beyond the noise. Never
-/// one of a NaN or of a cost that is not measured. REQUIRES: as many errors as costs, which are of one
-/// measurement.
-[[nodiscard]] std::vector<bool> pareto_front(const std::vector<Cost>& costs,
-                                             const std::vector<double>& errors);
 
 }  // namespace hyrax

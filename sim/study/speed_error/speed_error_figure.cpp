@@ -66,16 +66,19 @@ class Diagram {
   [[nodiscard]] Plot cost_plot() const {
     Plot plot{
         .x = {.label = "cost, ns per simulated second of 60 rows, without set-up", .is_logarithmic = true},
-        .y = error_axis(),
-        .when_empty = unsteady_text(study_.probe)};
-    if (!study_.probe.is_steady()) return plot;
+        .y = error_axis()};
+    if (!study_.probe.is_steady()) {
+      plot.when_empty = unsteady_text(study_.probe);
+      return plot;
+    }
     Series front{.name = "Pareto front", .look = kFrontLook}, ring = ring_series();
     for (const Curve* const curve : in_drawing_order()) {
       const MethodKind& method = study_.methods[curve->method];
       if (method.is_reference()) {
-        plot.marks.push_back({.at = curve->points.front()->cost.time_ns.median,
-                              .text = "the reference: " + method.label,
-                              .tone = Tone::quiet});
+        if (curve->points.front()->cost.is_measured())
+          plot.marks.push_back({.at = curve->points.front()->cost.time_ns.median,
+                                .text = "the reference: " + method.label,
+                                .tone = Tone::quiet});
         continue;
       }
       const double from_hz = is_adaptive(*curve) ? 0.0 : kRowRate_hz;
@@ -85,6 +88,7 @@ class Diagram {
         series.x.push_back(point->cost.time_ns.median);
         series.x_low.push_back(point->cost.time_ns.low);
         series.x_high.push_back(point->cost.time_ns.high);
+        if (!point->cost.is_measured()) continue;
         if (!is_adaptive(*curve)) add_ringed(ring, *point, point->cost.time_ns.median);
         if (curve->method == 0)
           plot.texts.push_back({point->cost.time_ns.median, point->errors.position_px, rate_text(*point)});
@@ -134,7 +138,7 @@ class Diagram {
     if (!study_.probe.is_steady()) return entries;
     if (has_adaptive) entries.push_back({"GSL's steppers, over tolerances", kAdaptiveLook});
     if (has_end_only) entries.push_back({"the same without rows: their end only", kEndOnlyLook});
-    entries.push_back({"Pareto front: none as near is cheaper beyond the noise", kFrontLook});
+    entries.push_back({"Pareto front: none as near is cheaper in every process", kFrontLook});
     return entries;
   }
 
@@ -218,7 +222,7 @@ class Diagram {
       if (study_.methods[curve.method].is_reference()) continue;
       const WorkPoint* last = nullptr;
       for (const WorkPoint* const point : curve.points) {
-        if (point->errors.is_failed || point->rate_hz < kRowRate_hz) continue;
+        if (!is_ranked(study_, *point)) continue;
         last = point;
         if (point->errors.position_px == 0.0 &&
             (!zero || zero->cost.time_ns.median < point->cost.time_ns.median))
@@ -261,8 +265,8 @@ Figure speed_error_figure(const SpeedError& study, std::size_t problem, const st
       .body = std::vector{diagram.cost_plot(), diagram.dt_plot()},
       .legend = diagram.legend()};
   if (study.probe.is_steady())
-    figure.subtitle += fmt::format("; bars: 95 % interval of the median of {} repetitions on {}",
-                                   study.repetitions, machine);
+    figure.subtitle += fmt::format("; bars: 95 % interval of the median of {} processes on {}",
+                                   study.cost.processes, machine);
   if (problem == 0) figure.remarks = convergence_sentences(study);  // They are about its free flight.
   return figure;
 }

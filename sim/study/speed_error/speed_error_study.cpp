@@ -105,12 +105,29 @@ std::optional<Table> gsl_text(const SpeedError& study, std::size_t problem) {
 
 // The cheapest, and how many others the noise hides behind it.
 std::string cheapest_name(const SpeedError& study, const CheapestBelow& answer) {
-  if (!answer.point) return "no method at any rate";
+  if (!answer.point) return answer.as_cheap.empty() ? "no method at any rate" : unsteady_text({});
   std::string name = point_text(study, *answer.point);
   if (answer.as_cheap.empty()) return name;
   return name + " or " +
          (answer.as_cheap.size() == 1 ? point_text(study, answer.as_cheap.front())
                                       : fmt::format("{} others", answer.as_cheap.size()));
+}
+
+// How costs were measured and ranked, and how many were not.
+std::string costs_text(const SpeedError& study) {
+  std::string text = fmt::format(
+      "Costs: {} processes of {} rounds (order seed {}); of {} pairs {:.1f} % are ranked, each the same in "
+      "all.",
+      study.cost.processes, study.cost.rounds, kOrderSeed,
+      with_decimals(static_cast<double>(study.comparisons), 0),
+      study.comparisons == 0
+          ? 0.0
+          : 100.0 * static_cast<double>(study.ranked_pairs) / static_cast<double>(study.comparisons));
+  const auto unsteady = std::ranges::count_if(study.points, [](const WorkPoint& point) {
+    return !point.errors.is_failed && !point.cost.is_measured();
+  });
+  if (unsteady > 0) text += fmt::format(" Of {} they are {}.", counted(unsteady, "point"), unsteady_text({}));
+  return text;
 }
 
 Table cheapest_text(const SpeedError& study, std::size_t problem) {
@@ -248,11 +265,10 @@ Result run_speed_error(const StudyRequest& request) {
     options.order_rates_hz = {60.0, 120.0, 240.0};
     options.cost.sample_ns = 5'000;
   }
-  options.report_progress = [&](std::int64_t done, std::int64_t total) {
-    if (request.report_progress) request.report_progress("samples", done, total);
-  };
-  const SpeedError study =
-      study_speed_error(request.core, problems_of(request), std::move(methods), options, request.now_ns);
+  options.cost.is_only = request.is_costs_only;
+  const SpeedError study = study_speed_error(request.core, problems_of(request), std::move(methods), options,
+                                             request.measure_costs);
+  if (request.is_costs_only) return {};
   return {.tables = speed_error_tables(study, request.machine),
           .figures = figures_of(study, request.machine),
           .verdict = speed_error_verdict(study, request.machine, !request.scenarios.empty()),
@@ -269,8 +285,8 @@ Verdict speed_error_verdict(const SpeedError& study, const std::string& machine,
   Verdict verdict{
       answer_of(study, fling),
       {study.probe.is_steady()
-           ? fmt::format("Speed against error on {}; its clock was steady to {:.1f} %.", machine,
-                         100.0 * study.probe.drift_rel)
+           ? fmt::format("Speed against error on {}; its clock was steady to {:.1f} %.\n{}", machine,
+                         100.0 * study.probe.drift_rel, costs_text(study))
            : fmt::format("Speed against error on {}; costs are {}.", machine, unsteady_text(study.probe)),
        fmt::format(
            "Exact: the fixed laws, v' = g - k v with k = {:.4g} 1/s (drag as at 60 Hz), from impact to "
@@ -283,10 +299,11 @@ Verdict speed_error_verdict(const SpeedError& study, const std::string& machine,
                                        played.remark.empty() ? "" : ", " + played.remark));
     verdict.text.push_back(methods_text(study, problem));
     if (study.probe.is_steady()) {
-      verdict.text.push_back(fmt::format(
-          "  cheapest of 60 rows a second (\"or\": costs do not differ measurably; \"at no rate\": none from "
-          "{:g} to {:g} Hz)",
-          study.low_hz, study.high_hz));
+      verdict.text.push_back(
+          fmt::format("  cheapest of 60 rows a second (\"or\": not cheaper than these in every process; \"at "
+                      "no rate\": none "
+                      "from {:g} to {:g} Hz)",
+                      study.low_hz, study.high_hz));
       verdict.text.push_back(cheapest_text(study, problem));
     }
     if (std::optional<Table> steppers = gsl_text(study, problem)) {

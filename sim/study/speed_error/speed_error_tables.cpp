@@ -34,6 +34,17 @@ std::int64_t order_code(const Accuracy& accuracy) {
   return std::holds_alternative<Adaptive>(accuracy) ? -2 : 0;
 }
 
+// "12 40": the ranked points of its problem that are not ranked against it.
+std::string as_cheap_text(const SpeedError& study, const WorkPoint& point) {
+  std::string rows;
+  for (const WorkPoint& other : study.points)
+    if (&other != &point && other.problem == point.problem && is_ranked(study, other) &&
+        is_ranked(study, point) && !is_ranked_cheaper(study, point, other) &&
+        !is_ranked_cheaper(study, other, point))
+      rows += fmt::format("{}{}", rows.empty() ? "" : " ", &other - study.points.data());
+  return rows;
+}
+
 Table points_table(const SpeedError& study) {
   using P = const WorkPoint&;
   const auto error = [](double MethodErrors::*part) {
@@ -61,9 +72,11 @@ Table points_table(const SpeedError& study) {
            error(&MethodErrors::contact_time_s))
       .add_estimate("cost", "ns/s", "time per simulated second without set-up, median",
                     [](P p) { return p.cost.time_ns; })
-      .add("ranked", "1", "1: gives 60 rows a second, and is not the truth itself",
+      .add("ranked", "1", "1: gives 60 rows a second, is not the truth itself, and its cost is measured",
            [&](P p) { return std::int64_t{is_ranked(study, p)}; })
-      .add("pareto", "1", "1: none as accurate is cheaper beyond the noise",
+      .add("as_cheap", "", "ranked rows, from 0, of the problem than which it is neither cheaper nor dearer",
+           [&](P p) { return as_cheap_text(study, p); })
+      .add("pareto", "1", "1: none as accurate is ranked cheaper",
            [](P p) { return std::int64_t{p.is_pareto}; });
 }
 
@@ -127,7 +140,7 @@ Table cheapest_table(const SpeedError& study) {
            [&](A a) { return a.point ? study.methods[study.points[*a.point].method].name : "none"; })
       .add("rate", "Hz", "its frames per second", rate(&CheapestBelow::point))
       .add("cost", "ns/s", "its median cost", cost(&CheapestBelow::point))
-      .add("as_cheap", "", "others than which it is not cheaper beyond the noise",
+      .add("as_cheap", "", "others than which it is not ranked cheaper, or whose cost is not measured",
            [&](A a) {
              std::string names;
              for (const std::size_t point : a.as_cheap)
@@ -157,7 +170,13 @@ Table clock_table(const SpeedError& study, const std::string& machine) {
       "clock",
       "where and how the times were measured",
       {{"machine", "", "processor", std::vector{machine}},
-       {"repetitions", "1", "of each point, in random order", std::vector<std::int64_t>{study.repetitions}},
+       {"processes", "1", "each with a layout in memory of its own",
+        std::vector<std::int64_t>{study.cost.processes}},
+       {"rounds", "1", "of each process, each work once a round, in random order",
+        std::vector<std::int64_t>{study.cost.rounds}},
+       {"order_seed", "1", "of the random orders", std::vector{static_cast<std::int64_t>(kOrderSeed)}},
+       {"pairs", "1", "of points of one problem that can be ranked", std::vector{study.comparisons}},
+       {"ranked_pairs", "1", "of which one is cheaper in every process", std::vector{study.ranked_pairs}},
        {"probe", "ns", "median time of the same piece of arithmetic", std::vector{study.probe.median_ns}},
        {"probe_drift", "1", "its 95th minus its 5th percentile / median", std::vector{study.probe.drift_rel}},
        {"steady", "1", "1: steady enough for costs; 0: they are not measured",
@@ -172,11 +191,16 @@ std::vector<Table> speed_error_tables(const SpeedError& study, const std::string
 }
 
 std::vector<Table> speed_error_summary(const SpeedError& study, const std::string& machine) {
-  Table clock{.columns = {{.name = "machine", .values = std::vector{machine}},
-                          {.name = "clock_drift_rel", .values = std::vector{study.probe.drift_rel}},
-                          {.name = "clock_steady", .values = std::vector{study.probe.is_steady()}},
-                          {.name = "repetitions", .values = std::vector<std::int64_t>{study.repetitions}}},
-              .form = JsonForm::members};
+  Table clock{
+      .columns = {{.name = "machine", .values = std::vector{machine}},
+                  {.name = "clock_drift_rel", .values = std::vector{study.probe.drift_rel}},
+                  {.name = "clock_steady", .values = std::vector{study.probe.is_steady()}},
+                  {.name = "processes", .values = std::vector<std::int64_t>{study.cost.processes}},
+                  {.name = "rounds", .values = std::vector<std::int64_t>{study.cost.rounds}},
+                  {.name = "order_seed", .values = std::vector{static_cast<std::int64_t>(kOrderSeed)}},
+                  {.name = "pairs", .values = std::vector{study.comparisons}},
+                  {.name = "ranked_pairs", .values = std::vector{study.ranked_pairs}}},
+      .form = JsonForm::members};
   const auto point = [&](PointIndex CheapestBelow::*index) {
     return [&study, index](const CheapestBelow& answer) {
       std::vector<WorkPoint> points;

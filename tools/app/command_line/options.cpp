@@ -160,7 +160,7 @@ void Options::printing(Printing& into, const std::string& verbose_help) {
 std::vector<std::string_view> Options::names() const {
   std::vector<std::string_view> names;
   for (const Option& option : options_) {
-    if (option.kind == Kind::removed) continue;
+    if (!option.is_listed()) continue;
     const std::string_view all = option.text.names;
     names.push_back(all.substr(all.rfind(',') + 1));
   }
@@ -244,7 +244,7 @@ std::string Options::help(const std::string& command) const {
   }
   text += "\nOptions:\n";
   for (const Option& option : options_)
-    if (option.kind != Kind::removed) text += help_line(with_argument(option.text), option.text.help);
+    if (option.is_listed()) text += help_line(with_argument(option.text), option.text.help);
   return usage + "\n" + text + help_line("-h,--help", "print this help");
 }
 

@@ -27,7 +27,7 @@ struct Core;
 struct OptionText {
   std::string names;  ///< As "-o,--output".
   std::string value;  ///< The name of its value; empty for a flag.
-  std::string help;   ///< What it does.
+  std::string help;   ///< What it does; empty: not in the help, as what the program passes to itself.
 };
 
 /// Every argument is taken literally: nothing is split, unquoted or expanded. An option takes its value from
@@ -81,6 +81,7 @@ class Options {
     bool is_given = false;
 
     [[nodiscard]] bool is_named(std::string_view name) const;
+    [[nodiscard]] bool is_listed() const { return kind != Kind::removed && !text.help.empty(); }
   };
 
   [[nodiscard]] bool read(const std::vector<std::string>& arguments);

@@ -20,6 +20,8 @@
 namespace hyrax {
 namespace {
 
+constexpr std::int64_t kProcessesMax = 1'000;  // More than any number of comparisons takes.
+
 struct StudyArguments {
   std::vector<std::string> files;  ///< The study's name, then scenarios.
   std::string folder = ".";
@@ -28,6 +30,7 @@ struct StudyArguments {
   bool is_gate = false;
   bool has_no_figures = false;
   std::string page;
+  std::optional<std::int64_t> costs_of_process;
   Printing printing;
 };
 
@@ -50,6 +53,7 @@ void declare_arguments(Options& options, const std::vector<OfferedStudy>& studie
   options.flag(arguments.has_no_figures, {"--no-figures", "", "draw no figures"});
   options.text(arguments.page,
                {"--report", "FILE.html", "write the answer, its pictures and its tables as a page"});
+  options.integer(arguments.costs_of_process, {kCostsOption, "N", ""}, 0, kProcessesMax);
   options.printing(arguments.printing, "print whole tables where the terminal is too narrow for them");
 }
 
@@ -85,6 +89,7 @@ void refuse_what_it_does_not_take(const OfferedStudy& study, const StudyArgument
   if (arguments.files.size() > 1 && !study.takes_scenarios)
     refuse("takes no scenarios (found '" + arguments.files[1] + "')");
   if (!arguments.within.empty() && !study.takes_within) refuse("takes no --within");
+  if (arguments.costs_of_process && !study.print_costs) refuse(std::string("takes no ") + kCostsOption);
 }
 
 // The scenario files that the study reads.
@@ -94,14 +99,30 @@ std::vector<std::string> scenario_files(const OfferedStudy& study, const StudyAr
   return list_scenarios(given);
 }
 
-Result run_study(const OfferedStudy& study, const Core& core, const StudyArguments& arguments,
-                 const std::vector<std::string>& scenarios) {
-  StudyInput input{.core = core, .scenarios = scenarios, .is_quick = arguments.is_quick};
+// What asks for the same values.
+std::vector<std::string> words_of(const StudyArguments& arguments) {
+  std::vector<std::string> words = {"study"};
+  for (const std::string& file : arguments.files) words.push_back(as_argument(file));
+  if (arguments.is_quick) words.emplace_back("--quick");
+  if (!arguments.within.empty()) words.insert(words.end(), {"--within", arguments.within});
+  return words;
+}
+
+StudyInput input_of(const OfferedStudy& study, const Core& core, const StudyArguments& arguments,
+                    const std::vector<std::string>& scenarios) {
+  StudyInput input{
+      .core = core, .scenarios = scenarios, .is_quick = arguments.is_quick, .words = words_of(arguments)};
   if (!arguments.within.empty())
     input.within_px = parse_length_px(arguments.within, "hyrax-sim study " + study.name + ": --within");
+  return input;
+}
+
+Result run_study(const OfferedStudy& study, StudyInput input) {
   std::optional<Progress> progress;
-  input.report_progress = [&](const std::string& unit, std::int64_t done, std::int64_t total) {
-    if (!progress) progress.emplace(unit, total);
+  input.report_progress = [&, shown = std::string()](const std::string& unit, std::int64_t done,
+                                                     std::int64_t total) mutable {
+    if (unit != shown) progress.emplace(unit, total);
+    shown = unit;
     progress->show(done);
   };
   return study.run(input);
@@ -109,10 +130,7 @@ Result run_study(const OfferedStudy& study, const Core& core, const StudyArgumen
 
 // The command that writes the same page.
 std::string command_of(const StudyArguments& arguments) {
-  std::vector<std::string> words = {"study"};
-  for (const std::string& file : arguments.files) words.push_back(as_argument(file));
-  if (arguments.is_quick) words.emplace_back("--quick");
-  if (!arguments.within.empty()) words.insert(words.end(), {"--within", arguments.within});
+  std::vector<std::string> words = words_of(arguments);
   words.insert(words.end(), {"--report", as_argument(arguments.page)});
   return program_command(words);
 }
@@ -160,11 +178,16 @@ ExitCode run_study_command(const OfferedStudy& study, const Core& core, const St
   if (study.require) study.require(core);
   refuse_what_it_does_not_take(study, arguments);
   const std::vector<std::string> inputs = scenario_files(study, arguments);
+  const StudyInput input = input_of(study, core, arguments, inputs);
+  if (arguments.costs_of_process) {
+    study.print_costs(input, static_cast<int>(*arguments.costs_of_process));
+    return ExitCode::agreed;
+  }
   const std::string stem = stem_of(study, arguments);
   OutputGuard guard(inputs);
   if (!arguments.page.empty()) guard.admit_file("hyrax-sim study: --report", arguments.page, {".html"});
   for (const char* const ending : {".h5", ".csv"}) guard.admit("hyrax-sim study: -o", stem + ending);
-  const Result result = run_study(study, core, arguments, inputs);
+  const Result result = run_study(study, input);
   if (!arguments.has_no_figures)
     for (const Figure& figure : result.figures)
       guard.admit("hyrax-sim study: -o", stem + figure.suffix + ".svg");

@@ -21,7 +21,10 @@ struct StudyInput {
   std::optional<double> within_px = {};
   /// Called from time to time with what is counted ("steps"), how many are done, and of how many.
   std::function<void(const std::string& unit, std::int64_t done, std::int64_t total)> report_progress = {};
+  /// The words after the program's name that ask for the same; with `kCostsOption N`, print_costs of N.
+  std::vector<std::string> words = {};
 };
+inline constexpr const char* kCostsOption = "--costs-of-process";
 
 /// A study that a program has.
 struct OfferedStudy {
@@ -33,6 +36,8 @@ struct OfferedStudy {
   /// ERRORS: Failure.
   std::function<Result(const StudyInput& input)> run = {};
   std::function<void(const Core& core)> require = nullptr;  ///< Refuses cores that it cannot measure.
+  /// Measures the study's costs in this process, one of several, and prints them for the one that started it.
+  std::function<void(const StudyInput& input, int process)> print_costs = {};
 };
 
 /// @param instead names of studies that the program has not, and what is said of each.

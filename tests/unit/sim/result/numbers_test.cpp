@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "sim/result/estimate.h"
-#include "sim/scenario/split_mix64.h"
 
 namespace hyrax {
 namespace {
@@ -55,20 +54,14 @@ TEST(MedianEstimate, OfFewValuesIsTheirs) {
   EXPECT_EQ(median_of({4.0, 2.0}).low, 2.0);
 }
 
-// Its interval by drawing 20,000 resamples.
-TEST(MedianEstimate, IsWhatResamplingGives) {
-  for (const std::uint64_t count : {21u, 25u}) {
-    std::vector<double> values, medians;
-    for (std::uint64_t k = 0; k < count; ++k) values.push_back(split_mix64_unit(1, k));
-    std::uint64_t draw = 0;
-    for (int resample = 0; resample < 20'000; ++resample) {
-      std::vector<double> drawn;
-      for (std::uint64_t value = 0; value < count; ++value)
-        drawn.push_back(values[split_mix64(2, draw++) % count]);
-      medians.push_back(quantile(drawn, 0.5));
-    }
-    EXPECT_EQ(median_of(values).low, quantile(medians, 0.025)) << count;
-    EXPECT_EQ(median_of(values).high, quantile(medians, 0.975)) << count;
+// By tables of the binomial distribution: P(Binomial(n, 1/2) < k) is at most 2.5 %.
+TEST(MedianEstimate, IsBetweenOrderStatistics) {
+  for (const auto& [count, k] :
+       {std::pair(5, 1), {6, 1}, {8, 1}, {9, 2}, {11, 2}, {12, 3}, {21, 6}, {1'000, 469}}) {
+    std::vector<double> values;
+    for (int value = count; value >= 1; --value) values.push_back(value);
+    EXPECT_EQ(median_of(values).low, k) << count;
+    EXPECT_EQ(median_of(values).high, count + 1 - k) << count;
   }
 }
 

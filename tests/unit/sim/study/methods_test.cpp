@@ -16,32 +16,47 @@
 namespace hyrax {
 namespace {
 
-TEST(MeasureCosts, MeasuresEachWorkSeparately) {
-  std::int64_t now_ns = 0, runs = 0;
-  const auto slow_at_times = [&] { now_ns += ++runs % 5 == 0 ? 900'000 : 100'000; };
-  const std::vector<std::function<void()>> works = {[&] { now_ns += 100; }, [&] { now_ns += 7'000; },
-                                                    [&] { now_ns += 200'000; }, slow_at_times};
-  const Costs measured = measure_costs(works, [&] { return now_ns; }, {.repetitions = 40});
-  ASSERT_EQ(measured.costs.size(), 4u);
-  EXPECT_EQ(measured.costs[0].time_ns.median, 100.0);
-  EXPECT_EQ(measured.costs[1].time_ns.median, 7'000.0);
-  EXPECT_EQ(measured.costs[2].time_ns.high, 200'000.0);
-  EXPECT_EQ(measured.costs[3].time_ns.median, 100'000.0) << "few slow runs are ignored";
+// A clock that works set forward; what does not, as the probe, takes 50 us by it.
+struct Clock {
+  std::int64_t now_ns = 0;
+
+  Stopwatch stopwatch() {
+    return [this](const std::function<void()>& work) {
+      const std::int64_t from_ns = now_ns;
+      work();
+      return now_ns == from_ns ? std::int64_t{50'000} : now_ns - from_ns;
+    };
+  }
+};
+
+TEST(TimeWorks, MeasuresEachWorkSeparately) {
+  Clock clock;
+  std::int64_t runs = 0;
+  const auto slow_at_times = [&] { clock.now_ns += ++runs % 5 == 0 ? 70'000 : 50'000; };
+  const Works works = {[&] { clock.now_ns += 100; }, [&] { clock.now_ns += 7'000; },
+                       [&] { clock.now_ns += 50'000; }, slow_at_times};
+  const ProcessTimes times = time_works(works, clock.stopwatch(), {.rounds = 40}, 0);
+  EXPECT_EQ(times.works_ns, (std::vector{100.0, 7'000.0, 50'000.0, 50'000.0})) << "few slow runs are ignored";
 }
 
-TEST(MeasureCosts, EveryRoundHasEveryWorkOnceInAMixedOrder) {
-  std::int64_t now_ns = 0;
+TEST(TimeWorks, EveryRoundHasEveryWorkOnceInAMixedOrder) {
+  Clock clock;
   std::vector<std::size_t> order;
-  std::vector<std::function<void()>> works;
+  Works works;
   for (std::size_t work = 0; work < 4; ++work)
     works.push_back([&, work] {
-      now_ns += 100'000;
+      clock.now_ns += 100'000;
       order.push_back(work);
     });
-  const Costs measured = measure_costs(works, [&] { return now_ns; }, {.repetitions = 25});
-  for (const Cost& cost : measured.costs) EXPECT_EQ(cost.rounds_ns.size(), 25u);
+  std::vector<std::vector<std::size_t>> orders;
+  for (int process = 0; process < 2; ++process) {
+    order.clear();
+    static_cast<void>(time_works(works, clock.stopwatch(), {.rounds = 25}, process));
+    ASSERT_EQ(order.size(), 8u + 4u * 25u);  // Warming up, and how long a run takes.
+    orders.push_back(order);
+  }
+  EXPECT_NE(orders[0], orders[1]) << "each process has orders of its own";
   int in_turn = 0;
-  ASSERT_EQ(order.size(), 8u + 4u * 25u);  // Warming up, and how long a run takes.
   for (std::size_t first = 8; first < order.size(); first += 4) {
     const auto round = order.begin() + static_cast<std::ptrdiff_t>(first);
     EXPECT_EQ(std::set(round, round + 4).size(), 4u);
@@ -50,40 +65,101 @@ TEST(MeasureCosts, EveryRoundHasEveryWorkOnceInAMixedOrder) {
   EXPECT_LT(in_turn, 50);
 }
 
-TEST(MeasureCosts, AnUnsteadyClockMeasuresNothing) {
-  std::int64_t now_ns = 0, tick_ns = 100;
-  const std::vector<std::function<void()>> works = {[&] { now_ns += 100'000; }};
-  const auto steady = [&] { return now_ns += tick_ns; };
-  EXPECT_EQ(measure_costs(works, steady, {.repetitions = 400}).probe.drift_rel, 0.0);
-  const Costs measured = measure_costs(works, [&] { return now_ns += tick_ns++; }, {.repetitions = 400});
-  EXPECT_GT(measured.probe.drift_rel, 0.5);
-  EXPECT_FALSE(measured.costs[0].is_measured());
-  EXPECT_TRUE(std::isnan(measured.costs[0].time_ns.median));
-  EXPECT_EQ(unsteady_text({.median_ns = 1.0, .drift_rel = 0.4}),
-            "not measured: clock unsteady (drift 40 %, at most 25 %)");
-  EXPECT_EQ(unsteady_text({.median_ns = 1.0, .drift_rel = 0.25}), "");
+// One run of the probe takes 50 us by this clock, and so do any number: their mean says how many there were.
+TEST(TimeWorks, ProbesTheClockForAsLongAsEachSampleTook) {
+  Clock clock;
+  const Works works = {[&] { clock.now_ns += 5'000'000; }};
+  EXPECT_EQ(time_works(works, clock.stopwatch(), {.rounds = 1}, 0).probe.median_ns, 500.0);
 }
 
-TEST(IsCheaper, OnlyBeyondTheNoise) {
-  const Cost steady = cost_of({10, 10, 10, 10, 10, 10, 10, 10, 10});
-  const Cost cheaper = cost_of({9, 9.5, 9, 9.5, 9, 9.5, 9, 9.5, 9});
-  const Cost noisy = cost_of({9, 11, 9, 11, 9, 11, 9, 11, 9});
+// Of 40 works, one of which takes 10 us more in the samples whose probes take a quarter longer, and more.
+TEST(TimeWorks, ASampleWhoseProbeDriftsIsLeftOut) {
+  for (const auto& [drifting, probe_ns, work_ns] :
+       {std::tuple(2, 63'000, 50'000.0), {3, 63'000, kNotGiven}, {3, 62'000, 60'000.0}}) {
+    std::int64_t now_ns = 0;
+    std::size_t last = 0;
+    int samples = -2;  // Of the last work, after two runs to warm up.
+    Works works;
+    for (std::size_t work = 0; work < 40; ++work)
+      works.push_back([&, work] {
+        last = work;
+        if (work == 7) ++samples;
+        now_ns += work == 7 && samples > 0 && samples <= drifting ? 60'000 : 50'000;
+      });
+    const Stopwatch time_of = [&](const std::function<void()>& work) -> std::int64_t {
+      const std::int64_t from_ns = now_ns;
+      work();
+      if (now_ns != from_ns) return now_ns - from_ns;
+      return last == 7 && samples <= drifting ? probe_ns : 50'000;
+    };
+    const ProcessTimes times = time_works(works, time_of, {.rounds = 4}, 0);
+    EXPECT_TRUE(times.probe.is_steady());
+    EXPECT_EQ(times.works_ns[6], 50'000.0);
+    if (std::isnan(work_ns))
+      EXPECT_TRUE(std::isnan(times.works_ns[7])) << "a quarter of its samples is left";
+    else
+      EXPECT_EQ(times.works_ns[7], work_ns) << drifting << " of " << probe_ns;
+  }
+}
+
+TEST(CostsOf, HaveAValueOfEachProcess) {
+  const Costs measured =
+      costs_of({{{5.0, 1.0}, {10.0, 0.1}}, {{7.0, kNotGiven}, {10.0, 0.2}}, {{6.0, 1.0}, {}}});
+  EXPECT_EQ(measured.costs[0].processes_ns, (std::vector{5.0, 7.0, 6.0}));
+  EXPECT_EQ(measured.costs[0].time_ns.median, 6.0);
+  EXPECT_EQ(measured.costs[0].time_ns.high, 7.0);
+  EXPECT_FALSE(measured.costs[1].is_measured()) << "not by every process";
+  EXPECT_TRUE(std::isnan(measured.costs[1].time_ns.median));
+  EXPECT_EQ(measured.probe.drift_rel, 0.2);
+}
+
+TEST(CostsOf, AnUnsteadyClockMeasuresNothing) {
+  Clock clock;
+  const Works works(20, [&] { clock.now_ns += 50'000; });
+  const auto measured = [&](std::int64_t times_longer) {
+    const Stopwatch drifting = [&, time_of = clock.stopwatch(),
+                                readings = std::int64_t{0}](const std::function<void()>& work) mutable {
+      return time_of(work) * (1 + times_longer * (++readings % 3));
+    };
+    return costs_of({time_works(works, drifting, {}, 0)});
+  };
+  EXPECT_TRUE(measured(0).costs[0].is_measured());
+  EXPECT_EQ(measured(0).probe.drift_rel, 0.0);
+  EXPECT_FALSE(measured(1).probe.is_steady());
+  EXPECT_FALSE(measured(1).costs[0].is_measured());
+  EXPECT_EQ(unsteady_text({.median_ns = 1.0, .drift_rel = 0.4}),
+            "not measured: clock unsteady (drift 40 %, at most 25 %)");
+  EXPECT_EQ(unsteady_text({.median_ns = 1.0, .drift_rel = 0.25}), "not measured: clock unsteady");
+}
+
+TEST(IsCheaper, InEveryProcess) {
+  const Cost steady = cost_of({10, 10, 10, 10, 10, 10});
+  const Cost cheaper = cost_of({9, 9.5, 9, 9.5, 9, 9.9});
   EXPECT_TRUE(is_cheaper(cheaper, steady));
   EXPECT_FALSE(is_cheaper(steady, cheaper));
-  EXPECT_LT(noisy.time_ns.median, steady.time_ns.median);
-  EXPECT_FALSE(is_cheaper(noisy, steady));
+  EXPECT_FALSE(is_cheaper(cost_of({9, 9, 9, 9, 9, 11}), steady)) << "reversed in one process";
+  EXPECT_FALSE(is_cheaper(cost_of({9, 9, 9, 9, 9, 10}), steady)) << "equal in one process";
+  EXPECT_FALSE(is_cheaper(cost_of({9, 9, 9, 9, 9}), cost_of({10, 10, 10, 10, 10}))) << "too few processes";
+  EXPECT_FALSE(is_cheaper(cheaper, steady, 2)) << "too few for two comparisons";
   EXPECT_FALSE(is_cheaper(Cost(), steady));
   EXPECT_FALSE(is_cheaper(steady, Cost()));
 }
 
-// A machine that slows down from round to round changes neither a ratio nor a part that is taken off.
-TEST(IsCheaper, ComparesRoundByRound) {
+// A machine that slows down from process to process changes neither a rank nor a part that is taken off.
+TEST(IsCheaper, ComparesProcessByProcess) {
   const Cost a = cost_of({10, 20, 30, 40, 50, 60, 70, 80, 90});
   const Cost b = cost_of({11, 21, 31, 41, 51, 61, 71, 81, 91});
   EXPECT_TRUE(is_cheaper(a, b));
   const Cost difference = difference_of(b, a, 2.0);
   EXPECT_EQ(difference.time_ns.low, 0.5);
   EXPECT_EQ(difference.time_ns.high, 0.5);
+}
+
+// 2^(1 - n) times the comparisons is at most 5 %.
+TEST(ProcessesFor, AreMoreTheMoreComparisonsThereAre) {
+  for (const auto& [comparisons, processes] :
+       {std::pair(0, 6), {1, 6}, {2, 7}, {3, 7}, {4, 8}, {6, 8}, {7, 9}, {46'812, 21}})
+    EXPECT_EQ(processes_for(comparisons), processes) << comparisons;
 }
 
 MethodKind kind_of(const std::string& name) {

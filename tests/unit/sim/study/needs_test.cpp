@@ -28,8 +28,8 @@ Scenario scenario_named(const std::string& name) {
 // With a fake clock on which every part costs the same: no time is saved.
 ScenarioNeeds needs_of(const Scenario& scenario) {
   NeedsOptions options;
-  options.cost.repetitions = 1;
-  return study_needs(shipped_core(), scenario, options, steady_ns);
+  options.cost.rounds = 1;
+  return study_needs(shipped_core(), scenario, options, metered<steady_ns>);
 }
 
 PartNeed part_of(const ScenarioNeeds& needs, const std::string& part) {
@@ -114,13 +114,13 @@ TEST(Script, OfALongScenarioIsItsFirstFramesWithTheirInputs) {
 }
 
 Result studied(const std::vector<std::string>& names, std::shared_ptr<const StepProgram> core_step = nullptr,
-               std::optional<double> within_px = {}, std::int64_t (*now_ns)() = steady_ns) {
+               std::optional<double> within_px = {}, const CostMeter& measure_costs = metered<steady_ns>) {
   StudyRequest request{.core = shipped_core(),
                        .is_quick = true,
                        .within_px = within_px,
                        .core_step = std::move(core_step),
                        .machine = "some machine",
-                       .now_ns = now_ns};
+                       .measure_costs = measure_costs};
   for (const std::string& name : names) {
     request.scenarios.push_back({name, scenario_named(name)});
     Scenario& scenario = request.scenarios.back().scenario;
@@ -178,7 +178,7 @@ TEST(NeedsStudy, FindsTheRatesBetweenThoseThatAreTimed) {
                          .scenarios = {{"f.json", fling}},
                          .is_quick = true,
                          .within_px = within_px,
-                         .now_ns = steady_ns};
+                         .measure_costs = metered<steady_ns>};
     for (const Study& study : studies())
       if (study.name == "needs") {
         const auto text = std::get<std::string>(study.run(request).verdict.text.back());
@@ -199,7 +199,7 @@ TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
 }
 
 TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
-  const Verdict verdict = studied({"flings/first-fling"}, nullptr, {}, unsteady_ns).verdict;
+  const Verdict verdict = studied({"flings/first-fling"}, nullptr, {}, metered<unsteady_ns>).verdict;
   const auto& text = std::get<std::string>(verdict.text.back());
   EXPECT_NE(text.find("Times of steps: not measured: clock unsteady"), text.npos) << text;
   EXPECT_NE(text.find("of the exact motion: not measured: clock unsteady"), text.npos) << text;
@@ -265,8 +265,8 @@ TEST(NeedsOfTheLibrary, AgreeWithTheWallsThatTheReplayTouches) {
     ++played;
     const std::uint8_t walls = walls_replayed(scenario);
     NeedsOptions options;
-    options.cost.repetitions = 1;
-    const ScenarioNeeds needs = study_needs(shipped_core(), scenario, options, steady_ns);
+    options.cost.rounds = 1;
+    const ScenarioNeeds needs = study_needs(shipped_core(), scenario, options, metered<steady_ns>);
     for (const PartNeed& need : needs.parts)
       for (const auto& [part, touching] : kTouching) {
         if (need.model_part != part) continue;

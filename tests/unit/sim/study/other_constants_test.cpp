@@ -17,7 +17,12 @@ TEST(OtherConstants, EveryStudyFollowsThem) {
     Core core = listing_core(constants);
     core.name = "mine/1";
     for (const Study& study : studies()) {
-      StudyRequest request{.core = core, .is_quick = true, .machine = "m", .now_ns = steady_ns};
+      StudyRequest request{.core = core,
+                           .is_quick = true,
+                           .machine = "m",
+                           .measure_costs = [](const Works& works, const CostOptions&) {
+                             return metered<steady_ns>(works, {.processes = 1, .rounds = 1});
+                           }};
       if (study.name == "needs") request.scenarios = {{"fling.json", fling_at(60.0, 600)}};
       if (study.name == "hard-cases")
         for (const std::string& path : scenario_files())

@@ -9,6 +9,7 @@
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/study/clocks.h"
 #include "tests/unit/tools/report/picture_faults.h"
 #include "tools/report/figure_svg.h"
 
@@ -31,7 +32,7 @@ Result quick(const Study& study, std::string& progress) {
                        .is_quick = true,
                        .core_step = make_step_program(read_step(shipped_core().record.step).value()),
                        .machine = "some machine",
-                       .now_ns = nearly_steady_ns};
+                       .measure_costs = metered<nearly_steady_ns>};
   std::int64_t calls = 0;
   request.report_progress = [&](const std::string& unit, std::int64_t done, std::int64_t total) {
     progress = fmt::format("progress {}: {} of {}, called {} times\n", unit, done, total, ++calls);

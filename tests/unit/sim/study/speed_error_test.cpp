@@ -22,10 +22,10 @@ SpeedError some_study() {
   static const SpeedError study = [] {
     SpeedErrorOptions options;
     options.rates_hz = {15.0, 30.0, 60.0, 240.0, 960.0, 3840.0};
-    options.cost.repetitions = 2;
+    options.cost.rounds = 1;
     options.band_rates_hz = {60.0};
     return study_speed_error(shipped_core(), {problems()[0], problems()[3]}, frame_methods(shipped_core()),
-                             options, steady_ns);
+                             options, metered<steady_ns>);
   }();
   return study;
 }
@@ -46,45 +46,84 @@ TEST(FittedPower, HasAStandardErrorAndARange) {
   EXPECT_TRUE(std::isnan(fitted_power({1.0, 0.5}, {1.0, 2.0}).standard_error));
 }
 
-std::vector<Cost> steady_costs(const std::vector<double>& times_ns) {
-  std::vector<Cost> costs;
-  for (const double time_ns : times_ns) costs.push_back(cost_of({time_ns, time_ns, time_ns}));
-  return costs;
+Cost steady_cost(double time_ns) { return cost_of(std::vector(8, time_ns)); }
+
+// Points of one problem at 60 Hz, with these costs and errors, ranked.
+SpeedError ranked(const std::vector<Cost>& costs, const std::vector<double>& errors_px) {
+  SpeedError study = some_study();
+  study.points.resize(costs.size());
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    study.points[i] = study.points.front();
+    study.points[i].rate_hz = 60.0;
+    study.points[i].cost = costs[i];
+    study.points[i].errors.position_px = errors_px[i];
+  }
+  count_pairs(study);
+  count_pairs(study);  // With the number of comparisons.
+  mark_pareto(study);
+  return study;
 }
 
-TEST(ParetoFront, KeepsWhatIsBeatenWithinTheNoiseOnly) {
-  std::vector<Cost> costs = steady_costs({10.0, 10.0});
-  costs[1] = cost_of({8.0, 11.0, 9.0});
-  EXPECT_EQ(pareto_front(costs, {2.0, 1.0}), (std::vector<bool>{true, true}));
-  costs[1] = cost_of({8.0, 9.5, 9.0});
-  EXPECT_EQ(pareto_front(costs, {2.0, 1.0}), (std::vector<bool>{false, true}));
-  costs[1] = {};
-  EXPECT_EQ(pareto_front(costs, {2.0, 1.0}), (std::vector<bool>{true, false})) << "not measured";
-  EXPECT_EQ(pareto_front(costs, {std::nan(""), 1.0}), (std::vector<bool>(2, false)));
+std::vector<bool> front_of(const std::vector<Cost>& costs, const std::vector<double>& errors_px) {
+  std::vector<bool> front;
+  for (const WorkPoint& point : ranked(costs, errors_px).points) front.push_back(point.is_pareto);
+  return front;
+}
+
+TEST(Ranks, HoldInEveryProcessOrAreNone) {
+  const Cost a = steady_cost(10.0), cheaper = steady_cost(9.0);
+  Cost reversed = cheaper;
+  reversed.processes_ns[3] = 10.5;  // In one process of eight.
+  EXPECT_EQ(ranked({a, cheaper}, {1.0, 1.0}).ranked_pairs, 1);
+  EXPECT_EQ(ranked({a, reversed}, {1.0, 1.0}).ranked_pairs, 0);
+  EXPECT_EQ(ranked({a, Cost()}, {1.0, 1.0}).ranked_pairs, 0) << "not measured";
+  const SpeedError study = ranked({a, cheaper, Cost()}, {1.0, 1.0, 1.0});
+  EXPECT_EQ(study.comparisons, 3) << "whatever was measured";
+  EXPECT_EQ(study.ranked_pairs, 1);
+  EXPECT_TRUE(is_ranked_cheaper(study, study.points[1], study.points[0]));
+}
+
+// 8 processes decide 6 comparisons, 2^-7 * 6 = 0.047, and not 10.
+TEST(Ranks, TakeMoreProcessesTheMorePairsAreCompared) {
+  std::vector<Cost> costs;
+  for (double time_ns = 1.0; time_ns <= 4.0; ++time_ns) costs.push_back(steady_cost(time_ns));
+  EXPECT_EQ(ranked(costs, std::vector(4, 1.0)).ranked_pairs, 6);
+  costs.push_back(steady_cost(5.0));
+  EXPECT_EQ(ranked(costs, std::vector(5, 1.0)).ranked_pairs, 0);
+}
+
+TEST(Ranks, AreOfOneProblemAndOfComparablePoints) {
+  SpeedError study = ranked(std::vector(4, steady_cost(1.0)), std::vector(4, 1.0));
+  study.points[0].problem = 1;
+  study.points[1].rate_hz = 30.0;
+  count_pairs(study);
+  EXPECT_EQ(study.comparisons, 1);
+  study.points[2].errors.is_failed = true;
+  count_pairs(study);
+  EXPECT_EQ(study.comparisons, 0);
+}
+
+TEST(ParetoFront, KeepsWhatIsNotBeatenInEveryProcess) {
+  Cost reversed = steady_cost(8.0);
+  reversed.processes_ns.back() = 11.0;
+  const Cost dearer = steady_cost(10.0), cheaper = steady_cost(9.0);
+  EXPECT_EQ(front_of({dearer, reversed}, {2.0, 1.0}), (std::vector<bool>{true, true}));
+  EXPECT_EQ(front_of({dearer, cheaper}, {2.0, 1.0}), (std::vector<bool>{false, true}));
+  EXPECT_EQ(front_of({dearer, Cost()}, {2.0, 1.0}), (std::vector<bool>{true, false})) << "not measured";
+  EXPECT_EQ(front_of({dearer, Cost()}, {std::nan(""), 1.0}), (std::vector<bool>(2, false)));
 }
 
 TEST(ParetoFront, AnErrorThatDiffersByLessThanAThousandthIsTheSame) {
-  const std::vector<Cost> costs = steady_costs({1252.0, 817.0});
-  EXPECT_EQ(pareto_front(costs, {10.41029, 10.41031}), (std::vector<bool>{false, true}));
-  EXPECT_EQ(pareto_front(costs, {10.39, 10.41}), (std::vector<bool>{true, true}));
+  const std::vector<Cost> costs = {steady_cost(1252.0), steady_cost(817.0)};
+  EXPECT_EQ(front_of(costs, {10.41029, 10.41031}), (std::vector<bool>{false, true}));
+  EXPECT_EQ(front_of(costs, {10.39, 10.41}), (std::vector<bool>{true, true}));
 }
 
 TEST(ParetoFront, LastBitsDoNotDecideBetweenExactMethods) {
-  SpeedError study = some_study();
-  study.points.resize(2);
-  for (WorkPoint& point : study.points) {
-    point = study.points.front();
-    point.rate_hz = 60.0;
-  }
-  for (const double error_px : {0.25 * rounding_px(study.points[1].errors), 0.5}) {
-    study.points[0].cost = steady_costs({1.0}).front();
-    study.points[1].cost = steady_costs({2.0}).front();
-    study.points[0].errors.position_px = 2.0 * error_px;
-    study.points[1].errors.position_px = error_px;
-    mark_pareto(study);
-    EXPECT_TRUE(study.points[0].is_pareto);
-    EXPECT_EQ(study.points[1].is_pareto, error_px == 0.5) << "as exact, and dearer";
-  }
+  const std::vector<Cost> costs = {steady_cost(1.0), steady_cost(2.0)};
+  const double error_px = 0.25 * rounding_px(some_study().points.front().errors);
+  EXPECT_EQ(front_of(costs, {2.0 * error_px, error_px}), (std::vector<bool>{true, false})) << "dearer";
+  EXPECT_EQ(front_of(costs, {1.0, 0.5}), (std::vector<bool>{true, true}));
 }
 
 TEST(SpeedErrorRules, FindWhatBreaksThem) {
@@ -139,7 +178,7 @@ TEST(SpeedErrorRules, HoldWithOtherDragAndWithoutAny) {
     core.name = "other_air";
     const SpeedError study = study_speed_error(
         core, {problems(Model(constants))[0]}, frame_methods(core),
-        {.rates_hz = {15.0, 30.0, 60.0, 240.0, 960.0}, .cost = {.repetitions = 2}}, steady_ns);
+        {.rates_hz = {15.0, 30.0, 60.0, 240.0, 960.0}, .cost = {.rounds = 1}}, metered<steady_ns>);
     EXPECT_EQ(broken_rules(study), std::vector<std::string>{}) << air_drag;
     EXPECT_NE(std::get<std::string>(speed_error_verdict(study, "m", false).text[1]).find(exact),
               std::string::npos);
@@ -213,7 +252,7 @@ TEST(SpeedError, RanksNothingOnAnUnsteadyClock) {
   SpeedErrorOptions options;
   options.rates_hz = {15.0, 60.0};
   const SpeedError study = study_speed_error(shipped_core(), {problems().front()},
-                                             frame_methods(shipped_core()), options, unsteady_ns);
+                                             frame_methods(shipped_core()), options, metered<unsteady_ns>);
   EXPECT_FALSE(study.probe.is_steady());
   for (const WorkPoint& point : study.points) {
     EXPECT_FALSE(is_ranked(study, point) || point.is_pareto);
@@ -253,7 +292,7 @@ SpeedError small_study() {
   study.orders = {{{.order = -1.0, .standard_error = 0.04}, 0, 0, 3, 30.0, 240.0},
                   {{.order = 1.0, .standard_error = 0.0}, 0, 1, 3, 30.0, 240.0}};
   study.paper = {{.rate_hz = 60.0, .model_px = 9.8}, {.rate_hz = 240.0, .model_px = 42.0}};
-  study.repetitions = 20;
+  study.cost.processes = 20;
   return study;
 }
 
@@ -273,6 +312,15 @@ TEST(SpeedErrorFigure, AFailureIsAGapInItsLine) {
   EXPECT_TRUE(std::isnan(series_named(plots[0], "the paper's step").y[0]));
   EXPECT_FALSE(std::isnan(series_named(plots[1], "the paper's step").y[0]));
   EXPECT_TRUE(std::isnan(series_named(plots[1], "the paper's step").y[1]));
+}
+
+TEST(SpeedErrorFigure, ACostThatIsNotMeasuredIsAGapAndHasNoText) {
+  SpeedError study = small_study();
+  study.points[1].cost = {};
+  const Plot plot = plots_of(study)[0];
+  EXPECT_TRUE(std::isnan(series_named(plot, "the paper's step").x[0]));
+  for (const PointText& text : plot.texts) EXPECT_FALSE(std::isnan(text.x)) << text.text;
+  EXPECT_EQ(series_named(plot, "60 Hz").x.size(), 1u) << "of the other method";
 }
 
 TEST(SpeedErrorFigure, WithoutASteadyClockItHasNoCosts) {
@@ -311,6 +359,17 @@ TEST(SpeedErrorVerdict, SaysWhatWasNotMeasuredAndWhatNoMethodReaches) {
   EXPECT_TRUE(has(steady, "'at no rate'"));
   EXPECT_TRUE(has(steady, "cost_at_60_Hz,_ns/s: : 2: '600 (540 .. 720)' x2"));
   EXPECT_TRUE(has(steady, "set-up,_ns: : 2: '-' x2"));
+  study.comparisons = 1'300;
+  study.ranked_pairs = 1'287;
+  study.points[3].cost = {};
+  study.cheapest[0].as_cheap = {3};
+  const std::string partly = described(speed_error_verdict(study, "some machine", false));
+  EXPECT_TRUE(
+      has(partly,
+          "Costs: 20 processes of 5 rounds (order seed 1); of 1,300 pairs 99.0 % are ranked, each the "
+          "same in all. Of 1 point they are not measured: clock unsteady."))
+      << partly;
+  EXPECT_TRUE(has(partly, "the_cheapest_is: : 1: 'not measured: clock unsteady'")) << partly;
   study.probe.drift_rel = 0.4;
   for (WorkPoint& point : study.points) point.cost = {};
   const std::string unsteady = described(speed_error_verdict(study, "some machine", false));

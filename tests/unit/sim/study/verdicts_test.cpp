@@ -141,11 +141,11 @@ TEST(SpeedError, AnOrderWithWallsIsTheMedianOfManyFlings) {
   SpeedErrorOptions options;
   options.rates_hz = {60.0};
   options.order_rates_hz = {60.0, 120.0, 240.0, 480.0, 960.0};
-  options.cost.repetitions = 1;
+  options.cost.rounds = 1;
   const std::vector<MethodKind> methods = {method_named("exact-flight"), method_named("swept-clamp"),
                                            method_named("paper")};
   const SpeedError study =
-      study_speed_error(shipped_core(), {problem_named("fling")}, methods, options, steady_ns);
+      study_speed_error(shipped_core(), {problem_named("fling")}, methods, options, metered<steady_ns>);
   ASSERT_EQ(study.orders.size(), 2u) << "the paper's step has none";
   for (const auto& [method, order] : {std::pair(std::size_t{0}, 1.0), {1, 2.0}}) {
     EXPECT_EQ(study.orders[method].flings, kOrderFlings);

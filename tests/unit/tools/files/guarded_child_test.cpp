@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -48,6 +49,23 @@ TEST(GuardedChild, IsEndedByItsLimits) {
   EXPECT_EQ(end_of(wait, {.wall_s = 0.01}), "late");
   EXPECT_EQ(end_of(work, {.wall_s = 2e-7}), "late") << "too short for the timer is not none";
   EXPECT_EQ(end_of(work, {.processor_s = 1}), "late");
+}
+
+// What a new process of this program does for the test below.
+TEST(GuardedChild, DISABLED_Prints) { std::printf("printed by %s", std::getenv("HYRAX_NEW_PROCESS")); }
+TEST(GuardedChild, DISABLED_Exits) { std::_Exit(3); }
+TEST(GuardedChild, DISABLED_Crashes) { std::raise(SIGKILL); }
+
+TEST(GuardedChild, StartsThisProgramAgain) {
+  setenv("HYRAX_NEW_PROCESS", "a new process", 1);
+  const auto end_of_test = [](const std::string& name) {
+    return in_new_process("here", {},
+                          {"again", "--gtest_also_run_disabled_tests", "--gtest_filter=*DISABLED_" + name});
+  };
+  EXPECT_NE(end_of_test("Prints").result.value_or("").find("printed by a new process"), std::string::npos);
+  EXPECT_FALSE(end_of_test("Exits").result);
+  EXPECT_EQ(end_of_test("Exits").signal, 0);
+  EXPECT_EQ(end_of_test("Crashes").signal, SIGKILL);
 }
 
 TEST(GuardedChild, MayBeginItsTimeAgain) {
