@@ -129,7 +129,7 @@ std::vector<Plot> DescribedPicture::value_plots(const std::vector<PositionPair>&
 }
 
 Figure DescribedPicture::figure(const std::string& subtitle) const {
-  Figure figure{.title = scenario_.name, .subtitle = subtitle};
+  Figure figure{.title = scenario_.name, .subtitle = subtitle, .has_rows = true};
   const std::vector<PositionPair> pairs = position_pairs(description_);
   std::vector<Plot> plots;
   if (!pairs.empty()) plots.push_back(path_plot(pairs));

@@ -185,6 +185,7 @@ struct Figure {
       {};  ///< Plots are side by side, those of equal scales in twos; of one x, stacked.
   std::vector<LegendEntry> legend = {};
   std::vector<std::string> remarks = {};  ///< Sentences below.
+  bool has_rows = false;                  ///< Lines have a point a row: a page has a slider over them.
 };
 
 }  // namespace hyrax

@@ -84,7 +84,8 @@ class PlotDrawing {
       return;
     }
     draw_axes();
-    svg_.begin_clip({box_.left - 6, box_.top - 6, box_.right + 6, box_.bottom + 6});
+    svg_.begin_clip({box_.left - 6, box_.top - 6, box_.right + 6, box_.bottom + 6},
+                    " data-x=\"" + escaped(x_.text()) + "\" data-y=\"" + escaped(y_.text()) + "\"");
     for (const Series& series : plot_.series) draw_series(series);
     svg_.end_clip();
     draw_marks();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "sim/result/number_text.h"
 #include "tools/report/look.h"
 
@@ -110,6 +112,14 @@ double PlotScale::at(double value) const {
 double PlotScale::clamped(double value) const {
   const Range& range = range_of(value);
   return at(std::clamp(value, range.low, range.high));
+}
+
+std::string PlotScale::text() const {
+  std::string ranges;
+  for (const auto& [low, high, low_px, high_px] : ranges_)
+    ranges +=
+        fmt::format("{}{:.6g} {:.6g} {:.9g} {:.9g}", ranges.empty() ? "" : ";", low_px, high_px, low, high);
+  return (axis_.is_logarithmic ? "log|" : "even|") + ranges + "|" + axis_.label;
 }
 
 std::optional<double> PlotScale::end_of_strip() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/result/figure.h"
@@ -27,6 +28,9 @@ class PlotScale {
   [[nodiscard]] double clamped(double value) const;
   /// In order, distinct, none beyond the ends.
   [[nodiscard]] std::vector<Tick> ticks() const;
+
+  /// For the script of a page: "log|PX PX VALUE VALUE;...|LABEL", of each range where it is and its ends.
+  [[nodiscard]] std::string text() const;
 
   /// Where the strip of the axis ends beside the rest, if it has a strip and data in both.
   [[nodiscard]] std::optional<double> end_of_strip() const;

@@ -6,6 +6,7 @@
 
 #include "base_css.h"
 #include "look_css.h"
+#include "pictures_js.h"
 #include "results_css.h"
 #include "sim/result/number_text.h"
 #include "tools/files/build_info.h"
@@ -114,13 +115,14 @@ constexpr std::string_view kPage =
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:">
 <title>{}</title>
 <style>{}{}{}</style>
 </head>
 <body>
 <main>
 {}</main>
+<script>{}</script>
 </body>
 </html>
 )";
@@ -133,7 +135,7 @@ void write_result_page(const std::string& path, const std::string& command,
   for (const ShownResult& result : results) html += result_html(result, command);
   if (std::ranges::all_of(results, &Json::is_null, &ShownResult::members))
     return write_text_file(path, fmt::format(kPage, escaped(results.empty() ? "" : results.front().title),
-                                             kLookCss, kBaseCss, kResultsCss, html));
+                                             kLookCss, kBaseCss, kResultsCss, html, kPicturesJs));
   write_page_file(
       path, PageKind::sweeps,
       Json::Object{{"format", "hyrax-sweeps/1"},

@@ -1,5 +1,5 @@
-// A page of results: the answer, the picture that decides it, then what it rests on. HTML without JavaScript;
-// only the members of sweeps need some.
+// A page of results: the answer, the picture that decides it, then what it rests on. It is whole without
+// JavaScript; only the members of sweeps need some.
 #pragma once
 
 #include <string>

@@ -169,9 +169,9 @@ void Svg::begin(std::string_view name) {
   body_ += fmt::format("<g data-series=\"{0}\"><title>{0}</title>\n", escaped(name));
 }
 
-void Svg::begin_clip(const Box& box) {
-  body_ += fmt::format("<svg {} viewBox=\"{} {} {} {}\">\n", place_of(box), px(box.left), px(box.top),
-                       px(box.width()), px(box.height()));
+void Svg::begin_clip(const Box& box, std::string_view data) {
+  body_ += fmt::format("<svg {} viewBox=\"{} {} {} {}\"{}>\n", place_of(box), px(box.left), px(box.top),
+                       px(box.width()), px(box.height()), data);
 }
 
 std::string dark_rules(const std::string& svg) {

@@ -65,7 +65,8 @@ class Svg {
   void begin(std::string_view name);
   void end() { body_ += "</g>\n"; }
   /// What follows is drawn inside the box only, until `end_clip`.
-  void begin_clip(const Box& box);
+  /// @param data attributes for the scripts of pages, escaped; may be empty.
+  void begin_clip(const Box& box, std::string_view data = {});
   void end_clip() { body_ += "</svg>\n"; }
 
   [[nodiscard]] const std::string& body() const { return body_; }

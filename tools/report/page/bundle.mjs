@@ -67,6 +67,7 @@ for (const name of ['runs', 'sweeps']) {
   const parts = {
     ...shared,
     STYLE: style.text,
+    PICTURES: await readFile(join(here, 'pictures.js'), 'utf8'),
     SCRIPT: script.text.replaceAll('</script', '<\\/script'),
     NOTICES: (await notices([...script.inputs, ...style.inputs])).replaceAll('&', '&amp;').replaceAll('<', '&lt;'),
   };

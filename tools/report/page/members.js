@@ -9,6 +9,7 @@ import { grouped, rounded } from './numbers.js';
 import { Moment } from './moment.js';
 import { color, followLook, Painter } from './painter.js';
 import { Player, showReadouts } from './player.js';
+import { partsOf, scenarioText } from './record.js';
 import { placeAt, playedHere, sizesOf } from './replay.js';
 
 class Explorer {
@@ -137,15 +138,9 @@ class Explorer {
     this.play(this, row, this.#neighbours(item).map(each => each.row));
   }
 
-  // Numbers stay texts, so that each has all its digits.
   scenarioOf(row, stateHash) {
-    const raw = text => JSON.rawJSON?.(text) ?? Number(text);
-    const scenario = JSON.parse(this.sweep.scenario, (_, value, { source } = {}) => (typeof value === 'number' && source ? raw(source) : value));
-    for (const [pointer, text] of Object.entries(recordOf(this.sweep, this.numbers, row).texts)) {
-      const keys = pointer.slice(1).split('/'), last = keys.pop();
-      keys.reduce((object, key) => object[key], scenario)[last] = raw(text);
-    }
-    return `${JSON.stringify({ ...scenario, expect: { state_hash: stateHash } }, null, 2)}\n`;
+    const { record, constants } = recordOf(this.sweep, this.numbers, row), { names = [], given = {} } = this.sweep.parameters ?? {}, { name, description = '' } = JSON.parse(this.sweep.scenario);
+    return scenarioText(partsOf(record), { stateHash, name, description, parameters: Object.fromEntries(Object.keys(given).map(each => [each, constants[names.indexOf(each)]])) });
   }
 }
 
@@ -168,6 +163,7 @@ class Stage {
     const place = element('member'), result = played(row), { rows, contacts, check } = result;
     explorer.place.closest('.figure').after(place);
     place.hidden = false;
+    place.scrollIntoView({ block: 'nearest' });
     const member = explorer.members[row];
     element('member-heading').textContent = `Member ${grouped(member, 0)}`;
     element('member-number').value = member;

@@ -117,11 +117,9 @@ export class Painter {
     const once = (fromX, fromY, toX, toY) => {
       const parts = Math.max(1, Math.ceil(Math.hypot(toX - fromX, toY - fromY) / cell));
       for (let part = 1; part <= parts; ++part) {
-        const at = share => [fromX + (share / parts) * (toX - fromX), fromY + (share / parts) * (toY - fromY)];
-        const key = at(part - 0.5).map(place => Math.floor(place / cell)).join();
-        const isAgain = count - (seen.get(key) ?? count) > 4;
+        const at = share => [fromX + (share / parts) * (toX - fromX), fromY + (share / parts) * (toY - fromY)], key = at(part - 0.5).map(place => Math.floor(place / cell)).join();
         if (!seen.has(key)) seen.set(key, count);
-        ++count;
+        const isAgain = count++ - seen.get(key) > 4;
         if (isAgain && !isUp && part > 1) flown.lineTo(...at(part - 1));
         if (!isAgain && isUp) flown.moveTo(...at(part - 1));
         isUp = isAgain;

@@ -41,19 +41,12 @@ export function changedRun(run, parts, sliders, values) {
   return { parts: changed, constants: with_(run.parameters.values), model: run.model && with_(run.model), parameters: { ...run.parameters.given, ...Object.fromEntries(others.map(name => [name, values[name]])) } };
 }
 
-// Where a run first meets the ground: x and t of that row; null if it never does.
-function landingOf({ rows, contacts }) {
-  const at = Array.from(contacts?.wall ?? []).indexOf(groundBit);
-  const row = at < 0 ? -1 : lastAtMost(rows.step, contacts.step[at]);
-  return row < 0 ? null : { x: rows.x[row], t: rows.t[row] };
-}
-
-/** Where a run lands and ends and how far that is from the file's, as sentences. */
+/** Where a run first meets the ground and where it ends, and how far that is from the file's, as sentences. */
 export function landingText(result, file) {
-  const [here, there] = [result, file].map(landingOf), ends = ({ rows }) => [rows.x.at(-1), rows.y.at(-1)];
+  const [here, there] = [result, file].map(({ contacts }) => contacts?.step[Array.from(contacts.wall).indexOf(groundBit)]), ends = ({ rows }) => [rows.x.at(-1), rows.y.at(-1)];
   const [x, y] = ends(result), [fileX, fileY] = ends(file), error = result.run.errors?.truncation_px ?? null;
-  const place = ({ x, t }) => `x ${rounded(x, 5)} px after ${rounded(t, 4)} s`;
-  return [here ? `Lands at ${place(here)}${there ? `, the file’s run at ${place(there)}` : ''}.` : 'Never lands.',
+  const place = ({ rows }, step) => (row => `x ${rounded(rows.x[row], 5)} px after ${rounded(rows.t[row], 4)} s`)(lastAtMost(rows.step, step));
+  return [here ? `Lands at ${place(result, here)}${there ? `, the file’s run at ${place(file, there)}` : ''}.` : 'Never lands.',
     `Ends at x ${rounded(x, 5)}, y ${rounded(y, 5)} px, ${rounded(Math.hypot(x - fileX, y - fileY), 3)} px from where the file’s run ends.`,
     ...(error === null ? [] : [`Truncation error ${rounded(error, 3)} px${file.run.errors ? `, of the file’s run ${rounded(file.run.errors.truncation_px, 3)} px` : ''}.`])].join(' ');
 }

@@ -14,14 +14,14 @@ async function showMembers(sweep, article) {
 // The core's flight of a record goes a step of 10 px to the right, and down.
 const loaded = [], required = [], used = [];
 let start = [], met = { left: 0, right: 2, top: 0, ground: 1 };
-Core.start = async () => ({ requireSame: fingerprint => required.push(fingerprint), useConstants: constants => used.push([...constants]), load: record => loaded.push((start = [...record]).slice(4).join(' ')), playTo() {}, contacts: () => ({ step: [1], wall: [8], x: [start[4]], y: [60] }),
+Core.start = async () => ({ requireSame: fingerprint => required.push(fingerprint), useConstants: constants => used.push([...constants]), load: record => loaded.push((start = [...record]).slice(4, 8).join(' ')), playTo() {}, contacts: () => ({ step: [1], wall: [8], x: [start[4]], y: [60] }),
   finish: () => ({ steps: 1, stateHash: 'ab', contacts: met }), errors: () => ({}), contactErrors: () => ({}), causes: () => ({}),
   rows: () => ({ step: [0, 1], t: [0, 2], x: [start[4], start[4] + 10], y: [start[5], 60], vx: [10, 10], vy: [90, 90], contact: [0, 8] }) });
 element('replay').parentElement = { clientWidth: 200 };
 
 const input = (name, place, is_grid, values) => ({ name, place, is_grid, is_seed: false, values: base64(values) });
 // Every third member of 18.
-const grid = { core_fingerprint: 'ab', members: base64([1, 4, 7, 10, 13, 16]), count: 18, events: [], record: base64([100, 80, 10, 20, 0, 5, 0, 0]), scenario: '{"name":"a","start":{"x_px":0,"vx_px_per_s":0},"clock":{"rate_hz":60}}',
+const grid = { core_fingerprint: 'ab', members: base64([1, 4, 7, 10, 13, 16]), count: 18, events: [], record: base64([100, 80, 10, 20, 0, 5, 0, 0, 1, 1, 60, 0, 60, 0, 0]), scenario: '{"name":"a","start":{"x_px":0,"vx_px_per_s":0},"clock":{"rate_hz":60}}',
   inputs: [input('/start/vx_px_per_s', 6, true, [-1, -1, 0, 0, 1, 1]), input('/start/x_px', 4, true, [10, 20, 10, 20, 10, 20])],
   results: [{ name: 'final_x', unit: 'px', values: base64([1, 2, 3, 4, 5, NaN]) }, { name: 'steps', unit: '1', values: base64([9, 8, 7, 6, 5, 4]) }] };
 
@@ -82,9 +82,11 @@ test('a click replays the member beside its neighbours, and saves it', async () 
   assert.equal(Plot.all.at(-1).ctx.log.at(-1), 'stroke ink 5: box 173,120 134,100');
   assert.deepEqual([element('member').hidden, section.next, element('member-heading').textContent, element('member-number').value], [false, element('member'), 'Member 7', 7]);
   assert.equal(element('member-note').textContent, '/start/vx_px_per_s 0, /start/x_px 10. Ends at x 20, y 60 px after 1 steps; contacts right 2, ground 1. Thin: 3 neighbours.');
+  assert.deepEqual(element('member').inView, { block: 'nearest' });
   saved.length = 0;
   element('download-member').onclick();
-  assert.deepEqual(saved.map(([name, text]) => [name, JSON.parse(text)]), [['member-7.json', { name: 'a', start: { x_px: 10, vx_px_per_s: 0 }, clock: { rate_hz: 60 }, expect: { state_hash: 'ab' } }]]);
+  assert.deepEqual(saved.map(([name, text]) => [name, JSON.parse(text)]), [['member-7.json', { format: 'hyrax-scenario/1', name: 'a', description: '', window: { width_px: 100, height_px: 80 }, sprite: { width_px: 10, height_px: 20 }, start: { x_px: 10, y_px: 5, vx_px_per_s: 0, vy_px_per_s: 0 },
+    clock: { rate_hz: 60 }, steps: 60, expect: { state_hash: 'ab' } }]]);
   // Paths of the three neighbours, its own with the ground, then four of the hyrax.
   const log = element('replay').getContext().log;
   assert.deepEqual(log.slice(1, 6), ['stroke faint 2: from 60,60 100,280', 'stroke faint 2: from 100,60 140,280', 'stroke faint 2: from 60,60 100,280', 'stroke path 3: from 60,60 100,280', 'stroke orange 6: from 52,317 68,317']);

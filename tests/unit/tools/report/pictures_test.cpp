@@ -99,13 +99,35 @@ TEST(ResultPage, OfResultsIsTheOneApproved) {
       path, "study <a>",
       {bad, {.title = "good", .verdict = {.broken = {"one"}}}, {.title = "bare", .judgement = "all hold"}});
   std::string page = read_text_file(path);
-  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("<script"), page.rfind("<script")) << "the one of pictures";
   EXPECT_NE(page.find(".findings"), std::string::npos) << "the style of results";
-  page = std::regex_replace(page, std::regex("<style>[^]*?</style>|(<tr><td>7\n)+"), "...");
+  page = std::regex_replace(page, std::regex("<style>[^]*?</style>|<script>[^]*?</script>|(<tr><td>7\n)+"),
+                            "...");
   write_result_page(path, "report b.h5", {{.title = "swept", .members = Json::Object{}}, {.title = "other"}});
   page += "\n" + read_text_file(path);
   expect_approved("tests/unit/tools/report/pictures/results.txt",
                   std::regex_replace(page, std::regex("hyrax-sim [0-9.]+"), "hyrax-sim VERSION"));
+}
+
+TEST(FigureHtml, SaysWhereValuesAreAndWhetherItHasRows) {
+  Figure figure;
+  figure.body = std::vector<Plot>{{.x = {.label = "\"t\", s", .low = 0, .high = 10},
+                                   .y = {.label = "px", .is_logarithmic = true, .low = 0.1, .high = 1000},
+                                   .series = {{.name = "a", .x = {0, 10}, .y = {0.1, 1000}}}}};
+  const std::string html = figure_html(figure);
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(html, found,
+                                std::regex("data-x=\"even\\|(\\S+) (\\S+) 0 10\\|&quot;t&quot;, s\" "
+                                           "data-y=\"log\\|(\\S+) (\\S+) 0.1 1000\\|px\"")));
+  std::smatch line;
+  ASSERT_TRUE(
+      std::regex_search(html, line, std::regex("series=\"a\">[^]*?d=\"M(\\S+),(\\S+) (\\S+),(\\S+)\"")));
+  for (const auto& [end, place] : {std::pair<std::size_t, std::size_t>(1, 1), {3, 2}, {2, 3}, {4, 4}})
+    EXPECT_NEAR(std::stod(line.str(place)), std::stod(found.str(end)), 0.03)
+        << "its line goes from one end of the axes to the other";
+  EXPECT_EQ(html.find("data-rows"), html.npos);
+  figure.has_rows = true;
+  EXPECT_NE(figure_html(figure).find("<div class=\"picture\" data-rows>"), html.npos);
 }
 
 PlotScale scale_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {

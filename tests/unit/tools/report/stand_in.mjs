@@ -196,6 +196,9 @@ export class Element {
     this.fire('click');
   }
   setPointerCapture() {}
+  scrollIntoView(how) {
+    this.inView = how;
+  }
   getBoundingClientRect() {
     return { left: 10, top: 20, width: this.clientWidth, height: this.clientHeight };
   }
