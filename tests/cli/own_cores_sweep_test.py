@@ -45,7 +45,7 @@ SWEEPS = {
                       {"/inputs/jump": {"choice": [True, False]}, "/start/on_ground": {"choice": [False, True]},
                        "/parameters/gravity_px_per_s2": {"uniform": [900, 2000.1]}, "/start/player_y_px": {"grid": [-0.7, 0.1, 4]},
                        "/inputs/move/7": {"uniform": [-1, 1]}}),
-    "fixed": sweep(scenario(40), {"/start/big": {"uniform": [0, 2**64 - 1]}, "/start/low": {"uniform": [-2**63, 2**62 + 1]},
+    "fixed": sweep(scenario(40), {"/start/big": {"uniform": [0, 2**64 - 1]}, "/start/low": {"uniform": [-2**63, 2**63 - 1]},
                                   "/start/ticks": {"member": True}, "/start/s": {"grid": [-5, 5, 6]}, "/clock/jitter/seed": {"member": True}})}
 SWEEPS["fixed"]["base"]["clock"]["jitter"] = {"kind": "uniform", "fraction": 0.2, "seed": 0}
 WHOLE = {"/start/bounces", "/start/big", "/start/low", "/start/ticks", "/start/s"}

@@ -37,7 +37,8 @@ std::optional<SweepNumber> number_of(const VariedKey& key, const Json& json) {
                                           : std::nullopt;
   }
   if (const auto* const negative = json.get<std::int64_t>()) return *negative;
-  if (std::fabs(value) >= 0x1p63) return std::nullopt;
+  const bool is_held = whole != nullptr ? *whole >> 63 == 0 : std::fabs(value) < 0x1p63;
+  if (!is_held) return std::nullopt;
   return whole != nullptr ? static_cast<std::int64_t>(*whole) : static_cast<std::int64_t>(value);
 }
 
