@@ -123,7 +123,7 @@ WORDS = {
         (RUNS, r"fall on a pixel, (the smallest and the largest value are drawn)\."),
         ("tools/report/page/members.js", r"\((cells) where both are grids, (points elsewhere)\)",
          r": (cells) that tile where both are grids, (points elsewhere)\."),
-        ("tools/report/page/members.js", r"writes, with its state hash as `expect`\.", r"expect: \{ state_hash:")),
+        ("tools/report/page/record.js", r"writes, with its state hash as `expect`\.", r"\['expect', object\(\[\['state_hash'")),
     "tests/README.md": (
         ("tools/test", "`--all` tests two builds: the everyday one, and (clang)'s with sanitizers", r"presets=\(asan-(clang)\)"),
         ("tools/test", r"`long` \| with `(--all)` and `--nightly`.*`nightly` \| with `(--nightly)` only.* in the everyday build only, and "

@@ -13,10 +13,15 @@ export function viridis(part) {
   return `rgb(${stops[low].map((from, i) => Math.round(from + (at - low) * (stops[low + 1][i] - from))).join(' ')})`;
 }
 
+// What people call a number of a scenario, with its unit; what has no name here keeps its pointer.
+const names = { '/start/x_px': 'start, x from the left, px', '/start/y_px': 'start, y from the top, px', '/start/vx_px_per_s': 'start speed to the right, px/s', '/start/vy_px_per_s': 'start speed downwards, px/s',
+  '/clock/rate_hz': 'frame rate, Hz', '/clock/dt_s': 'frame time, s', '/clock/jitter/seed': 'seed of the jitter', '/window/width_px': 'window width, px', '/window/height_px': 'window height, px' };
+const labelOf = pointer => names[pointer] ?? (pointer.startsWith('/parameters/') ? pointer.slice('/parameters/'.length) : pointer);
+
 /** What can stand on an axis or be a colour: {name, label, values, isGrid, isInput, all, stride}. */
 export function numbersOf({ inputs, results }, members) {
   return [
-    ...inputs.map(({ name, is_seed, is_grid, values }) => ({ name, label: name, isGrid: is_grid, isInput: true, all: doubles(values), stride: is_seed ? 2 : 1 })),
+    ...inputs.map(({ name, is_seed, is_grid, values }) => ({ name, label: labelOf(name), isGrid: is_grid, isInput: true, all: doubles(values), stride: is_seed ? 2 : 1 })),
     ...results.map(({ name, unit, values }) => ({ name, label: unit && unit !== '1' ? `${name}, ${unit}` : name, isGrid: false, all: doubles(values), stride: 1 }))]
     .map(each => ({ ...each, values: each.stride === 1 ? each.all : members.map((_, i) => each.all[2 * i] * 2 ** 32 + each.all[2 * i + 1]) }));
 }

@@ -24,7 +24,7 @@ class Explorer {
     const [most, next] = inputs.map(each => [new Set(each.values).size, each]).sort(([a], [b]) => b - a).map(([, each]) => each);
     this.shown = grids.length > 1 ? { x: grids[0], y: grids[1], tint: results[0] } : { x: most, y: results[0], tint: next ?? results[1] ?? results[0] };
     const choice = (key, label) => make('label', {}, `${label} `, make('select', { id: `members-${key}`, onchange: event => this.#choose(key, event.target.value) },
-      ...this.numbers.map(({ name }) => make('option', { value: name, selected: this.shown[key].name === name }, name))));
+      ...this.numbers.map(({ name, label }) => make('option', { value: name, selected: this.shown[key].name === name }, label))));
     const share = sweep.count === this.members.length ? `all ${grouped(sweep.count, 0)} members` : `${grouped(this.members.length, 0)} of ${grouped(sweep.count, 0)} members`;
     this.place = make('div', { class: 'plot' });
     this.hover = make('p', { class: 'quiet', role: 'status' });

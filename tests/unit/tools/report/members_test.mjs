@@ -44,16 +44,16 @@ test('cells are where their numbers are, in the colours of the third', async () 
   assert.deepEqual([head, bar, hover].map(({ textContent }) => textContent), ['The members6 of 18 members', 'final_x, px15', 'A cell is the mean of its members. Click one to replay it.']);
   const [, gradient] = /linear-gradient\(90deg, (.*)\)$/.exec(bar.children[2].attributes.style), colors = gradient.split(', ');
   assert.deepEqual([colors[0], colors.length, colors.at(-1)], [viridis(0), 9, viridis(1)]);
-  assert.deepEqual(plot().options.axes.map(({ label }) => label), ['/start/vx_px_per_s', '/start/x_px']);
+  assert.deepEqual(plot().options.axes.map(({ label }) => label), ['start speed to the right, px/s', 'start, x from the left, px']);
   assert.deepEqual(choices.querySelectorAll('select').map(select => select.children.map(({ value, attributes }) => value + (attributes.selected === '' ? '!' : '')).join(' ')), [
     '/start/vx_px_per_s! /start/x_px final_x steps', '/start/vx_px_per_s /start/x_px! final_x steps', '/start/vx_px_per_s /start/x_px final_x! steps']);
-  assert.match(plot().root.attributes['aria-label'], /^final_x, px over \/start\/vx_px_per_s and \/start\/x_px\. .*; from 1 to 5\.$/);
+  assert.match(plot().root.attributes['aria-label'], /^final_x, px over start speed to the right, px\/s and start, x from the left, px\. .*; from 1 to 5\.$/);
   assert.match((await shown({ ...grid, count: 6 })).head.textContent, /all 6 members/);
 });
 
 test('the pointer is on the member of its cell, by its number in the sweep', async () => {
   const { at, choose } = await shown(grid);
-  const cell = (vx, x, value, member) => `/start/vx_px_per_s ${vx}; /start/x_px ${x}; final_x, px ${value}; member ${member}`;
+  const cell = (vx, x, value, member) => `start speed to the right, px/s ${vx}; start, x from the left, px ${x}; final_x, px ${value}; member ${member}`;
   assert.deepEqual([[1, 99], [66, 51], [1, 49], [67, 51], [199, 1]].map(([x, y]) => at('pointermove', x, y)),
     [cell('−1', 10, 1, 1), cell('−1', 10, 1, 1), cell('−1', 20, 2, 4), cell(0, 10, 3, 7), cell(1, 20, '–', 16)]);
   choose('tint', 'steps');

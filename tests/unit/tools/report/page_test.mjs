@@ -181,10 +181,11 @@ test('a member has its own record, seeds with all 64 bits', () => {
     { name: '/clock/jitter/seed', place: 2, is_seed: true, values: base64([0, 7, 0xffffffff, 0xfffffffe]) }],
   results: [{ name: 'final_x', unit: 'px', values: base64([1, 2]) }, { name: 'contacts', unit: '1', values: base64([3, 4]) }] };
   const all = cells.numbersOf(sweep, [10, 20]);
-  assert.deepEqual(all.map(({ label, isGrid, isInput, values }) => [label, isGrid, isInput, ...values]), [['/start/x_px', true, true, 5, 0.1],
-    ['/clock/jitter/seed', undefined, true, 7, 2 ** 64], ['final_x, px', false, undefined, 1, 2], ['contacts', false, undefined, 3, 4]]);
+  assert.deepEqual(all.map(({ label, isGrid, isInput, values }) => [label, isGrid, isInput, ...values]), [['start, x from the left, px', true, true, 5, 0.1],
+    ['seed of the jitter', undefined, true, 7, 2 ** 64], ['final_x, px', false, undefined, 1, 2], ['contacts', false, undefined, 3, 4]]);
   const { record, texts, constants } = cells.recordOf(sweep, all, 1);
   assert.deepEqual(constants, []);
+  assert.deepEqual(cells.numbersOf({ inputs: ['/parameters/GRAVITY', '/events/0/fling/vx_px_per_s'].map(name => ({ name, values: base64([1]) })), results: [] }, [10]).map(({ label }) => label), ['GRAVITY', '/events/0/fling/vx_px_per_s']);
   // A varied parameter is one of the constants that it is played with.
   const parameters = { names: ['GRAVITY', 'RESTITUTION'], values: [1200, 0.5], given: { RESTITUTION: 0.5 } }, varied = { ...sweep, parameters, inputs: [{ name: '/parameters/RESTITUTION', place: 5, values: base64([0.25, 0.75]) }] };
   const moon = cells.recordOf(varied, cells.numbersOf(varied, [10, 20]), 1);
