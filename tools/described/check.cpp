@@ -140,7 +140,7 @@ ExitCode check_core(const DescribedCore& core, const CheckRequest& request, cons
   }
   if (found.cores.empty()) print_text("core: no golden folder {}\n", libraries.front().golden_folder);
   for (const DescribedCoreVerdict& verdict : found.cores)
-    print_text("{}", verdict.status == "accepted" ? "core: the accepted one\n" : verdict.text());
+    print_text("{}", verdict.status == "accepted" ? "core: the accepted one\n" : verdict.text(true));
   for (const std::string& name : found.never_shown)
     print_text("property \"{}\": no scenario shows it\n", name);
   return results.exit_code();
@@ -173,7 +173,7 @@ ExitCode check(const DescribedCore& core, CheckRequest& request) {
   set_groups(groups_of(found), report);
   std::vector<CoreWords> cores;
   for (const DescribedCoreVerdict& verdict : found.cores) {
-    cores.push_back({verdict.golden_folder, verdict.exit_code, verdict.text()});
+    cores.push_back({verdict.golden_folder, verdict.exit_code, verdict.text(report.groups.empty())});
     cores.back().mark_first_of(verdict.changes);
   }
   put_into_words(cores, report);

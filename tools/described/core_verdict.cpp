@@ -89,7 +89,7 @@ std::string DescribedCoreVerdict::sentence() const {
   return changes_sentence({changes.begin(), changes.end()}, header_path);
 }
 
-std::string DescribedCoreVerdict::text() const {
+std::string DescribedCoreVerdict::text(bool scenarios_agree) const {
   if (status == "accepted") return "";
   if (status == "none") return fmt::format("core: {}\n", why);
   std::string text = "core: changed\n";
@@ -100,7 +100,7 @@ std::string DescribedCoreVerdict::text() const {
             ? fmt::format("  {}\n", change_text(change, header_path))
             : fmt::format("  {}: {}{}\n", change.of_default ? "default" : "description", change.detail,
                           change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
-  return text + fmt::format("  to accept it    {}\n", accept);
+  return text + (scenarios_agree ? fmt::format("  to accept it    {}\n", accept) : "");
 }
 
 Json DescribedCoreVerdict::json() const {

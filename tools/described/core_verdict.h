@@ -40,8 +40,8 @@ struct DescribedCoreVerdict {
 
   /// "gravity 980 -> 1000"; empty: nothing changed.
   [[nodiscard]] std::string sentence() const;
-  /// Complete lines; empty of an accepted one.
-  [[nodiscard]] std::string text() const;
+  /// Complete lines; empty of an accepted one. @param scenarios_agree else the core is accepted with them.
+  [[nodiscard]] std::string text(bool scenarios_agree) const;
   [[nodiscard]] Json json() const;
 };
 
