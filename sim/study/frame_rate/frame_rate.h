@@ -60,7 +60,6 @@ struct Landing {
 /// never rounded. Both take the paths that their own comparisons decide.
 struct Rounding {
   double rate_hz = 0.0;
-  double end_x_px = 0.0;
   double largest_px = 0.0;  ///< The largest distance of both, and the first row that has it.
   std::int64_t largest_row = 0;
   std::int64_t other_path_from = -1;  ///< The first row in which they take different paths; -1: none.

@@ -48,7 +48,6 @@ Table landing_table(const std::vector<Landing>& landings) {
 Table rounding_table(const std::vector<Rounding>& roundings) {
   return StudyTable("roundings", "the drawn fling, and the same operations in wider arithmetic", roundings)
       .add("rate", "Hz", "display rate", &Rounding::rate_hz)
-      .add("end_x", "px", "where it is in the end", &Rounding::end_x_px)
       .add("rounding", "px", "largest distance of both", &Rounding::largest_px)
       .add("in_row", "1", "the first row that has it", &Rounding::largest_row)
       .add("other_path_from", "1", "the first row in which rounding decides a comparison; -1: none",

@@ -124,7 +124,6 @@ Rounding rounding_of(const StepProgram& program, double rate_hz, double duration
     if (off_px > rounding.largest_px) rounding.largest_row = row;
     rounding.largest_px = std::max(rounding.largest_px, off_px);
   }
-  rounding.end_x_px = body.x();
   return rounding;
 }
 

@@ -11,38 +11,38 @@
 namespace hyrax {
 namespace {
 
-constexpr std::int64_t kFlings = 100;
-constexpr double kFrame_s = 1.0 / 60.0;
-
 struct Parting {
   std::string laws;
   double part = 0.0;  // Of each value of the start: so far apart they start.
   Share parted = {};
   std::vector<double> after_s = {}, contacts = {};  // Of those that part.
-
-  void play(const Core& core, double until_s) {
-    const ManyFlings flings({FixedRate{1.0 / kFrame_s}, {}}, until_s, kFlings);
-    for (std::int64_t number = 0; number < kFlings; ++number) {
-      State now = flings.start(number), beside = now;
-      for (double State::*const value :
-           {&State::x_px, &State::y_px, &State::vx_px_per_s, &State::vy_px_per_s})
-        beside.*value *= 1.0 - part;
-      std::array<bool, kWalls.size()> met = {}, met_beside = {};
-      std::int64_t frame = 0, met_walls = 0;
-      for (; frame < flings.frames() && met == met_beside; ++frame) {
-        now = core.step(now, kFrame_s, kDesktop);
-        beside = core.step(beside, kFrame_s, kDesktop);
-        met_beside = walls_of(beside, kDesktop);
-        const auto before = std::exchange(met, walls_of(now, kDesktop));
-        for (std::size_t wall = 0; wall < met.size(); ++wall) met_walls += met[wall] && !before[wall] ? 1 : 0;
-      }
-      parted.add(met != met_beside);
-      if (met == met_beside) continue;
-      after_s.push_back(static_cast<double>(frame) * kFrame_s);
-      contacts.push_back(static_cast<double>(met_walls));
-    }
-  }
 };
+
+Parting parting_of(const std::string& laws, const Core& core, double part, double until_s) {
+  constexpr double kRate_hz = 60.0;
+  constexpr std::int64_t kFlings = 100;
+  const ManyFlings flings({FixedRate{kRate_hz}, {}}, until_s, kFlings);
+  Parting parting{laws, part};
+  for (std::int64_t number = 0; number < kFlings; ++number) {
+    State now = flings.start(number), beside = now;
+    for (double State::*const value : {&State::x_px, &State::y_px, &State::vx_px_per_s, &State::vy_px_per_s})
+      beside.*value *= 1.0 - part;
+    std::array<bool, kWalls.size()> met = {}, met_beside = {};
+    std::int64_t frame = 0, contacts = 0;
+    for (; frame < flings.frames() && met == met_beside; ++frame) {
+      now = core.step(now, 1.0 / kRate_hz, kDesktop);
+      beside = core.step(beside, 1.0 / kRate_hz, kDesktop);
+      met_beside = walls_of(beside, kDesktop);
+      const auto before = std::exchange(met, walls_of(now, kDesktop));
+      for (std::size_t wall = 0; wall < met.size(); ++wall) contacts += met[wall] && !before[wall] ? 1 : 0;
+    }
+    parting.parted.add(met != met_beside);
+    if (met == met_beside) continue;
+    parting.after_s.push_back(static_cast<double>(frame) / kRate_hz);
+    parting.contacts.push_back(static_cast<double>(contacts));
+  }
+  return parting;
+}
 
 std::string median_text(const std::vector<double>& values, int decimals) {
   if (values.empty()) return "-";
@@ -55,10 +55,9 @@ std::string median_text(const std::vector<double>& values, int decimals) {
 Table parting_table(const Core& core) {
   std::vector<Parting> partings;
   for (const bool is_lossless : {false, true})
-    for (const double part : {0x1p-52, 1e-9, 1e-6, 1e-3}) {
-      partings.push_back({is_lossless ? "without losses, 600 s" : "the core's, 16 s", part});
-      partings.back().play(is_lossless ? lossless(core) : core, is_lossless ? 600.0 : 16.0);
-    }
+    for (const double part : {0x1p-52, 1e-9, 1e-6, 1e-3})
+      partings.push_back(is_lossless ? parting_of("without losses, 600 s", lossless(core), part, 600.0)
+                                     : parting_of("the core's, 16 s", core, part, 16.0));
   using P = const Parting&;
   return StudyTable("partings", "when contacts of two flings part that start almost alike", partings)
       .add("laws", "", "laws, and how long they are played", &Parting::laws)
