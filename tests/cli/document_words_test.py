@@ -96,7 +96,7 @@ WORDS = {
         (CMAKE, r"\(`(bless --prune)` removes it\)", r"(bless --prune) --dry-run"),
         ("sim/trajectory/stored_run.h", "`constants` is there for a core of the same shape only",
          "constants; Of the core that played it; nothing where it is not the paper's model"),
-        ("sim/ensemble/ensemble.h", r"`fuzz` for finite, inside, repeatable, in pieces; `sweep` (step by step) \|",
+        ("sim/ensemble/ensemble.h", r"repeatable, in pieces; .*; `sweep` (step by step) \|",
          "Plays one scenario by the replay, (step by step)"), (CMAKE, "else the header's, without suffix", "STEM LAST_ONLY arg_NAME"),
         ("tests/cli/own_shapes_test.py", r"`study`, `sweep` \(by the fast (kernels)\), `fuzz`", "The (kernels) leave steps at rest out"),
         ("golden/README.md", "else where `check` looks: the `(golden)` (beside) the nearest folder `(scenarios)`",
