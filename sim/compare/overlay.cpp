@@ -47,16 +47,13 @@ void Overlay::add(const Row& a, const Row& b) {
 }
 
 Figure Overlay::figure(const Texts& texts) const {
-  const double right_px = texts.window.width_px, bottom_px = texts.window.height_px;
   const auto centre = [&](const Position& corner) {
     return Position{corner.x_px + 0.5 * texts.sprite.width_px, corner.y_px + 0.5 * texts.sprite.height_px};
   };
-  std::vector<Series> scene = {{.name = "window",
-                                .look = {.tone = Tone::faint, .width_px = 1.0},
-                                .x = {0.0, right_px, right_px, 0.0, 0.0},
-                                .y = {0.0, 0.0, bottom_px, bottom_px, 0.0}},
-                               {.name = texts.a, .look = {.tone = Tone::blue, .width_px = 4.0}},
-                               {.name = texts.b, .look = {.tone = Tone::vermilion, .width_px = 1.5}}};
+  std::vector<Series> scene = {
+      outline("window", {.tone = Tone::faint, .width_px = 1.0}, 0.0, 0.0, texts.window),
+      {.name = texts.a, .look = {.tone = Tone::blue, .width_px = 4.0}},
+      {.name = texts.b, .look = {.tone = Tone::vermilion, .width_px = 1.5}}};
   Series distance{.name = "distance", .look = {.tone = Tone::ink, .width_px = 1.5}};
   std::vector<Pair> pairs = kept_;
   if (seen_ > 0) pairs.push_back(farthest_);
@@ -89,7 +86,7 @@ Figure Overlay::figure(const Texts& texts) const {
                  .when_empty = start_ ? "the same place at every time" : "no row is finite in both"};
   if (!first_difference_) distance.x = distance.y = {};
   over_time.series = {std::move(distance)};
-  // As large as the window and what is drawn, whatever the room.
+  // As large as the window and what is drawn, unless that is very long or very high.
   const auto ends = [&](std::vector<double> Series::*values) {
     std::pair found(HUGE_VAL, -HUGE_VAL);
     for (const Series& series : scene)
@@ -97,25 +94,24 @@ Figure Overlay::figure(const Texts& texts) const {
         found = {std::min(found.first, value), std::max(found.second, value)};
     return found;
   };
-  const auto [left, right] = ends(&Series::x);
-  const auto [top, bottom] = ends(&Series::y);
-  Plot paths{
-      .x = {.label = "x of the centre, px", .low = left, .high = right},
-      .y = {.label = "y of the centre, px, downwards", .is_reversed = true, .low = top, .high = bottom},
-      .series = scene,
-      .has_equal_scales = true};
-  figure.body = std::vector<Plot>{std::move(paths)};
-  auto& plots = std::get<std::vector<Plot>>(figure.body);
+  auto [left, right] = ends(&Series::x);
+  auto [top, bottom] = ends(&Series::y);
+  double shape = (right - left) / (bottom - top);
+  if (!(shape > 0.6 && shape < 4.0)) shape = 1.6, left = right = top = bottom = kNotGiven;
+  std::vector<Plot> plots = {
+      {.x = {.label = "x of the centre, px", .low = left, .high = right},
+       .y = {.label = "y of the centre, px, downwards", .is_reversed = true, .low = top, .high = bottom},
+       .series = scene,
+       .has_equal_scales = true}};
   if (farthest.px > 0.0) {
     // Both sprites whole, or, of a small distance, their upper left corners.
     const double dx = farthest.b.x_px - farthest.a.x_px, dy = farthest.b.y_px - farthest.a.y_px;
     const double side_px = std::max(texts.sprite.width_px, texts.sprite.height_px);
     const bool is_whole = 4.0 * farthest.px > side_px;
-    const double half_y = is_whole ? 0.5 * std::fabs(dy) + 0.7 * side_px : 1.5 * farthest.px;
-    const double shape = (right - left) / (bottom - top);
-    const double half = std::max(half_y, (0.5 * std::fabs(dx) + (is_whole ? 0.7 * side_px : 0.0)) / shape);
-    const double to_middle = is_whole ? 0.5 * side_px : 0.0, x = 0.5 * dx + to_middle,
-                 y = 0.5 * dy + to_middle;
+    const double room = is_whole ? 0.7 * side_px : farthest.px,
+                 x = 0.5 * dx + (is_whole ? 0.5 * side_px : 0.0);
+    const double half = std::max(0.5 * std::fabs(dy) + room, (0.5 * std::fabs(dx) + room) / shape),
+                 y = x + 0.5 * (dy - dx);
     plots.push_back({.x = {.label = "x from there, px", .low = x - shape * half, .high = x + shape * half},
                      .y = {.label = "farthest, at " + rounded(farthest.t_s) + " s: y from the corner of " +
                                     texts.a + ", px, downwards",
@@ -132,6 +128,7 @@ Figure Overlay::figure(const Texts& texts) const {
                      .has_equal_scales = true});
   }
   plots.push_back(std::move(over_time));
+  figure.body = std::move(plots);
   return figure;
 }
 

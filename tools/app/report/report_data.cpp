@@ -254,12 +254,9 @@ Json inputs_json(const std::vector<Input>& inputs) {
 
 Json parameters_json(const Core& core) {
   if (!core.paper_match.constants) return {};
-  Constants places;
-  for (std::size_t place = 0; place < kConstantFields.size(); ++place)
-    places.*kConstantFields[place] = static_cast<double>(place);
-  Json::Array names;
-  for (const double place : numbers_of(places))
-    names.emplace_back(std::string(core.constant_names[static_cast<std::size_t>(place)]));
+  Json::Array names;  // Files have restitution before drag.
+  for (const std::size_t place : {0u, 2u, 1u, 3u, 4u})
+    names.emplace_back(std::string(core.constant_names[place]));
   Json::Object given;
   for (const auto& [name, value] : core.parameters) given.emplace_back(name, value);
   return Json::Object{{"names", std::move(names)},

@@ -44,9 +44,7 @@ export class Core {
     return this.calls.use_step(this.#give(new TextEncoder().encode(text))) === 1;
   }
   /** Plays the paper's step with these constants from now on; with none, the core itself. */
-  useConstants(constants) {
-    this.calls.use_constants(this.#give(constants));
-  }
+  useConstants = constants => this.calls.use_constants(this.#give(constants));
   /** @param constants of the model by which runs are measured; null: they are not. */
   measureBy(constants) {
     this.isMeasuring = constants !== null;

@@ -42,7 +42,6 @@ export function paintWall(context, wall, x, y, half) {
   wallCorners(wall).forEach(([toX, toY], i) => context[i ? 'lineTo' : 'moveTo'](x + half * toX, y + half * toY));
   context.fill();
 }
-/** The same as the style of an element. */
 export const wallStyle = wall => `color: var(--${wallColors[wall]}); clip-path: polygon(${wallCorners(wall).map(corner => corner.map(at => `${50 + 50 * at}%`).join(' ')).join(', ')})`;
 
 // Whether a row's speed, or that of the row before, explains its distance from that, as run_path.cpp has it. Rows
@@ -238,8 +237,7 @@ export class Painter {
   /** Both sprites on a canvas of its own, or of a small distance their upper left corners, with a rule from one to the other. Returns how many times it is magnified. */
   magnify(canvas, here, there, sprite, tint) {
     const { ratio } = this, side = Math.max(...sprite), [dx, dy] = [there.x - here.x, there.y - here.y], px = Math.hypot(dx, dy), isWhole = 4 * px > side;
-    canvas.width = Math.round(canvas.clientWidth * ratio);
-    canvas.height = Math.round(canvas.clientHeight * ratio);
+    Object.assign(canvas, { width: Math.round(canvas.clientWidth * ratio), height: Math.round(canvas.clientHeight * ratio) });
     const half = isWhole ? Math.max(0.5 * Math.abs(dy) + 0.7 * side, ((0.5 * Math.abs(dx) + 0.7 * side) * canvas.height) / canvas.width) : 1.5 * px;
     const scale = canvas.height / (2 * half), context = canvas.getContext('2d'), aside = isWhole ? side / 2 : 0;
     const corner = [canvas.width / 2 - (dx / 2 + aside) * scale, canvas.height / 2 - (dy / 2 + aside) * scale], other = [corner[0] + dx * scale, corner[1] + dy * scale];
@@ -294,8 +292,7 @@ export class Painter {
     flights.forEach(({ name, rows, tint }, i) => {
       this.#pen(context, tint, 1, tint === 'ink');
       this.#path(context, rows, tint === 'ink');
-      if (!name) return;
-      // Above its end, each in a line of its own.
+      if (!name) return; // Else it stands above the end, each in a line of its own.
       const [x, y] = this.#middle(rows.x.at(-1), rows.y.at(-1), this.scene.sizes[0].sprite), half = context.measureText(name).width / 2;
       context.fillText(name, Math.min(Math.max(x, half), canvas.width - half), y - (20 + 13 * i) * this.ratio);
     });

@@ -1,5 +1,4 @@
-// Pictures of results: the value next to the pointer, a picture as a file, and of rows a slider over their time. It is put
-// into pages as it is.
+// Pictures of results: the value next to the pointer, a picture as a file, of rows a slider. It is put into pages as it is.
 (() => {
   const make = (tag, attributes, space = '1999/xhtml') => {
     const made = document.createElementNS(`http://www.w3.org/${space}`, tag);
@@ -34,8 +33,7 @@
     if (kind === 'PNG') {
       const image = Object.assign(new Image(), { src: URL.createObjectURL(blob) }), canvas = make('canvas', { width: 2 * width, height: 2 * height }), context = canvas.getContext('2d');
       await image.decode();
-      context.fillStyle = 'white';
-      context.fillRect(0, 0, canvas.width, canvas.height);
+      Object.assign(context, { fillStyle: 'white' }).fillRect(0, 0, canvas.width, canvas.height);
       context.drawImage(image, 0, 0, canvas.width, canvas.height);
       blob = await new Promise(done => canvas.toBlob(done));
     }

@@ -35,9 +35,8 @@ const object = members => (members.length ? `{ ${members.map(([key, value]) => `
 const size = ([width, height]) => object([['width_px', exact(width)], ['height_px', exact(height)]]);
 const velocity = ([vx, vy]) => [['vx_px_per_s', exact(vx)], ['vy_px_per_s', exact(vy)]];
 const resized = numbers => [['window', numbers.slice(0, 2)], ['sprite', numbers.slice(2)]].filter(([, [width]]) => width >= 0);
-const none = () => [];
-const actions = [['fling', velocity], ['place', ([x, y]) => [['x_px', exact(x)], ['y_px', exact(y)]]], ['stop', none],
-  ['resize', numbers => resized(numbers).map(([name, sides]) => [name, size(sides)])], ['hitch', ([dt]) => [['dt_s', exact(dt)]]], ['grab', none], ['release', velocity]];
+const actions = [['fling', velocity], ['place', ([x, y]) => [['x_px', exact(x)], ['y_px', exact(y)]]], ['stop', () => []],
+  ['resize', numbers => resized(numbers).map(([name, sides]) => [name, size(sides)])], ['hitch', ([dt]) => [['dt_s', exact(dt)]]], ['grab', () => []], ['release', velocity]];
 const jitters = [['uniform', 'fraction'], ['normal', 'sigma_s'], ['missed_frames', 'probability']];
 const clocks = [['rate_hz', ([rate]) => exact(rate)], ['dt_s', ([dt]) => exact(dt)], ['dt_s', values => `[${values.map(exact).join(', ')}]`]];
 
@@ -50,11 +49,7 @@ export function scenarioText({ window, sprite, start: [x, y, vx, vy], every, len
   const [clock, clockText] = clocks[kind];
   const lines = events.map(({ when, action, numbers }) => `\n    ${object([[when[0] === 0 ? 'step' : 'at_s', exact(when[1])], [actions[action][0], object(actions[action][1](numbers))]])}`);
   const members = [
-    ['format', '"hyrax-scenario/1"'],
-    ['name', JSON.stringify(name)],
-    ['description', JSON.stringify(description)],
-    ['window', size(window)],
-    ['sprite', size(sprite)],
+    ['format', '"hyrax-scenario/1"'], ['name', JSON.stringify(name)], ['description', JSON.stringify(description)], ['window', size(window)], ['sprite', size(sprite)],
     ['start', object([['x_px', exact(x)], ['y_px', exact(y)], ...velocity([vx, vy])])],
     ['clock', object([[clock, clockText(values)], ...(jitter ? [['jitter', object([['kind', `"${jitters[jitter[0]][0]}"`], [jitters[jitter[0]][1], exact(jitter[1])],
       ['seed', String((BigInt(jitter[2]) << 32n) | BigInt(jitter[3]))]])]] : [])])],

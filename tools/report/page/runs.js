@@ -174,25 +174,24 @@ class View {
 
   /** What is flung, so far; the verdict when it is let go, for other heights of tiles move the stage under the hand. */
   show(result) {
-    this.result = result;
-    this.charts.update(result);
-    this.moment.replace(result.rows);
-    this.player.follow(result.contacts, result.run);
+    this.#replace(result);
     if (!this.playground.isHeld) showVerdict(result);
     element('title').textContent = `${count(result.run.steps, 'frame')}, ${fixed(result.rows.t.at(-1), 1)} s, flung by hand`;
-    showContacts(result, step => this.player.seekStep(step));
   }
   /** What follows from other values than the file's, at a row of it. */
   showChanged(result, record, index) {
     const sizes = sizesOf(record, result.run.inputs);
     this.player.pause();
-    this.result = result;
     this.#setScene(result, sizes);
+    this.#replace(result, sizes, index);
+    this.#magnify();
+    showVerdict(result);
+  }
+  #replace(result, sizes, index) {
+    this.result = result;
     this.charts.update(result, sizes);
     this.moment.replace(result.rows, index);
     this.player.follow(result.contacts, result.run);
-    this.#magnify();
-    showVerdict(result);
     showContacts(result, step => this.player.seekStep(step));
   }
 

@@ -1,5 +1,4 @@
-// Another run than the file's: frame rate, start and parameters have sliders, and what follows from them is drawn at once
-// beside the file's run.
+// Another run than the file's: frame rate, start and parameters have sliders; what follows is drawn beside the file's run.
 import { lastAtMost } from './data.js';
 import { element, make, report, root, save } from './document.js';
 import { rounded } from './numbers.js';
@@ -9,7 +8,6 @@ import { distancesFrom, shownAt } from './series.js';
 
 /** Longer runs are not played again while a slider moves. */
 export const stepsMax = 40_000;
-const groundBit = 8;
 
 // By the place of a constant in a file: what people call it, its unit, its range and its steps.
 const constants = [['Gravity', 'px/s²', [0, 3600], 10], ['Bounce', '', [0, 1], 0.01], ['Drag', '', [0.9, 1], 0.0005], ['Ground friction', '', [0, 1], 0.01]];
@@ -41,9 +39,9 @@ export function changedRun(run, parts, sliders, values) {
   return { parts: changed, constants: with_(run.parameters.values), model: run.model && with_(run.model), parameters: { ...run.parameters.given, ...Object.fromEntries(others.map(name => [name, values[name]])) } };
 }
 
-/** Where a run first meets the ground and where it ends, and how far that is from the file's, as sentences. */
+/** Where a run first meets the ground (8) and where it ends, and how far that is from the file's, as sentences. */
 export function landingText(result, file) {
-  const [here, there] = [result, file].map(({ contacts }) => contacts?.step[Array.from(contacts.wall).indexOf(groundBit)]), ends = ({ rows }) => [rows.x.at(-1), rows.y.at(-1)];
+  const [here, there] = [result, file].map(({ contacts }) => contacts?.step[Array.from(contacts.wall).indexOf(8)]), ends = ({ rows }) => [rows.x.at(-1), rows.y.at(-1)];
   const [x, y] = ends(result), [fileX, fileY] = ends(file), error = result.run.errors?.truncation_px ?? null;
   const place = ({ rows }, step) => (row => `x ${rounded(rows.x[row], 5)} px after ${rounded(rows.t[row], 4)} s`)(lastAtMost(rows.step, step));
   return [here ? `Lands at ${place(result, here)}${there ? `, the file’s run at ${place(file, there)}` : ''}.` : 'Never lands.',
@@ -54,10 +52,9 @@ export function landingText(result, file) {
 export class WhatIf {
   #frame = 0;
 
-  /** `view` shows what comes out: show(result, parts, index); `reopen` goes back to the file's run. */
+  /** `view` shows what comes out: showChanged(result, record, index); `reopen` goes back to the file's run. */
   constructor(core, view, parts, reopen) {
-    const { run, result } = view;
-    const isPossible = Boolean(core) && result.check !== undefined && run.steps <= stepsMax;
+    const { run, result } = view, isPossible = Boolean(core) && result.check !== undefined && run.steps <= stepsMax;
     Object.assign(this, { core, view, file: result, parts, sliders: isPossible ? slidersOf(run, parts) : [] });
     this.values = Object.fromEntries(this.sliders.map(({ key, own }) => [key, own]));
     this.shown = { ...changedRun(run, parts, this.sliders, this.values), stateHash: result.check?.stateHash };
@@ -66,7 +63,6 @@ export class WhatIf {
     element('what-if-note').textContent = '';
     element('save-scenario').onclick = () => this.#save();
     element('file-run').onclick = reopen;
-    this.#mark(false);
   }
 
   end() {

@@ -18,7 +18,7 @@ Row row_at(std::int64_t step, double x_px, double y_px) {
 }
 
 std::vector<Plot> plots_of(const Overlay& overlay) {
-  return std::get<std::vector<Plot>>(overlay.figure({"title", "subtitle", "a", "b", {10, 20}, {2, 2}}).body);
+  return std::get<std::vector<Plot>>(overlay.figure({"title", "subtitle", "a", "b", {20, 10}, {2, 2}}).body);
 }
 
 TEST(Overlay, IsThePictureApproved) {
@@ -48,10 +48,10 @@ TEST(Overlay, DrawsDistancesOnALogarithmicAxisWithALineForZero) {
   EXPECT_DOUBLE_EQ(axis.zero_at, 1e-10);
 }
 
-// Of a sprite of 2 px in a window of 10 x 20: corners of both where they are close, both whole where they are
+// Of a sprite of 2 px in a window of 20 x 10: corners of both where they are close, both whole where they are
 // not.
 TEST(Overlay, MagnifiesBothSpritesWhereTheyAreFarthestAndRulesTheDistance) {
-  for (const auto& [px, half, whole] : {std::tuple(1e-9, 1.5e-9, 0.0), {0.4, 0.6, 0.0}, {6.0, 8.8, 1.0}}) {
+  for (const auto& [px, half, whole] : {std::tuple(1e-9, 1e-9, 0.0), {0.4, 0.4, 0.0}, {6.0, 2.2, 1.0}}) {
     Overlay overlay;
     overlay.add(row_at(0, 1.0, 2.0), row_at(0, 1.0, 2.0));
     overlay.add(row_at(1, 1.0, 2.0), row_at(1, 1.0 + px, 2.0));
@@ -67,7 +67,7 @@ TEST(Overlay, MagnifiesBothSpritesWhereTheyAreFarthestAndRulesTheDistance) {
     EXPECT_NEAR((plot.y.high - plot.y.low) / 2, half, 1e-6 * half);
     EXPECT_NEAR((plot.y.high + plot.y.low) / 2, whole, 1e-9);
     EXPECT_NEAR((plot.x.high + plot.x.low) / 2, away / 2 + whole, 1e-9);
-    EXPECT_NEAR((plot.x.high - plot.x.low) / (plot.y.high - plot.y.low), 0.5, 1e-6)
+    EXPECT_NEAR((plot.x.high - plot.x.low) / (plot.y.high - plot.y.low), 2.0, 1e-6)
         << "as wide as the window";
   }
 }
