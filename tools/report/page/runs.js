@@ -133,6 +133,7 @@ class View {
     if (!(most > 0)) return;
     const row = other.distances.indexOf(most), [here, there] = [placeAt(rows, rows.t[row]), placeAt(other.rows, rows.t[row])];
     const times = this.painter.magnify(element('magnifier'), here, there, sizesAt(sizes, rows.step[row]).sprite, other.tint ?? 'bad');
+    element('farthest').hidden = times < 1; // Then they are seen on the stage.
     element('farthest-note').textContent = `Farthest: ${rounded(most, 3)} px at ${rounded(rows.t[row])} s, ${rounded(times, 2)} times as large; dashed: the ${other.name}.`;
   }
 

@@ -93,12 +93,14 @@ test('beside another run it opens on the second around their largest distance', 
   assert.match(log.find(line => line.includes('bad 3 dashed')), /^stroke bad 3 dashed: from 20,40 /);
   assert.match(log.filter(line => line.includes('of 0.4'))[0], /^stroke bad 2 of 0\.4: box 180,60 40,80$/); // x 30 + 15, y 15.
   assert.ok(element('charts').children[0].id === 'chart-distance');
-  assert.deepEqual([element('farthest').hidden, text('farthest-note').replace(/, [\d.,]+ times/, '')], [false, 'Farthest: 100 px at 3 s as large; dashed: the golden file.']);
+  assert.deepEqual([element('farthest').hidden, text('farthest-note').replace(/, [\d.,]+ times/, '')], [true, 'Farthest: 100 px at 3 s as large; dashed: the golden file.']);
   // A replay that differs is beside the rows of the file; a link says which moment is shown.
   for (const [more, options, note] of [[{ rows: far }, { found: () => ({ stateHash: 'cd', firstDifference: 10 }), hash: '#step=50' }, 'Dashed: the file.'], [{ golden: { agrees: true, rows_compared: 41 } }, { against: { rows: far }, hash: '#step=50' }, '']]) {
     await opened([run('a', more)], options);
     assert.deepEqual([text('stage-note'), row(), element('play').attributes['aria-label']], [note, 5, 'Play']);
   }
+  await opened([run('a', { golden })], { against: { rows: filed({ x: rows.x.map((x, i) => x + (i === 7 ? 2 : 0)) }) } });
+  assert.match(`${element('farthest').hidden} ${text('farthest-note')}`, /^false Farthest: 2 px at 0\.7 s, [\d.]+ times as large; dashed: the golden file\.$/);
   const { matchMedia } = globalThis;
   t.after(() => (globalThis.matchMedia = matchMedia));
   globalThis.matchMedia = query => ({ ...matchMedia(), matches: query === '(prefers-reduced-motion: reduce)' });
