@@ -1,6 +1,7 @@
 """Files, golden files and commands of a core that describes itself, in a project that uses the package."""
 
 import json
+import re
 import shutil
 
 import h5py
@@ -221,6 +222,25 @@ class OwnCoresFiles(InstalledPackage):
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "first")
         self.expect(AGREED, "bless", "scenarios/falls.json", "--reason", "first", "--update-expect")
         self.check(AGREED)
+
+    def test_a_page_shows_files_and_says_whether_they_agree_with_another(self):
+        self.expect(AGREED, "run", "scenarios/falls.json", "--golden", "none", "-o", "a.h5", "--report", "run.html")
+        self.expect(AGREED, "run", "scenarios/falls.json", "--golden", "none", "--set", "/start={\"charge\": 0.5}", "-o", "b.h5")
+        self.expect(AGREED, "report", "a.h5", "b.h5", "--against", "a.h5", "-o", "files.html")
+        page = (self.folder / "files.html").read_text(encoding="utf-8")
+        a, b = page.split("<article")[1:]
+        self.assertIn("Agrees with a.h5, bit for bit.", a)
+        self.assertIn("differs from a.h5: ", b)
+        # The same picture, rows, contacts and end as of the run that wrote it.
+        run = (self.folder / "run.html").read_text(encoding="utf-8")
+        for part in (r"<path[^>]*>", r"<td[^>]*>[^<]*", r"<p>(?:Contacts|End): [^<]*"):
+            self.assertEqual(re.findall(part, a), re.findall(part, run), part)
+        self.assertIn("<p>End: ", a)
+        self.expect(BAD_INPUT, "report", "a.h5", "-o", "a.h5", says="a.h5")
+        self.expect(BAD_INPUT, "report", "scenarios/falls.json", "-o", "page.html", says="scenarios/falls.json: ")
+        program.PROGRAM = HYRAX_SIM
+        self.expect(BAD_INPUT, "report", "a.h5", "-o", "page.html", says="toy-sim")
+        self.assertFalse((self.folder / "page.html").exists())
 
     def test_diff_compares_in_the_values_own_types(self):
         self.expect(AGREED, "run", "scenarios/falls.json", "--golden", "none", "-o", "a.h5")

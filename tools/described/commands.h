@@ -20,6 +20,7 @@ namespace hyrax {
 [[nodiscard]] Command described_info_command(const DescribedCore& core);
 [[nodiscard]] Command described_shrink_command(const DescribedCore& core);
 [[nodiscard]] Command described_study_command(const DescribedCore& core);
+[[nodiscard]] Command described_report_command(const DescribedCore& core);
 
 /// How its sweeps are read and played. A member whose run ends early keeps what it came to; players throw
 /// Failure(disagreed) for one without a first row.

@@ -34,6 +34,8 @@ std::string difference_in_shape(const DescribedFile& a, const DescribedFile& b) 
   return "";
 }
 
+}  // namespace
+
 DescribedComparison compare_files(const DescribedCore& core, const DescribedFile& a, const DescribedFile& b,
                                   const Tolerance& tolerance) {
   DescribedComparison result;
@@ -63,6 +65,8 @@ DescribedComparison compare_files(const DescribedCore& core, const DescribedFile
   if (!result.shape.empty()) result.difference = DifferenceClass::shape;
   return result;
 }
+
+namespace {
 
 Json diff_json(const DescribedComparison& comparison) {
   Json::Object worst;

@@ -1,7 +1,5 @@
 #include "tools/described/program.h"
 
-#include <algorithm>
-#include <array>
 #include <atomic>
 
 #include "sim/core/core.h"
@@ -11,15 +9,6 @@
 
 namespace hyrax {
 namespace {
-
-// Commands of hyrax-sim that this program has not, and what to use instead. CORE stands for the core's name.
-struct Refusal {
-  std::string_view command;
-  std::string_view why;
-};
-constexpr std::array<Refusal, 2> kRefusals = {
-    {{"drift", "needs the paper's step; CORE describes itself: use study frame-rate, diff"},
-     {"report", "not for files of cores that describe themselves; use run SCENARIO --report FILE.html"}}};
 
 std::string first_screen(const Description& description, const std::vector<Command>& commands) {
   return fmt::format(
@@ -36,8 +25,9 @@ std::vector<Command> described_commands(const DescribedCore& core) {
       described_run_command(core),    described_check_command(core), described_bless_command(core),
       described_diff_command(core),   described_new_command(core),   described_validate_command(core),
       described_schema_command(core), described_fuzz_command(core),  described_sweep_command(core),
-      described_info_command(core),   described_study_command(core), described_shrink_command(core)};
-  for (const Refusal& refusal : kRefusals) commands.emplace_back().name = refusal.command;
+      described_info_command(core),   described_study_command(core), described_shrink_command(core),
+      described_report_command(core)};
+  commands.emplace_back().name = "drift";  // Which it has not.
   return commands;
 }
 
@@ -48,15 +38,6 @@ void require_good_core(const Description& description, const std::string& thrown
     sentences +=
         fmt::format("{}hyrax-sim: the core {}: {}", sentences.empty() ? "" : "\n", description.core, fault);
   if (!sentences.empty()) refuse_input(sentences);
-}
-
-void refuse_if_missing(const Description& description, const Command& command, const std::string& name) {
-  if (command.declare != nullptr) return;
-  const auto* const refusal = std::ranges::find(kRefusals, command.name, &Refusal::command);
-  std::string why(refusal->why);
-  const std::size_t at = why.find("CORE");
-  if (at != std::string::npos) why.replace(at, 4, description.core);
-  refuse_input(name + ": " + why);
 }
 
 }  // namespace
@@ -77,7 +58,9 @@ int run_described_program(DescribedCore (*make_core)(), int argc, char** argv) {
   program.first_screen = first_screen(core.description, program.commands);
   program.require = [&](const Command& command, const std::string& name) {
     require_good_core(core.description, thrown);
-    refuse_if_missing(core.description, command, name);
+    if (command.declare == nullptr)
+      refuse_input(name + ": needs the paper's step; " + core.description.core +
+                   " describes itself: use study frame-rate, diff");
   };
   // No command asks for the paper's.
   program.act = [&](const CommandAct& act) {

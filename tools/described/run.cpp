@@ -9,6 +9,7 @@
 #include "tools/app/library/run_flow.h"
 #include "tools/described/commands.h"
 #include "tools/described/judged_run.h"
+#include "tools/described/run_page.h"
 #include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 #include "tools/described/trajectory_file.h"
@@ -218,25 +219,17 @@ void draw(const DescribedCore& core, const RunRequest& request, const std::strin
   const DescribedSummary& summary = run.contents.summary;
   const std::string found = fmt::format("{}: {}, {:.6g} s", status_of(run),
                                         plain_counted(summary.steps, "step"), summary.simulated_s);
-  const Figure figure = picture.figure(found);
+  ShownResult shown = shown_run(
+      core.description, run.scenario, summary, picture, found,
+      {{"core", core.description.core}, {"file", run.path}, {"state hash", run.contents.state_hash()}});
   if (!request.figure.empty()) {
-    draw_figure(request.figure, figure);
+    draw_figure(request.figure, shown.figures.front());
     if (output != kStandardOutput) print_written(request, request.figure);
   }
   if (request.page.empty()) return;
-  ShownResult shown{.title = run.scenario.name,
-                    .subtitle = run.scenario.description.value_or(""),
-                    .tables = {picture.rows()},
-                    .figures = {figure}};
-  shown.verdict.text = {
-      "Contacts: " + contacts_text(core.description, summary),
-      "End: " + state_text(core.description, summary.final, summary.final.size()),
-      "The page replays cores of the paper's interface; of " + core.description.core + " it shows the rows."};
   shown.verdict.broken = run.faults;
   for (const Expectation& expectation : run.broken)
     shown.verdict.broken.push_back(expectation_text(expectation));
-  shown.origin = {
-      {"core", core.description.core}, {"file", run.path}, {"state hash", run.contents.state_hash()}};
   write_result_page(request.page, page_command(request, run.path), {shown});
   print_written(request, request.page);
 }

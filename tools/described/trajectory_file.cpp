@@ -302,6 +302,7 @@ DescribedFile::DescribedFile(const std::string& path, const std::string& core, P
     require(columns.back().length, value.name);
   };
   for (const ValueInfo& value : head_.description.state.values) add(state_, value);
+  for (const ValueInfo& value : head_.description.outputs.values) add(outputs_, value);
   for (const std::string& contact : head_.description.contacts) add(flags_, flag_of(contact));
   if (row_count() == 0) refuse("/trajectory: has no rows");
 }
@@ -391,6 +392,25 @@ DescribedRowBatches DescribedFile::rows() const {
   };
 }
 
+void DescribedFile::show(DescribedSink& sink) const {
+  std::int64_t first = 0;
+  const DescribedRowBatches batches = rows();
+  DescribedRows batch;
+  for (batches(batch); batch.size() > 0; batches(batch)) {
+    std::vector<std::vector<Word>> columns(outputs_.size());
+    for (std::size_t column = 0; column < outputs_.size(); ++column)
+      outputs_[column].read(first, std::ssize(batch.step), columns[column]);
+    std::vector<Word> outputs(outputs_.size());
+    for (std::size_t index = 0; index < batch.size(); ++index) {
+      const KeptRow row = batch.row(index);
+      std::ranges::transform(columns, outputs.begin(),
+                             [index](const std::vector<Word>& column) { return column[index]; });
+      sink.row({row.step, row.t_s, row.dt_s, row.state, outputs, row.contacts});
+    }
+    first += std::ssize(batch.step);
+  }
+}
+
 std::vector<DescribedContact> DescribedFile::contacts() const {
   std::vector<DescribedContact> contacts(
       static_cast<std::size_t>(NumberColumn<std::int64_t>(file_, path_, "/contacts/step").length()));
@@ -453,8 +473,8 @@ std::vector<DescribedBlock> DescribedFile::blocks() const {
 }
 
 void DescribedFile::read_all() const {
-  for (CursorOf<DescribedRows> cursor(rows()); !cursor.is_done(); cursor.next()) {
-  }
+  DescribedSink nothing;
+  show(nothing);
   static_cast<void>(contacts());
   static_cast<void>(contacts_total());
   static_cast<void>(blocks());

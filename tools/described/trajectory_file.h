@@ -84,6 +84,8 @@ class DescribedFile {
   [[nodiscard]] std::int64_t row_count() const { return step_.length(); }
   /// From the first; refers to this.
   [[nodiscard]] DescribedRowBatches rows() const;
+  /// Passes them on as a run does, with outputs.
+  void show(DescribedSink& sink) const;
   [[nodiscard]] std::vector<DescribedContact> contacts() const;
   [[nodiscard]] std::int64_t contacts_total() const;
   /// Of a golden file that does not hold every row; else none.
@@ -114,7 +116,12 @@ class DescribedFile {
   NumberColumn<double> t_;
   NumberColumn<double> dt_;
   std::vector<ValueColumn> state_;
+  std::vector<ValueColumn> outputs_;
   std::vector<ValueColumn> flags_;
 };
+
+/// Rows that a file does not hold are replayed, if it is of this core. Refers to the files.
+[[nodiscard]] DescribedComparison compare_files(const DescribedCore& core, const DescribedFile& a,
+                                                const DescribedFile& b, const Tolerance& tolerance = {});
 
 }  // namespace hyrax
