@@ -17,8 +17,9 @@ class Keeper : public DescribedSink {
   void contact(const DescribedContact& contact) override { side_.contacts.push_back(contact); }
 
   [[nodiscard]] ComparedSide kept(const DescribedScenario& scenario, std::int64_t steps) {
-    // An event falls into the frame before, too: runs of finer rates have it there.
-    for (const std::int64_t frame : jump_frames(scenario, steps))
+    // An event falls into the frame before, too: runs of finer rates have it there. So does one behind the
+    // end.
+    for (const std::int64_t frame : jump_frames(scenario, steps + 1))
       for (const std::int64_t each : {frame - 1, frame})
         if (each >= 0 && (side_.jumps.empty() || side_.jumps.back() < each)) side_.jumps.push_back(each);
     side_.rows = batches_of(rows_);

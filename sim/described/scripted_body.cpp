@@ -13,7 +13,9 @@ std::vector<std::int64_t> event_frames(const DescribedScenario& scenario, std::i
     const auto* hitch = std::get_if<Hitch>(&event.action);
     times.push_back({event.when, hitch != nullptr ? std::optional(hitch->dt_s) : std::nullopt});
   }
-  return schedule_events(scenario.clock, times, steps).frames;
+  std::vector<std::int64_t> frames = schedule_events(scenario.clock, times, steps).frames;
+  std::ranges::replace(frames, -1, steps);
+  return frames;
 }
 
 FrameScript::FrameScript(const DescribedCore& played_core, const DescribedScenario& played)

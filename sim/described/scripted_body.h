@@ -33,7 +33,7 @@ template <class Call>
   }
 }
 
-/// The frame of each event of a scenario of so many frames.
+/// The frame of each event of a scenario of so many frames; `steps`: it is behind them, as at a coarser rate.
 [[nodiscard]] std::vector<std::int64_t> event_frames(const DescribedScenario& scenario, std::int64_t steps);
 
 /// The frames of a scenario. Refers to what it is made of.

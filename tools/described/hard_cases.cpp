@@ -42,10 +42,16 @@ class Family {
       for (std::size_t place = 0; place < values.size(); ++place) {
         if (!values[place].limits) continue;
         for (const auto& [name, limit] : {std::pair("lowest", 0), {"highest", 1}}) {
-          std::vector<GivenValue>& given =
-              given_of(add(fmt::format("{}-{}", name, values[place].name), "a value at its limit"), list);
+          const Word word = (*values[place].limits)[static_cast<std::size_t>(limit)];
+          if (is_floating(values[place].type) && !is_finite(word)) continue;
+          DescribedScenario& scenario =
+              add(fmt::format("{}-{}", name, values[place].name), "a value at its limit");
+          std::vector<GivenValue>& given = given_of(scenario, list);
           std::erase_if(given, [place](const GivenValue& each) { return each.first == place; });
-          given.emplace_back(place, (*values[place].limits)[static_cast<std::size_t>(limit)]);
+          given.emplace_back(place, word);
+          if (list == SettableList::inputs)
+            std::erase_if(scenario.input_arrays,
+                          [place](const InputArray& array) { return array.input == place; });
           std::ranges::sort(given, {}, &GivenValue::first);
         }
       }

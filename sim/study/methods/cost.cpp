@@ -118,7 +118,7 @@ ProcessTimes time_works(const Works& works, const Stopwatch& time_of, const Cost
     std::vector<double> steady_ns;
     for (const auto& [run_ns, after_ns] : of_work)
       if (after_ns <= (1.0 + ClockProbe::kDriftMax_rel) * times.probe.median_ns) steady_ns.push_back(run_ns);
-    const bool is_measured = !steady_ns.empty() && steady_ns.size() >= of_work.size() / 2;
+    const bool is_measured = !steady_ns.empty() && 2 * steady_ns.size() >= of_work.size();
     times.works_ns.push_back(is_measured ? quantile(std::move(steady_ns), 0.5) : kNotGiven);
   }
   return times;

@@ -1,6 +1,7 @@
 #include "sim/described/described_ladder.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 
 #include "tests/unit/sim/described/core_for_test.h"
@@ -64,6 +65,20 @@ TEST(RateLadder, EventsKeepTheirTimesAndHitchesAreLeftOut) {
   EXPECT_EQ(ladder.until_s, 2.0);
   // The lift is at one time in every run: none is off by its 50 px beside it.
   for (const RateRun& run : ladder.runs) EXPECT_LT(run.off_px.value(), 3.0) << run.rate_hz;
+}
+
+TEST(RateLadder, AnEventBehindTheLastFrameOfACoarserRateIsNotDone) {
+  DescribedScenario scenario = scenario_for_test(32);
+  scenario.events = {event_for_test(31, Act{0, {}})};  // At 24 Hz the last of 13 frames begins before.
+  std::vector<std::int64_t> steps;
+  const RateLadder ladder =
+      climb(core_for_test<Faller>(), scenario, {24.0}, [&](const DescribedSummary& summary) {
+        steps.push_back(summary.steps);
+        return summary.early_end ? std::vector{summary.early_end->what} : std::vector<std::string>();
+      });
+  EXPECT_EQ(ladder.runs.front().faults, std::vector<std::string>());
+  EXPECT_EQ(std::ranges::count(steps, 13), 1);
+  EXPECT_LT(ladder.runs.front().off_px.value(), 3.0);
 }
 
 TEST(RateLadder, NoMoreThanAMinuteIsPlayedAndNoInputOfEachFrame) {

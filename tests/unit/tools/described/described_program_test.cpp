@@ -4,6 +4,7 @@
 #include <cfenv>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "sim/described/see.h"
 #include "tests/unit/tools/store/temp_folder.h"
@@ -250,6 +251,35 @@ TEST_F(DescribedProgram, TheStudyOfHardCasesSaysWhichCasesBreakWhichRule) {
       << fussy;
   EXPECT_NE(fussy.find("defaults/jitter-missed-0.5: throws: "), std::string::npos) << fussy;
   EXPECT_EQ(fussy.find("defaults: "), std::string::npos) << fussy;
+}
+
+// Wind has no highest value; each frame's wind is within its limits.
+struct Windy {
+  double x = 0.0, wind = 1.0;
+  void step(double dt) { x += wind * dt; }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+  }
+  template <class See>
+  void inputs(See&& see) {
+    see("wind", wind, {-4.0, std::numeric_limits<double>::infinity()});
+  }
+  template <class See>
+  void properties(See&& see) const {
+    see.always("no wind from the right", wind >= 0.0);
+  }
+};
+
+TEST_F(DescribedProgram, AHardCaseHasAValueAtALimitThatIsFinite) {
+  write_text_file("windy.json",
+                  R"({"format": "hyrax-scenario/1", "name": "windy", "clock": {"rate_hz": 60}, "steps": 3,
+      "inputs": {"wind": [1, 2, 3]}})");
+  const Outcome outcome =
+      run<Windy>({"study", "hard-cases", "windy.json", "--quick", "--no-figures", "--gate"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err,
+            "toy-sim study hard-cases: windy/lowest-wind: always: \"no wind from the right\" at step 0\n");
 }
 
 TEST_F(DescribedProgram, ShrinkKeepsWhatARunSays) {
