@@ -189,7 +189,7 @@ SAID_AGAIN = (
     (CORE, "a fling is up to {} px ({} .. {}) away", (STUDIES, "  the paper's step                {} ({} .. {})  ")),
     (CORE, "does not help: {} px ({} .. {}), because", (STUDIES, "  exact flight step               {} ({} .. {})  ")),
     (CORE, "60 Hz | {} px | {} px ({} .. {}), nearer at the end in {} of {} flings |", (STUDIES, "  the paper's step                {} ("),
-     (STUDIES, "  exact flight, swept clamp       {} ({} .. {})  "), (STUDIES, " .. 1.5)  {} of {}")),
+     (STUDIES, "  exact flight, swept clamp       {} ({} .. {})  "), (STUDIES, " .. 0.0405)  {} of {}")),
     (STUDIES, "spreads less in {} of {} flings.", (STUDIES, "every frame the same: drag and friction by time spread less in {} of {} flings")),
     (STUDIES, "frame move the typical fling from {} to {} px off, and\n  {} of {} meet", (STUDIES, "\n  the paper's step                {} ("),
      (STUDIES, "\n  the paper's step, 4 to a frame  {} ("), (STUDIES, "{} of {}\n  the paper's step, drag by time")),

@@ -1,6 +1,8 @@
 #include "sim/study/speed_error/speed_error.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -35,11 +37,12 @@ std::vector<MethodErrors> errors_of(const Core& core, const std::vector<Problem>
 std::optional<MethodBands> bands_of(const std::vector<MethodErrors>& errors,
                                     const std::vector<MethodErrors>& paper) {
   MethodBands bands;
-  std::vector<double> positions_px, ends_px;
+  std::vector<double> positions_px, ends_px, energies_rel;
   for (std::size_t fling = 0; fling < errors.size(); ++fling) {
     if (errors[fling].is_failed || paper[fling].is_failed) continue;
     positions_px.push_back(errors[fling].position_px);
     ends_px.push_back(errors[fling].end_px);
+    energies_rel.push_back(errors[fling].energy_rel);
     bands.nearer.add(errors[fling].end_px < paper[fling].end_px);
     bands.other_contacts.add(errors[fling].has_other_contacts);
     if (!(errors[fling].position_px <= rounding_px(errors[fling]))) ++bands.beyond_rounding;
@@ -47,10 +50,29 @@ std::optional<MethodBands> bands_of(const std::vector<MethodErrors>& errors,
   if (positions_px.empty()) return std::nullopt;
   bands.position_px = *band_of(positions_px);
   bands.end_px = *band_of(ends_px);
+  bands.energy_rel = *band_of(energies_rel);
+  bands.energies = histogram_of(energies_rel);
   return bands;
 }
 
 }  // namespace
+
+std::vector<ErrorBin> histogram_of(std::vector<double> errors) {
+  std::erase_if(errors, [](double error) { return !std::isfinite(error); });
+  if (errors.empty()) return {};
+  const auto [least, most] = std::ranges::minmax(errors);
+  const double width = std::max({(most - least) / 10.0, most / 1000.0, std::numeric_limits<double>::min()});
+  double step = std::pow(10.0, std::floor(std::log10(width)));
+  for (const double more : {2.0, 2.5, 2.0})  // To 2, 5 and 10.
+    if (step < width) step *= more;
+  std::vector<ErrorBin> bins;
+  for (double place = std::floor(least / step); place * step <= most; ++place) {
+    ErrorBin& bin = bins.emplace_back(ErrorBin{place * step, (place + 1.0) * step});
+    bin.flings =
+        std::ranges::count_if(errors, [&](double error) { return error >= bin.low && error < bin.high; });
+  }
+  return bins;
+}
 
 std::vector<Problem> problems_like(const Problem& problem, std::int64_t count) {
   std::vector<Problem> problems{problem};

@@ -30,13 +30,25 @@ inline constexpr double kBandSpeed_rel = 0.05;
 /// each speed within kBandSpeed_rel of itself, jitter of seeds of their own. The first is the problem itself.
 [[nodiscard]] std::vector<Problem> problems_like(const Problem& problem, std::int64_t count);
 
+/// Of a histogram: flings whose error is from `low` to less than `high`.
+struct ErrorBin {
+  double low = 0.0;
+  double high = 0.0;
+  std::int64_t flings = 0;
+};
+/// At most some ten bins of equal widths with few digits, from the smallest error to the largest. What is not
+/// finite is in none.
+[[nodiscard]] std::vector<ErrorBin> histogram_of(std::vector<double> errors);
+
 /// One method at one rate, over problems_like(problem, kBandFlings).
 struct MethodBands {
   std::size_t problem = 0;
   std::size_t method = 0;
   double rate_hz = 0.0;
-  Band position_px = {};             ///< Largest distance from the exact fling.
-  Band end_px = {};                  ///< Distance of the last positions.
+  Band position_px = {};                ///< Largest distance from the exact fling.
+  Band end_px = {};                     ///< Distance of the last positions.
+  Band energy_rel = {};                 ///< MethodErrors::energy_rel,
+  std::vector<ErrorBin> energies = {};  ///< and their histogram.
   Share nearer = {};                 ///< Flings that end nearer to the exact place than by the paper's step.
   Share other_contacts = {};         ///< MethodErrors::has_other_contacts.
   std::int64_t beyond_rounding = 0;  ///< Flings whose distance is more than rounding.
@@ -198,6 +210,8 @@ void count_pairs(SpeedError& study);
 
 /// The largest distances over the flings like a problem, at 60 Hz, a line a method; nothing without bands.
 [[nodiscard]] std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem);
+/// The histogram of their energy errors by the paper's step.
+[[nodiscard]] std::optional<Figure> energies_figure(const SpeedError& study, std::size_t problem);
 
 /// How drag per frame keeps the paper's step from converging, with the values of this study; empty if
 /// SpeedError::paper has no 60 Hz, or there is no drag.

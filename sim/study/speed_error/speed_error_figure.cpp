@@ -306,6 +306,32 @@ std::optional<Figure> bands_figure(const SpeedError& study, std::size_t problem)
       .body = std::vector{std::move(plot)}};
 }
 
+std::optional<Figure> energies_figure(const SpeedError& study, std::size_t problem) {
+  const auto bands = std::ranges::find_if(study.bands, [problem](const MethodBands& each) {
+    return each.problem == problem && each.method == 0 && each.rate_hz == kRowRate_hz;
+  });
+  if (bands == study.bands.end() || bands->energies.empty()) return std::nullopt;
+  Plot plot{.x = {.label = "flings", .low = 0.0}};
+  Series series{.name = "flings", .look = {.form = Form::bars, .tone = Tone::blue}};
+  for (const ErrorBin& bin : bands->energies) {
+    const auto y = static_cast<double>(plot.y.categories.size());
+    plot.y.categories.push_back(rounded(100.0 * bin.low, 3) + " to " + rounded(100.0 * bin.high, 3) + " %");
+    series.x.push_back(static_cast<double>(bin.flings));
+    series.y.push_back(y);
+    plot.texts.push_back({series.x.back(), y, std::to_string(bin.flings)});
+  }
+  plot.series = {std::move(series)};
+  return Figure{
+      .suffix = "-" + study.problems[problem].name + "-energy",
+      .title = fmt::format("The paper's step at 60 Hz is off by {} % in energy",
+                           rounded(100.0 * bands->energy_rel.median, 2)),
+      .subtitle = fmt::format(
+          "Median of {} flings like {}: the largest difference from the exact fling while both have met "
+          "each wall equally often, of the largest kinetic energy",
+          bands->energy_rel.samples, study.problems[problem].label),
+      .body = std::vector{std::move(plot)}};
+}
+
 std::vector<std::string> convergence_sentences(const SpeedError& study) {
   const auto at_60 = std::ranges::find(study.paper, 60.0, &PaperErrors::rate_hz);
   if (at_60 == study.paper.end() || !(study.laws.air_drag < 1.0)) return {};

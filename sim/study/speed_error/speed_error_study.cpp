@@ -164,6 +164,11 @@ Table bands_text(const std::vector<MethodBands>& bands, const SpeedError& study)
       .add("method", "", [&](B b) { return study.methods[b.method].label; })
       .add("largest_distance,_px", "", [](B b) { return band_text(b.position_px); })
       .add("at_the_end,_px", "", [](B b) { return band_text(b.end_px); })
+      .add("energy,_%", "",
+           [](B b) {
+             const auto& [samples, median, low, high] = b.energy_rel;
+             return band_text({samples, 100.0 * median, 100.0 * low, 100.0 * high});
+           })
       .add("ends_nearer_in", "", count(&MethodBands::nearer))
       .add("other_contacts_in", "", count(&MethodBands::other_contacts));
 }
@@ -248,7 +253,8 @@ std::vector<Figure> figures_of(const SpeedError& study, const std::string& machi
     figures.insert(is_first ? figures.begin() : figures.end(), std::move(figure));
   }
   for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
-    if (std::optional<Figure> figure = bands_figure(study, problem)) figures.push_back(std::move(*figure));
+    for (std::optional<Figure> figure : {bands_figure(study, problem), energies_figure(study, problem)})
+      if (figure) figures.push_back(std::move(*figure));
   return figures;
 }
 

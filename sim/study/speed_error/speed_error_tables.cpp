@@ -95,10 +95,30 @@ Table bands_table(const SpeedError& study) {
       .add_band("position_error", "px", "largest distance from the exact fling", &MethodBands::position_px,
                 "position_error_median")
       .add_band("end_error", "px", "distance of the last positions", &MethodBands::end_px, "end_error_median")
+      .add_band("energy_error", "1", "as energy_error of points", &MethodBands::energy_rel,
+                "energy_error_median")
       .add_share("nearer", "flings that end nearer to the exact place than by the paper's step",
                  &MethodBands::nearer)
       .add_share("other_contacts", "flings that meet a side wall or the top another number of times",
                  &MethodBands::other_contacts);
+}
+
+// A bin of a method's histogram.
+struct EnergyBin : ErrorBin {
+  std::size_t problem = 0;
+  std::size_t method = 0;
+  double rate_hz = 0.0;
+};
+Table energies_table(const SpeedError& study) {
+  std::vector<EnergyBin> bins;
+  for (const MethodBands& bands : study.bands)
+    for (const ErrorBin& bin : bands.energies)
+      bins.push_back({bin, bands.problem, bands.method, bands.rate_hz});
+  return table_by_problem(study, "energies", "histogram of energy_error over the flings of bands", bins)
+      .add("rate", "Hz", "frames per second", &EnergyBin::rate_hz)
+      .add("low", "1", "where the bin begins", &EnergyBin::low)
+      .add("high", "1", "where it ends", &EnergyBin::high)
+      .add("flings", "1", "whose error is in the bin", &EnergyBin::flings);
 }
 
 Table orders_table(const SpeedError& study) {
@@ -186,8 +206,9 @@ Table clock_table(const SpeedError& study, const std::string& machine) {
 }  // namespace
 
 std::vector<Table> speed_error_tables(const SpeedError& study, const std::string& machine) {
-  return {points_table(study),         orders_table(study), cheapest_table(study), paper_table(study),
-          clock_table(study, machine), set_up_table(study), bands_table(study),    least_table(study)};
+  return {points_table(study), orders_table(study),         cheapest_table(study),
+          paper_table(study),  clock_table(study, machine), set_up_table(study),
+          bands_table(study),  energies_table(study),       least_table(study)};
 }
 
 std::vector<Table> speed_error_summary(const SpeedError& study, const std::string& machine) {

@@ -265,6 +265,40 @@ TEST(MethodBands, OfAJitteredProblemHaveOtherSeeds) {
   EXPECT_NE(problems_like(problems()[5], 3)[2].jitter->seed, problems()[5].jitter->seed);
 }
 
+TEST(MethodBands, AHistogramCountsEveryErrorOnceFromTheSmallestToTheLargest) {
+  using Bin = std::tuple<double, double, std::int64_t>;
+  const auto bins_of = [](const std::vector<double>& errors) {
+    std::vector<Bin> bins;
+    for (const ErrorBin& bin : histogram_of(errors)) bins.emplace_back(bin.low, bin.high, bin.flings);
+    return bins;
+  };
+  EXPECT_EQ(bins_of({0.5, 3.5, 1.0, 0.25, 3.5, kNotGiven}), (std::vector<Bin>{{0.0, 0.5, 1},
+                                                                              {0.5, 1.0, 1},
+                                                                              {1.0, 1.5, 1},
+                                                                              {1.5, 2.0, 0},
+                                                                              {2.0, 2.5, 0},
+                                                                              {2.5, 3.0, 0},
+                                                                              {3.0, 3.5, 0},
+                                                                              {3.5, 4.0, 2}}));
+  for (const double error : {0.0, 0.3}) {
+    const std::vector<ErrorBin> bins = histogram_of({error, error});
+    ASSERT_EQ(bins.size(), 1U) << error;
+    EXPECT_EQ(bins[0].flings, 2) << error;
+  }
+  EXPECT_TRUE(histogram_of({kNotGiven}).empty());
+  // Of a real problem: all flings are in it, and the median is where half of them are.
+  const std::vector<MethodBands> all =
+      method_bands(shipped_core(), problems()[4], {frame_methods(shipped_core()).front()}, {60.0});
+  ASSERT_EQ(all.size(), 1U);
+  std::int64_t flings = 0, below = 0;
+  for (const ErrorBin& bin : all[0].energies) {
+    flings += bin.flings;
+    if (bin.high <= all[0].energy_rel.median) below += bin.flings;
+  }
+  EXPECT_EQ(flings, all[0].energy_rel.samples);
+  EXPECT_LE(2 * below, flings);
+}
+
 TEST(MethodBands, ClaimOnlyWhatTheIntervalAllows) {
   EXPECT_EQ(nearness_text({65, 120}), "not decided by 120 flings");
   EXPECT_EQ(nearness_text({2145, 4000}), "it is nearer") << "4000 flings decide it";
