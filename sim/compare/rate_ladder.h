@@ -24,8 +24,8 @@ inline constexpr std::array<double, 4> kDoubledRates_hz = {125.0, 250.0, 500.0, 
 /// A run at one rate.
 struct RateRun {
   double rate_hz = 0.0;
-  /// The largest distance, in px, from the run of the finest rate, at equal times; nothing: it cannot be
-  /// told.
+  /// The largest distance, in px, from the run of the finest rate, at equal times; nothing: one of both ends
+  /// early.
   std::optional<double> off_px = {};
   std::int64_t contacts = 0;
   std::optional<double> at_rest_since_s = {};
@@ -75,22 +75,27 @@ template <class AnyScenario>
 }
 
 /// Plays it at each rate.
-/// @param play_at (rate in Hz, RateRun& that takes what is to be said of the run) gives the run.
-/// @param distance_px (run, run) in px, at equal times; nothing: it cannot be told.
+/// @param play_at (rate in Hz, RateRun& that takes what is to be said of the run) gives the run; nothing: it
+/// ends early.
+/// @param distance_px (run, run) in px, at equal times.
 void climb(RateLadder& ladder, const std::vector<double>& rates_hz, const auto& play_at,
            const auto& distance_px) {
-  RateRun of_finest{.rate_hz = kFinestRate_hz, .off_px = 0.0};
+  const auto distance = [&](const auto& a, const auto& b) {
+    return a && b ? distance_px(*a, *b) : std::optional<double>();
+  };
+  RateRun of_finest{.rate_hz = kFinestRate_hz};
   const auto finest = play_at(kFinestRate_hz, of_finest);
+  if (finest) of_finest.off_px = 0.0;
   for (const double rate_hz : rates_hz) {
     RateRun& run = ladder.runs.emplace_back(RateRun{.rate_hz = rate_hz});
-    run.off_px = distance_px(finest, play_at(rate_hz, run));
+    run.off_px = distance(finest, play_at(rate_hz, run));
   }
   ladder.runs.push_back(std::move(of_finest));
   RateRun unsaid;
   auto coarse = play_at(kDoubledRates_hz.front(), unsaid);
   for (const double rate_hz : kDoubledRates_hz) {
     auto fine = play_at(2.0 * rate_hz, unsaid);
-    ladder.doubling_px.push_back(distance_px(fine, coarse).value_or(HUGE_VAL));
+    ladder.doubling_px.push_back(distance(fine, coarse).value_or(HUGE_VAL));
     coarse = std::move(fine);
   }
 }

@@ -46,10 +46,10 @@ DescribedPicture::DescribedPicture(const Description& description, const Describ
       event_frames_(event_frames(scenario, step_count(scenario))) {}
 
 void DescribedPicture::row(const DescribedRow& row) {
-  for (std::size_t event = 0; event < event_frames_.size() && marks_.size() < kMarksMax; ++event)
-    if (event_frames_[event] + 1 == row.step)
+  for (; next_event_ < event_frames_.size() && event_frames_[next_event_] < row.step; ++next_event_)
+    if (marks_.size() < kMarksMax)
       marks_.push_back({.at = row.t_s,
-                        .text = event_name(description_, scenario_.events[event].action),
+                        .text = event_name(description_, scenario_.events[next_event_].action),
                         .tone = Tone::quiet});
   bool begins_contact = false;
   for (std::size_t contact = 0; contact < row.contacts.size(); ++contact)
@@ -145,7 +145,8 @@ Figure DescribedPicture::figure(const std::string& subtitle) const {
 
 Table DescribedPicture::rows() const {
   Table table{.name = "rows", .long_name = "Every row"};
-  if (every_ > 1) table.long_name = "One row of every " + std::to_string(every_);
+  const std::int64_t every = points_.size() > 1 ? points_[1].step - points_[0].step : 1;
+  if (every > 1) table.long_name = "One row of every " + std::to_string(every);
   const auto add = [&](const std::string& name, const std::string& unit, const auto& value_of) {
     table.columns.push_back(column_of(name, unit, "", points_, value_of, 6));
   };

@@ -35,7 +35,6 @@ class DescribedPicture final : public DescribedSink {
     std::int64_t step = 0;
     double t_s = 0.0;
     std::vector<double> values = {};  // State, then outputs.
-    bool begins_contact = false;
   };
 
   [[nodiscard]] Plot path_plot(const std::vector<PositionPair>& pairs) const;
@@ -48,6 +47,7 @@ class DescribedPicture final : public DescribedSink {
   std::vector<Point> contacts_ = {};
   std::vector<std::uint8_t> flags_before_ = {};
   std::vector<std::int64_t> event_frames_;
+  std::size_t next_event_ = 0;
   std::vector<Mark> marks_ = {};  // Actions and sets.
 };
 

@@ -52,7 +52,7 @@ RateLadder climb(const DescribedCore& core, const DescribedScenario& scenario,
     run.contacts = std::accumulate(summary.contacts.begin(), summary.contacts.end(), std::int64_t{0});
     run.at_rest_since_s = summary.at_rest_since_s;
     if (faults_of) run.faults = faults_of(summary);
-    return keeper.kept(timed, summary.steps);
+    return summary.early_end ? std::nullopt : std::optional(keeper.kept(timed, summary.steps));
   };
   hyrax::climb(ladder, rates_hz, play_at, [&](const ComparedSide& a, const ComparedSide& b) {
     return compare_runs(core.description, a, b).max_px();

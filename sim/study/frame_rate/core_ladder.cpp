@@ -35,7 +35,8 @@ RateLadder climb(const Core& core, const Scenario& scenario, const std::vector<d
     for (const Input& input : inputs_of(timed, summary.steps))
       for (const std::int64_t frame : {input.frame - 1, input.frame})
         if (frame >= 0) inputs.push_back({frame, input.action});
-    return TimedRun{batches_of(kept.rows), std::move(inputs)};
+    return summary.non_finite_step ? std::nullopt
+                                   : std::optional(TimedRun{batches_of(kept.rows), std::move(inputs)});
   };
   hyrax::climb(ladder, rates_hz, play_at, [](const TimedRun& a, const TimedRun& b) {
     return std::optional(walk_equal_times(a, b).px());

@@ -29,6 +29,8 @@ std::vector<RateRow> rows_of(const std::vector<RateLadder>& ladders) {
 // ..."
 std::string convergence_text(const RateLadder& ladder) {
   const std::vector<double>& px = ladder.doubling_px;
+  if (!std::ranges::all_of(px, [](double each) { return std::isfinite(each); }))
+    return ladder.scenario + ": whether it converges is not known, as a run ends early.";
   if (px.front() == 0.0 && px.back() == 0.0)
     return ladder.scenario + " is the same at every rate from 125 Hz on.";
   std::string text = fmt::format(

@@ -279,8 +279,9 @@ Result run_hard_cases(const StudyRequest& request) {
                 .figures = {figure_of(cases, judgements)},
                 .verdict = verdict_of(cases, judgements),
                 .summary = {summary_of(cases)}};
-  if (std::ranges::none_of(cases, &HardCase::is_lossless, &PlayedCase::hard_case)) return result;
-  if (request.core.constants) result.tables.push_back(parting_table(request.core));
+  if (!request.core.constants || std::ranges::none_of(cases, &HardCase::is_lossless, &PlayedCase::hard_case))
+    return result;
+  result.tables.push_back(parting_table(request.core));
   result.summary.push_back(result.tables.back());
   result.verdict.text.emplace_back(fmt::format(
       "Random flings (seed {}) at 60 Hz beside others that start apart by an ulp, or by more: when their "

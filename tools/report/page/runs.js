@@ -181,10 +181,10 @@ class View {
   }
   /** What follows from other values than the file's, at a row of it. */
   showChanged(result, record, index) {
-    const sizes = sizesOf(record, result.run.inputs);
+    this.sizes = sizesOf(record, result.run.inputs);
     this.player.pause();
-    this.#setScene(result, sizes);
-    this.#replace(result, sizes, index);
+    this.#setScene(result, this.sizes);
+    this.#replace(result, this.sizes, index);
     this.#magnify();
     showVerdict(result);
   }

@@ -24,6 +24,9 @@ export function slidersOf({ parameters }, { start: [, , vx, vy], clock: { kind, 
   ];
 }
 
+/** Of a slider that is moved there: whole steps, within its ends. */
+export const valueOf = ({ low, high, step }, place) => Math.min(high, Math.max(low, Number((Math.round(place / step) * step).toPrecision(12))));
+
 /** {parts, constants, model, parameters} of a run with these values in place of its own; constants are empty where the core's own serve. */
 export function changedRun(run, parts, sliders, values) {
   const isChanged = key => sliders.some(each => each.key === key && values[key] !== each.own);
@@ -76,10 +79,11 @@ export class WhatIf {
   }
 
   // A slider stands at the file's own value until it is moved, then at whole steps.
-  #made({ key, label, unit, own, low, high, step }) {
+  #made(slider) {
+    const { key, label, unit, own, low, high } = slider;
     const text = value => `${rounded(value, 5)}${unit === '°' ? '' : ' '}${unit}`.trim(), shown = make('output', {}, text(own));
     return make('label', {}, make('span', {}, label), make('input', { type: 'range', id: `what-if-${key}`, min: low, max: high, step: 'any', value: own, oninput: ({ target }) => {
-      this.values[key] = Number((Math.round(Number(target.value) / step) * step).toPrecision(12));
+      this.values[key] = valueOf(slider, Number(target.value));
       shown.textContent = text(this.values[key]);
       this.#frame ||= requestAnimationFrame(() => this.#play());
     } }), shown);

@@ -54,6 +54,27 @@ std::vector<Plot> plots_of(std::int64_t steps, std::vector<DescribedEvent> event
   return std::get<std::vector<Plot>>(picture.figure("").body);
 }
 
+TEST(DescribedPicture, OfRowsThatAFileHasOfMoreSaysHowManyAndMarksEventsAtTheNext) {
+  struct Recorded : DescribedSink {
+    DescribedPicture picture;
+    Recorded(const DescribedCore& core, const DescribedScenario& scenario)
+        : picture(core.description, scenario) {}
+    void row(const DescribedRow& row) override {
+      if (row.step % 7 == 0) picture.row(row);
+    }
+  };
+  const DescribedCore core = core_for_test<Glider>();
+  DescribedScenario scenario = scenario_for_test(60);
+  scenario.events = {event_for_test(45, Act{0, {}})};
+  Recorded recorded(core, scenario);
+  DescribedSink* const sink = &recorded;
+  static_cast<void>(play(core, scenario, {&sink, 1}));
+  EXPECT_EQ(recorded.picture.rows().long_name, "One row of every 7");
+  const auto plots = std::get<std::vector<Plot>>(recorded.picture.figure("").body);
+  ASSERT_EQ(plots.back().marks.size(), 1u);
+  EXPECT_NEAR(plots.back().marks[0].at, 49.0 / 60.0, 1e-9);
+}
+
 TEST(DescribedPicture, HasAPathInItsFrameValuesByUnitAndMarks) {
   const std::vector<Plot> plots =
       plots_of(60, {event_for_test(45, Act{0, {}}), event_for_test(50, SetValues{{}, {{1, word_of(6.0)}}})});

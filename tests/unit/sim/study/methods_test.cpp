@@ -74,10 +74,15 @@ TEST(TimeWorks, ProbesTheClockForAsLongAsEachSampleTook) {
 
 // Of 40 works, one of which takes 10 us more in the samples whose probes take a quarter longer, and more.
 TEST(TimeWorks, ASampleWhoseProbeDriftsIsLeftOut) {
-  for (const auto& [rounds, drifting, probe_ns, work_ns] : {std::tuple(4, 2, 63'000, 50'000.0),
-                                                            {4, 3, 63'000, kNotGiven},
-                                                            {5, 3, 63'000, kNotGiven},
-                                                            {4, 3, 62'000, 60'000.0}}) {
+  struct Case {
+    int rounds, drifting;
+    std::int64_t probe_ns;
+    double work_ns;
+  };
+  for (const Case& of : {Case{4, 2, 63'000, 50'000.0},
+                         {4, 3, 63'000, kNotGiven},
+                         {5, 3, 63'000, kNotGiven},
+                         {4, 3, 62'000, 60'000.0}}) {
     std::int64_t now_ns = 0;
     std::size_t last = 0;
     int samples = -2;  // Of the last work, after two runs to warm up.
@@ -86,21 +91,21 @@ TEST(TimeWorks, ASampleWhoseProbeDriftsIsLeftOut) {
       works.push_back([&, work] {
         last = work;
         if (work == 7) ++samples;
-        now_ns += work == 7 && samples > 0 && samples <= drifting ? 60'000 : 50'000;
+        now_ns += work == 7 && samples > 0 && samples <= of.drifting ? 60'000 : 50'000;
       });
     const Stopwatch time_of = [&](const std::function<void()>& work) -> std::int64_t {
       const std::int64_t from_ns = now_ns;
       work();
       if (now_ns != from_ns) return now_ns - from_ns;
-      return last == 7 && samples <= drifting ? probe_ns : 50'000;
+      return last == 7 && samples <= of.drifting ? of.probe_ns : 50'000;
     };
-    const ProcessTimes times = time_works(works, time_of, {.rounds = rounds}, 0);
+    const ProcessTimes times = time_works(works, time_of, {.rounds = of.rounds}, 0);
     EXPECT_TRUE(times.probe.is_steady());
     EXPECT_EQ(times.works_ns[6], 50'000.0);
-    if (std::isnan(work_ns))
+    if (std::isnan(of.work_ns))
       EXPECT_TRUE(std::isnan(times.works_ns[7])) << "less than half of its samples is left";
     else
-      EXPECT_EQ(times.works_ns[7], work_ns) << drifting << " of " << probe_ns;
+      EXPECT_EQ(times.works_ns[7], of.work_ns) << of.drifting << " of " << of.probe_ns;
   }
 }
 

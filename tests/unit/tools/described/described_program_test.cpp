@@ -226,6 +226,13 @@ TEST_F(DescribedProgram, TheStudyOfFrameRatesPlaysTheLibraryOrTheDefaults) {
   const Outcome low = run<Low>({"study", "frame-rate", "--quick", "--no-figures", "--gate"});
   EXPECT_EQ(low.exit_code, 2);  // The scenario is not of this core.
   std::filesystem::remove_all("scenarios");
+  const Outcome early = run<Explosive>({"study", "frame-rate", "--quick", "--no-figures"});
+  EXPECT_TRUE(
+      early.out.starts_with("From 2000 Hz, 60 Hz is an unknown distance away, 240 Hz an unknown distance.\n"))
+      << early.out;
+  EXPECT_NE(early.out.find("\ndefaults: whether it converges is not known, as a run ends early.\n"),
+            std::string::npos)
+      << early.out;
   const Outcome broken = run<Low>({"study", "frame-rate", "--quick", "--no-figures", "--gate"});
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_NE(broken.err.find("defaults at 24 Hz: property \"y stays below 2 px\""), std::string::npos)

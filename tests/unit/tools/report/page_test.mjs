@@ -243,6 +243,7 @@ test('sliders stand at the run’s own values, and change only what is moved', (
   assert.deepEqual(changed({ GRAVITY: 900, AIR_DRAG: 1 }), { parts, constants: [900, 0.6, 1, 0.8, 40], model: [900, 0.6, 1, 0.8, 40], parameters: { GRAVITY: 900, AIR_DRAG: 1 } });
   const [x, y, vx, vy] = changed({ speed: 10, rate: 30 }).parts.start;
   assert.deepEqual([x, y, Math.round(vx * 1e9), Math.round(vy * 1e9), changed({ rate: 30 }).parts.length], [1, 2, 6e9, -8e9, [1, 300]]);
+  assert.deepEqual([[0.4, 360, 1, 0.4], [0, 4007, 10, 4006.9], [10, 360, 1, 59.6]].map(([low, high, step, place]) => whatIf.valueOf({ low, high, step }, place)), [0.4, 4007, 60]);
   // Without the paper's step there are no constants to change, and of a trace the mean rate is shown.
   assert.deepEqual(whatIf.slidersOf({ parameters: null }, { ...parts, clock: { kind: 2, values: [0.25, 0.75] } }).map(({ key, own }) => [key, own]).slice(0, 2), [['rate', 2], ['speed', 5]]);
   assert.deepEqual(whatIf.changedRun({ parameters: null, model: null }, parts, sliders.slice(0, 3), own), { parts, constants: [], model: null, parameters: undefined });
