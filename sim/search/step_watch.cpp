@@ -86,21 +86,16 @@ void StepWatch::check_finite(const Row& row) {
   record(Invariant::finite, std::log10(std::numeric_limits<double>::max()) - std::log10(largest), row.step);
 }
 
-// 0 <= x <= right where right >= 0, and the same in y; of a wall that only the rows show the bound is not
-// known. The slack is minus the distance outside.
+// 0 <= x <= right where right >= 0, and the same in y. The slack is minus the distance outside.
 void StepWatch::check_bounds(const Step& step) {
-  const auto [right_px, bottom_px] = step.bounds;
-  const State body = state_of(step.row);
-  double outside_px = -1.0;
-  const auto check = [&](Wall wall, double bound_px, double beyond_px) {
-    if (bound_px >= 0.0 && !touches(core_.walls_of_rows, wall))
-      outside_px = std::max({0.0, outside_px, beyond_px});
+  const auto outside_px = [](double at_px, double bound_px) {
+    return bound_px >= 0.0 ? std::max({0.0, -at_px, at_px - bound_px}) : 0.0;
   };
-  check(Wall::left, right_px, -body.x_px);
-  check(Wall::right, right_px, body.x_px - right_px);
-  check(Wall::top, bottom_px, -body.y_px);
-  check(Wall::ground, bottom_px, body.y_px - bottom_px);
-  if (outside_px >= 0.0) record(Invariant::in_bounds, -outside_px, step.row.step);
+  if (step.bounds.right_px < 0 && step.bounds.bottom_px < 0) return;
+  record(Invariant::in_bounds,
+         -std::max(outside_px(step.row.x_px, step.bounds.right_px),
+                   outside_px(step.row.y_px, step.bounds.bottom_px)),
+         step.row.step);
 }
 
 // With e = (vx^2 + vy^2) / 2 + G (bottom - y), a = air drag <= 1 and u = vy + G h, a flight step gives

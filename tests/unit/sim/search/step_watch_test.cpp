@@ -108,17 +108,6 @@ TEST(StepWatch, ASpriteThatDoesNotFitInOneDirectionIsWatchedInTheOther) {
   EXPECT_FALSE(of(watched(wide), Invariant::in_bounds).is_checked);
 }
 
-TEST(StepWatch, AWallThatOnlyTheRowsShowBoundsNothing) {
-  Core core = shipped_core();
-  core.walls_of_rows = static_cast<std::uint8_t>(Wall::left);
-  const auto left = [](Row& row) { row.x_px = -30.0; };
-  const auto above = [](Row& row) { row.y_px = -30.0; };
-  EXPECT_TRUE(of(watched(fling_at(60.0, 60), kInFlight, left, core), Invariant::in_bounds).holds);
-  EXPECT_FALSE(of(watched(fling_at(60.0, 60), kInFlight, above, core), Invariant::in_bounds).holds);
-  core.walls_of_rows = kAllWalls;
-  EXPECT_FALSE(of(watched(fling_at(60.0, 60), kInFlight, above, core), Invariant::in_bounds).is_checked);
-}
-
 TEST(StepWatch, FindsThatDragActsInAZeroLengthFrame) {
   Scenario scenario = fling_at(60.0, 60, {{std::int64_t{20}, Hitch{0.0}}});
   const InvariantMeasures measures = watched(scenario);
