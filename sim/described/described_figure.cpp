@@ -133,10 +133,13 @@ Figure DescribedPicture::figure(const std::string& subtitle) const {
   const std::vector<PositionPair> pairs = position_pairs(description_);
   std::vector<Plot> plots;
   if (!pairs.empty()) plots.push_back(path_plot(pairs));
-  for (Plot& plot : value_plots(pairs)) plots.push_back(std::move(plot));
-  for (const Plot& plot : plots)
-    if (plot.series.size() >= kSeriesMax)
-      figure.remarks.emplace_back("Not all values are drawn: of each unit the first twelve.");
+  std::size_t drawn = 2 * std::min(pairs.size(), kSeriesMax);
+  for (Plot& plot : value_plots(pairs)) {
+    drawn += plot.series.size();
+    plots.push_back(std::move(plot));
+  }
+  if (drawn < description_.state.values.size() + description_.outputs.values.size())
+    figure.remarks.emplace_back("Not all values are drawn: of each unit the first twelve.");
   if (!contacts_.empty() && !pairs.empty())
     figure.legend.push_back({"first row of a contact", {.form = Form::points, .marker = Marker::ring}});
   figure.body = std::move(plots);

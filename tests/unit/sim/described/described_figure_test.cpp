@@ -1,6 +1,8 @@
 // The picture of a run as data: paths, values by unit, marks, thinning.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "sim/described/described_figure.h"
 #include "tests/unit/sim/described/core_for_test.h"
 
@@ -99,6 +101,32 @@ TEST(DescribedPicture, HasAPathInItsFrameValuesByUnitAndMarks) {
   EXPECT_EQ(plots[2].marks[0].text, "turn");
   EXPECT_NEAR(plots[2].marks[0].at, 46.0 / 60.0, 1e-9);
   EXPECT_EQ(plots[2].marks[1].text, "set");
+}
+
+template <std::size_t kBalls>
+struct Balls {
+  std::array<double, kBalls> x = {}, y = {}, spin = {};
+  void step(double /*dt_s*/) {}
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("y_px", y);
+    see("spin", spin);
+  }
+};
+template <std::size_t kBalls>
+std::size_t remarks() {
+  const DescribedCore core = core_for_test<Balls<kBalls>>();
+  const DescribedScenario scenario = scenario_for_test(1);
+  DescribedPicture picture(core.description, scenario);
+  DescribedSink* const sink = &picture;
+  static_cast<void>(play(core, scenario, {&sink, 1}));
+  return picture.figure("").remarks.size();
+}
+
+TEST(DescribedPicture, SaysOnceThatNotAllValuesAreDrawn) {
+  EXPECT_EQ(remarks<12>(), 0u);
+  EXPECT_EQ(remarks<13>(), 1u);
 }
 
 TEST(DescribedPicture, OfALongRunHasRowsAtEvenDistances) {
