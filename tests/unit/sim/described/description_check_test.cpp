@@ -109,6 +109,7 @@ TEST(DescriptionCheck, FindsStaticState) {
   EXPECT_EQ(fault<Counting<false>>(), "");
   EXPECT_EQ(fault<Counting<true>>(),
             "a second run is not the same: x_px differs at row 1; has the core static state?");
+  EXPECT_EQ(resumed_fault(core_for_test<Counting<true>>(), scenario_for_test(60)), std::nullopt);
 }
 
 // Only the first run of a program is another.
