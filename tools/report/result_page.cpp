@@ -83,8 +83,7 @@ std::string rules_html(const ShownResult& result) {
   const std::vector<std::string>& broken = result.verdict.broken;
   if (broken.empty() && result.judgement.empty()) return "";
   if (broken.empty()) return "<p class=\"good\">" + escaped(result.judgement) + "</p>\n";
-  std::string html = fmt::format("<section class=\"bad\"><p>{} {} not hold</p>\n<ul>\n",
-                                 counted(broken.size(), "rule"), broken.size() == 1 ? "does" : "do");
+  std::string html = fmt::format("<section class=\"bad\"><p>{}</p>\n<ul>\n", counted(broken.size(), "fault"));
   for (const std::string& sentence : broken) html += html_line("li", sentence);
   return html + "</ul></section>\n";
 }
