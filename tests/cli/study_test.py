@@ -71,7 +71,7 @@ class SpeedError(ProgramTest):
         document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--json").json
         self.assertIn("mine", {answer["problem"] for answer in document["cheapest"]})
         self.assertEqual([name for name in self.names() if name.endswith(".svg")],
-                         [f"speed-error{part}.svg" for part in ("-fling-starts", "-long-arc", "-mine-starts", "-mine", "")])
+                         [f"speed-error{part}.svg" for part in ("-fling-energy", "-fling-starts", "-long-arc", "-mine-energy", "-mine-starts", "-mine", "")])
         text = (self.folder / "speed-error-long-arc.svg").read_text(encoding="utf-8")
         for part in ("Pareto front", "rk8pd", "cost, ns"):
             self.assertNotEqual(part in text, "not measured: clock unsteady" in text, part)
