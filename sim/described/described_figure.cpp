@@ -52,8 +52,9 @@ void DescribedPicture::row(const DescribedRow& row) {
                         .text = event_name(description_, scenario_.events[next_event_].action),
                         .tone = Tone::quiet});
   bool begins_contact = false;
-  for (std::size_t contact = 0; contact < row.contacts.size(); ++contact)
+  for (std::size_t contact = 0; contact < row.contacts.size() && row.step == next_step_; ++contact)
     begins_contact |= row.contacts[contact] != 0 && flags_before_[contact] == 0;
+  next_step_ = row.step + 1;
   flags_before_.assign(row.contacts.begin(), row.contacts.end());
   const bool is_marked = begins_contact && contacts_.size() < kContactsMax;
   if (row.step % every_ != 0 && !is_marked) return;

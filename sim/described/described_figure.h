@@ -45,6 +45,7 @@ class DescribedPicture final : public DescribedSink {
   std::int64_t every_ = 1;
   std::vector<Point> points_ = {};
   std::vector<Point> contacts_ = {};
+  std::int64_t next_step_ = 0;  // In it a contact may begin: the row before is known.
   std::vector<std::uint8_t> flags_before_ = {};
   std::vector<std::int64_t> event_frames_;
   std::size_t next_event_ = 0;
