@@ -89,7 +89,7 @@ bool is_cheaper(const Cost& a, const Cost& b, std::int64_t comparisons) {
 }
 
 std::string unsteady_text(const ClockProbe& probe) {
-  const std::string text = "not measured: clock unsteady";
+  std::string text = "not measured: clock unsteady";
   if (probe.is_steady()) return text;
   return fmt::format("{} (drift {:.0f} %, at most {:.0f} %)", text, 100.0 * probe.drift_rel,
                      100.0 * ClockProbe::kDriftMax_rel);
