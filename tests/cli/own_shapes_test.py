@@ -207,9 +207,10 @@ class Shapes(InstalledPackage):
                 self.assertIn("From 2000 Hz, 60 Hz is up to ", rates)
                 self.assertIn("the fling does not converge: from 125 to 250 Hz it changes by up to ", rates)  # Drag acts once a frame.
                 self.assertIn("; no value loses half its digits.\n", rates)
-                hard = self.expect(AGREED, "study", "hard-cases", HARD, "--quick", "--no-figures", "--json").json
-                self.assertEqual({each["verdict"] for case in hard["cases"] for name, each in case["invariants"].items() if name != "expectations"},
-                                 {"held"})  # What they expect is of the paper's core.
+                if name == "spin":  # It has a further member.
+                    hard = self.expect(AGREED, "study", "hard-cases", HARD, "--quick", "--no-figures", "--json").json
+                    self.assertEqual({each["verdict"] for case in hard["cases"] for invariant, each in case["invariants"].items() if invariant != "expectations"},
+                                     {"held"})  # What they expect is of the paper's core.
                 computed, steps = self.expect_sweep_as_runs()
                 self.assertGreater(computed, 0)
                 self.assertLessEqual(computed, steps)

@@ -94,7 +94,8 @@ class CostProcesses {
     const WorkEnd end = in_new_process(what, {.is_silent = false}, std::move(words));
     if (!end.result)
       throw Failure(ExitCode::cannot_access,
-                    fmt::format("{}: the process that measures them ended (signal {})", what, end.signal));
+                    fmt::format("{}: the process that measures them ended {}", what,
+                                end.signal != 0 ? fmt::format("by signal {}", end.signal) : "with an error"));
     return *end.result;
   }
 
