@@ -230,7 +230,7 @@ class ReportTest(browser.BrowserTest):
         _, first, ready, (median, late), before, _, after = page["values"]
         print(f"1,000,001 rows: first paint {first:.0f} ms, all drawn {ready:.0f} ms, scrub: median {median:.1f} ms, 95 % {late:.1f} ms")
         self.assertEqual(page["attributes"]["replay"], "agrees")
-        self.assertLess(first, ready / 2)
+        self.assertLess(first, 0.65 * ready)
         self.assertNotEqual(before, after)
 
     def test_of_a_core_that_is_not_its_own_it_plays_the_step_that_it_carries(self):
