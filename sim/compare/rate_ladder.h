@@ -1,18 +1,13 @@
 // One scenario at many frame rates, by any core: how far each run is from that of the finest rate.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
-
-#include "sim/scenario/frame_clock.h"
-#include "sim/scenario/scenario.h"
 
 namespace hyrax {
 
@@ -48,33 +43,7 @@ struct RateLadder {
   [[nodiscard]] bool converges() const { return gain() >= 1.4; }
 };
 
-/// The scenario with its events by time, for any rate, up to `until_most_s`, whatever comes behind it; says
-/// in `ladder` what is left out. @param event_frames of its events.
-template <class AnyScenario>
-[[nodiscard]] AnyScenario by_time(const AnyScenario& scenario, const std::vector<std::int64_t>& event_frames,
-                                  double until_most_s, RateLadder& ladder) {
-  AnyScenario timed = scenario;
-  timed.events.clear();
-  const FrameClock clock(scenario.clock);
-  const std::int64_t steps = step_count(scenario);
-  std::size_t event = 0;
-  Timeline timeline;
-  std::int64_t frame = 0;
-  for (; frame < steps && timeline.time_s() < until_most_s; timeline.play(clock.dt_s(frame++)))
-    for (; event < event_frames.size() && event_frames[event] == frame; ++event) {
-      if (std::holds_alternative<Hitch>(scenario.events[event].action))
-        ladder.has_hitches = true;
-      else
-        timed.events.push_back({timeline.time_s(), scenario.events[event].action});
-    }
-  ladder.scenario = scenario.name;
-  ladder.until_s = std::min(timeline.time_s(), until_most_s);
-  ladder.is_cut = frame < steps || ladder.until_s < timeline.time_s();
-  timed.length = ladder.until_s;
-  return timed;
-}
-
-/// Plays it at each rate.
+/// Plays a scenario at each rate.
 /// @param play_at (rate in Hz, RateRun& that takes what is to be said of the run) gives the run; nothing: it
 /// ends early.
 /// @param distance_px (run, run) in px, at equal times.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+#include <variant>
 
 #include "sim/described/scripted_body.h"
 
@@ -10,6 +12,31 @@ namespace {
 
 constexpr double kUntilMost_s = 60.0;
 constexpr double kWordsMost = 2e7;  // Of the rows of a run that is kept.
+
+// With its events by time, for any rate, up to `until_most_s`, whatever comes behind it; `ladder` has what is
+// left out.
+DescribedScenario by_time(const DescribedScenario& scenario, double until_most_s, RateLadder& ladder) {
+  DescribedScenario timed = scenario;
+  timed.events.clear();
+  const FrameClock clock(scenario.clock);
+  const std::int64_t steps = step_count(scenario);
+  const std::vector<std::int64_t> event_frames = hyrax::event_frames(scenario, steps);
+  std::size_t event = 0;
+  Timeline timeline;
+  std::int64_t frame = 0;
+  for (; frame < steps && timeline.time_s() < until_most_s; timeline.play(clock.dt_s(frame++)))
+    for (; event < event_frames.size() && event_frames[event] == frame; ++event) {
+      if (std::holds_alternative<Hitch>(scenario.events[event].action))
+        ladder.has_hitches = true;
+      else
+        timed.events.push_back({timeline.time_s(), scenario.events[event].action});
+    }
+  ladder.scenario = scenario.name;
+  ladder.until_s = std::min(timeline.time_s(), until_most_s);
+  ladder.is_cut = frame < steps || ladder.until_s < timeline.time_s();
+  timed.length = ladder.until_s;
+  return timed;
+}
 
 class Keeper : public DescribedSink {
  public:
@@ -42,8 +69,7 @@ RateLadder climb(const DescribedCore& core, const DescribedScenario& scenario,
                  const std::function<std::vector<std::string>(const DescribedSummary&)>& faults_of) {
   RateLadder ladder;
   const double words = static_cast<double>(core.description.state.values.size() + 2) * kFinestRate_hz;
-  DescribedScenario timed = by_time(scenario, event_frames(scenario, step_count(scenario)),
-                                    std::min(kUntilMost_s, kWordsMost / words), ladder);
+  DescribedScenario timed = by_time(scenario, std::min(kUntilMost_s, kWordsMost / words), ladder);
   const auto play_at = [&](double rate_hz, RateRun& run) {
     timed.clock = {FixedRate{rate_hz}, {}};
     Keeper keeper;

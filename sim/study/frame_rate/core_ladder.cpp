@@ -2,7 +2,6 @@
 
 #include "sim/compare/equal_times.h"
 #include "sim/replay/replay.h"
-#include "sim/scenario/schedule.h"
 
 namespace hyrax {
 namespace {
@@ -17,11 +16,9 @@ class KeptRows final : public RowSink {
 
 }  // namespace
 
-RateLadder climb(const Core& core, const Scenario& scenario, const std::vector<double>& rates_hz) {
-  constexpr double kUntilMost_s = 60.0;
-  RateLadder ladder;
-  Scenario timed =
-      by_time(scenario, schedule_events(scenario, step_count(scenario)).frames, kUntilMost_s, ladder);
+RateLadder climb(const Core& core, const Scenario& fling, const std::vector<double>& rates_hz) {
+  RateLadder ladder{.scenario = fling.name, .until_s = std::get<double>(fling.length)};
+  Scenario timed = fling;
   const auto play_at = [&](double rate_hz, RateRun& run) {
     timed.clock = {FixedRate{rate_hz}, {}};
     KeptRows kept;
@@ -30,13 +27,7 @@ RateLadder climb(const Core& core, const Scenario& scenario, const std::vector<d
     run.at_rest_since_s = summary.at_rest_since_s;
     if (summary.non_finite_step)
       run.faults.push_back("not finite at step " + std::to_string(*summary.non_finite_step));
-    // An input falls into the frame before, too: runs of finer rates have it there.
-    std::vector<Input> inputs;
-    for (const Input& input : inputs_of(timed, summary.steps))
-      for (const std::int64_t frame : {input.frame - 1, input.frame})
-        if (frame >= 0) inputs.push_back({frame, input.action});
-    return summary.non_finite_step ? std::nullopt
-                                   : std::optional(TimedRun{batches_of(kept.rows), std::move(inputs)});
+    return summary.non_finite_step ? std::nullopt : std::optional(TimedRun{batches_of(kept.rows), {}});
   };
   hyrax::climb(ladder, rates_hz, play_at, [](const TimedRun& a, const TimedRun& b) {
     return std::optional(walk_equal_times(a, b).px());

@@ -44,11 +44,19 @@ TEST(CoreLadder, DragByTheFrameDoesNotConverge) {
   EXPECT_FALSE(climb(core_with(0.99), fall(), {50.0}).converges());
 }
 
-TEST(CoreLadder, APlaceAtOneTimeIsAtThatTimeInEveryRun) {
+TEST(CoreLadder, ARunThatEndsEarlyHasAFaultAndNoDistance) {
   Scenario scenario = fall();
-  scenario.events = {{0.5, Place{{20.0, 20.0}}}};
-  for (const RateRun& run : climb(core_with(1.0), scenario, {50.0, 100.0}).runs)
-    EXPECT_LT(run.off_px.value(), 20.0) << run.rate_hz;
+  scenario.start_velocity = {0.0, 1e12};
+  const Core explosive = listing_core({.gravity_px_per_s2 = 1e300,
+                                       .restitution = 1.0,
+                                       .air_drag = 1e20,
+                                       .ground_friction = 1.0,
+                                       .rest_threshold_px_per_s = 0.0});
+  for (const RateRun& run : climb(explosive, scenario, {50.0}).runs) {
+    EXPECT_FALSE(run.off_px) << run.rate_hz;
+    ASSERT_EQ(run.faults.size(), 1U) << run.rate_hz;
+    EXPECT_TRUE(run.faults[0].starts_with("not finite at step ")) << run.faults[0];
+  }
 }
 
 TEST(CoreLadder, AnotherStepThanThePapersIsToldByItsLadder) {
