@@ -166,7 +166,7 @@ class Shapes(InstalledPackage):
         self.assertEqual(drift["worst"], self.expect(AGREED, "drift", "fling.json", "--json").json["runs"][0]["worst"])
         self.assertEqual(self.expect(AGREED, "run", "as-paper.json", "--json").json["runs"][0]["state_hash"], paper["state_hash"])
         self.assertIn("with FLOOR 0.7, not the core's own 0.65\n", self.expect(AGREED, "run", "floor.json").out)
-        # All are told at once, by validate, too.
+        # All are named at once, by validate, too.
         for command in ("run", "validate"):
             outcome = self.expect(BAD_INPUT, command, "as-moon.json")
             self.assertEqual(outcome.err.count(": unknown constant of the core (found "), len(MOON))

@@ -19,10 +19,10 @@ struct ReportRequest {
   Printing printing;
 };
 
-// What its file tells of a run.
-class Told final : public DescribedSink {
+// A run, as its file has it.
+class FileRun final : public DescribedSink {
  public:
-  Told(const DescribedFile& file, DescribedPicture& picture) : picture_(picture) {
+  FileRun(const DescribedFile& file, DescribedPicture& picture) : picture_(picture) {
     summary_.steps = file.head().steps;
     summary_.contacts.resize(file.head().description.contacts.size());
     for (const DescribedContact& contact : file.contacts()) ++summary_.contacts[contact.contact];
@@ -43,9 +43,9 @@ ShownResult shown_file(const DescribedCore& core, const ReportRequest& request, 
   const DescribedFile file = DescribedFile::open(path, core.description.core);
   const auto& [description, scenario, steps, state_hash, checksum] = file.head();
   DescribedPicture picture(description, scenario);
-  Told told(file, picture);
-  file.show(told);
-  const DescribedSummary& summary = told.summary();
+  FileRun run(file, picture);
+  file.show(run);
+  const DescribedSummary& summary = run.summary();
   ShownResult shown =
       shown_run(description, scenario, summary, picture,
                 fmt::format("{}, {:.6g} s", plain_counted(steps, "step"), summary.simulated_s),

@@ -51,7 +51,8 @@ TEST(GuardedChild, IsEndedByItsLimits) {
   EXPECT_EQ(end_of(work, {.processor_s = 1}), "late");
 }
 
-// What a new process of this program does for the test below.
+// What a new process of this program does for the test below: disabled, as they are no tests by themselves
+// and end their process.
 TEST(GuardedChild, DISABLED_Prints) { std::printf("printed by %s", std::getenv("HYRAX_NEW_PROCESS")); }
 TEST(GuardedChild, DISABLED_Exits) { std::_Exit(3); }
 TEST(GuardedChild, DISABLED_Crashes) { std::raise(SIGKILL); }
