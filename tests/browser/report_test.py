@@ -23,11 +23,12 @@ SCENARIOS = ["flings/first-fling", "flings/sprite-grows-and-shrinks", "flings/gr
 
 # Of each run: the state hash of this browser, and how the replay came out.
 EACH_RUN = """(async found => {
-  for (const { value } of run.options) {
-    run.value = value;
-    run.dispatchEvent(new Event('change'));
+  const texts = selector => [...document.querySelectorAll(selector)].map(each => each.textContent);
+  for (const index of document.querySelectorAll('#runs a').keys()) {
+    const panel = document.querySelector(`#runs a[href='#run=${index}']`);
+    panel.click();
+    while (!panel.hasAttribute('aria-current')) await new Promise(requestAnimationFrame);
     await new Promise(requestAnimationFrame);
-    const texts = selector => [...document.querySelectorAll(selector)].map(each => each.textContent);
     found.push([texts('#made code').at(-1), ...texts('.verdicts .tile:first-child > :not(.label)')]);
   }
   return found;
@@ -66,8 +67,11 @@ class ReportTest(browser.BrowserTest):
             file.attrs["state_hash"] = "0" * 32
         expected["hash"].append("the state hash differs; no stored row does")
         self.expect(AGREED, "report", *(f"{name}.h5" for name in expected), "-o", "all.html")
-        (page,) = self.open({"file": str(self.folder / "all.html"), "actions": [["evaluate", EACH_RUN]]})
-        shown, = page["values"]
+        third = "document.querySelectorAll('#runs a')[2]"
+        page, plain = self.open({"file": str(self.folder / "all.html"), "actions": [["evaluate", EACH_RUN], ["axe"], ["evaluate", f"{third}.focus()"], ["press", "Enter"], ["wait", f"{third}.hasAttribute('aria-current')"]]},
+                                {"file": str(self.folder / "all.html"), "plain": True, "actions": [["evaluate", f"[{third}, document.getElementById('run=2')].map(each => each.checkVisibility())"]]})
+        shown, faults, *_ = page["values"]
+        self.assertEqual((faults, plain["values"]), ([], [[True, True]]))
         self.assertEqual(len(shown), len(expected))
         for (name, (state_hash, *verdict)), (found_hash, *found) in zip(expected.items(), shown):
             self.assertEqual([found_hash, *found[:len(verdict)]], [state_hash, *verdict], name)
@@ -254,7 +258,7 @@ class ReportTest(browser.BrowserTest):
         self.played("golden", program.fling())
         self.write("fling.json", program.fling(description=HOSTILE, start={**program.FLING["start"], "vx_px_per_s": 1201}, expect={"final_x_px": [0, 1]}))
         self.expect(DISAGREED, "run", "fling.json", "-o", "fling.h5")
-        looks = {"plain": True, "actions": [["evaluate", "document.body.innerText"], ["evaluate", "document.querySelectorAll('polyline').length"],
+        looks = {"plain": True, "actions": [["evaluate", "document.body.innerText"], ["evaluate", "document.querySelectorAll('[data-series=\"path of the centre\"]').length"],
                                             ["evaluate", "getComputedStyle(document.querySelector('main')).display"]]}
         (page,) = self.open({**self.report("fling", "--against", "golden.h5"), **looks})
         text, paths, main = page["values"]

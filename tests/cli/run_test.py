@@ -1,6 +1,7 @@
 """`run`: the files it writes, their paths, and memory. The second program has its numbers, outputs.md what it prints."""
 
 import os
+import re
 
 import h5py
 
@@ -53,6 +54,16 @@ class Output(ProgramTest):
         super().setUp()
         self.write("in/fling.json", fling())
         self.write("in/other.json", fling(name="other"))
+
+    def test_a_figure_of_several_is_a_sheet_of_all_with_those_that_fail(self):
+        self.write("in/half.json", "{")
+        self.write("in/low.json", fling(name="low", expect={"contacts": {"top": 1}}))
+        runs = self.expect(BAD_INPUT, "run", "in", "-o", "out", "--figure", "sheet.svg", "--json").json["runs"]
+        self.assertEqual([run["status"] for run in runs], ["played", "failed", "disagreed", "played"])
+        wide = (self.folder / "sheet.svg").read_text().split('<svg class="narrow"')[0]
+        self.assertEqual(re.findall(r"<text [^>]*>([^<]*)", wide), ["4 scenarios: 1 disagreed, 1 failed, 2 played", "half", "✗ failed",
+                                                                    "low", "✗ disagreed", "fling", "– played", "other", "– played"])
+        self.assertEqual(wide.count("<title>window<"), 3)
 
     def test_it_is_a_file_or_a_folder(self):
         self.write("some-file.json", fling(name="its-name"))

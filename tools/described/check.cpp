@@ -157,9 +157,10 @@ ExitCode check(const DescribedCore& core, CheckRequest& request) {
   check_all(
       selection.paths.size(), request.jobs,
       [&](std::size_t index, bool reads_golden) {
-        found.runs[index] =
-            judge_file(core, selection.paths[index],
-                       {.golden_folder = request.golden_folder, .reads_golden = reads_golden});
+        found.runs[index] = judge_file(core, selection.paths[index],
+                                       {.golden_folder = request.golden_folder,
+                                        .reads_golden = reads_golden,
+                                        .draws = !request.page.empty()});
         return !found.runs[index].is_undecided;
       },
       [] {});
@@ -184,7 +185,7 @@ ExitCode check(const DescribedCore& core, CheckRequest& request) {
 }
 
 void declare(Options& options, CheckRequest& request) {
-  declare_check(options, request, "",
+  declare_check(options, request, " with a sheet of all runs",
                 "compare this program's core with the accepted one, check its description over every row of "
                 "the library, and look for `sometimes` properties that no scenario shows");
   options.printing(request.printing, "print every scenario, and all that is known of those that differ");

@@ -8,6 +8,7 @@
 
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/library/check_flow.h"
+#include "tools/described/run_page.h"
 #include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 
@@ -92,7 +93,12 @@ DescribedRun judge_file(const DescribedCore& core, const std::string& path, cons
   run.path = path;
   judge_scenario(run, options.golden_folder, options.reads_golden, [&] {
     run.scenario = load_described_scenario(core.description, path);
-    judge_run(core, run, options);
+    if (!options.draws) return judge_run(core, run, options);
+    DescribedPicture picture(core.description, run.scenario);
+    JudgeOptions drawn = options;
+    drawn.also.push_back(&picture);
+    judge_run(core, run, drawn);
+    run.picture = panel_picture(picture);
   });
   return run;
 }

@@ -37,6 +37,7 @@ struct JudgeOptions {
   bool compares = true;            ///< With a golden file, if there is one.
   bool reads_golden = true;        ///< If its summary does not decide. REQUIRES: no other threads.
   std::vector<DescribedSink*> also = {};
+  bool draws = false;  ///< Of a file: the run, for a sheet.
 };
 
 /// Plays the scenario, checks the description, judges and compares. REQUIRES: path and scenario are set; as

@@ -39,7 +39,8 @@ class FileRun final : public DescribedSink {
   DescribedSummary summary_ = {};
 };
 
-ShownResult shown_file(const DescribedCore& core, const ReportRequest& request, const std::string& path) {
+ShownResult shown_file(const DescribedCore& core, const ReportRequest& request, const std::string& path,
+                       std::vector<RunPanel>& panels) {
   const DescribedFile file = DescribedFile::open(path, core.description.core);
   const auto& [description, scenario, steps, state_hash, checksum] = file.head();
   DescribedPicture picture(description, scenario);
@@ -50,9 +51,11 @@ ShownResult shown_file(const DescribedCore& core, const ReportRequest& request, 
       shown_run(description, scenario, summary, picture,
                 fmt::format("{}, {:.6g} s", plain_counted(steps, "step"), summary.simulated_s),
                 {{"core", description.core}, {"file", path}, {"state hash", state_hash}});
+  panels.push_back({.name = scenario.name, .status = "played", .picture = panel_picture(picture)});
   if (!request.against.empty()) {
     const DescribedComparison comparison =
         compare_files(core, DescribedFile::open(request.against, core.description.core), file);
+    panels.back().status = comparison.agrees() ? "agreed" : "disagreed";
     if (comparison.agrees())
       shown.judgement = "Agrees with " + request.against + ", bit for bit.";
     else
@@ -74,9 +77,13 @@ ExitCode report(const DescribedCore& core, const ReportRequest& request) {
   OutputGuard guard(inputs);
   guard.admit("hyrax-sim report: -o", request.output, {".html"});
   std::vector<ShownResult> shown;
-  for (const std::string& path : request.files) shown.push_back(shown_file(core, request, path));
+  std::vector<RunPanel> panels;
+  for (const std::string& path : request.files) {
+    shown.push_back(shown_file(core, request, path, panels));
+    panels.back().link = fmt::format("#result-{}", shown.size());
+  }
   words.insert(words.end(), {"-o", request.output});
-  write_result_page(request.output, program_command(words), shown);
+  write_run_pages(request.output, program_command(words), panels, shown);
   if (request.printing.is_json)
     print_text("{}\n", to_text(Json::Object{{"output", request.output}}));
   else

@@ -214,28 +214,33 @@ Json run_json(const DescribedCore& core, const std::string& output, const Descri
 }
 
 // "agreed: 600 steps, 10 s; rail 4; ends at ...".
-void draw(const DescribedCore& core, const RunRequest& request, const std::string& output,
-          const DescribedRun& run, const DescribedPicture& picture) {
+ShownResult shown(const DescribedCore& core, const DescribedRun& run, const DescribedPicture& picture) {
   const DescribedSummary& summary = run.contents.summary;
   const std::string found = fmt::format("{}: {}, {:.6g} s", status_of(run),
                                         plain_counted(summary.steps, "step"), summary.simulated_s);
   ShownResult shown = shown_run(
       core.description, run.scenario, summary, picture, found,
       {{"core", core.description.core}, {"file", run.path}, {"state hash", run.contents.state_hash()}});
+  shown.verdict.broken = run.faults;
+  for (const Expectation& expectation : run.broken)
+    shown.verdict.broken.push_back(expectation_text(expectation));
+  return shown;
+}
+
+void draw(const RunRequest& request, const std::string& output, const std::string& path,
+          const ShownResult& shown) {
   if (!request.figure.empty()) {
     draw_figure(request.figure, shown.figures.front());
     if (output != kStandardOutput) print_written(request, request.figure);
   }
   if (request.page.empty()) return;
-  shown.verdict.broken = run.faults;
-  for (const Expectation& expectation : run.broken)
-    shown.verdict.broken.push_back(expectation_text(expectation));
-  write_result_page(request.page, page_command(request, run.path), {shown});
+  write_result_page(request.page, page_command(request, {path}), {shown});
   print_written(request, request.page);
 }
 
-void run_one(const DescribedCore& core, const RunRequest& request, const std::string& path,
-             const DescribedScenario& scenario, const std::string& output, CommandResults& results) {
+RunPanel run_one(const DescribedCore& core, const RunRequest& request, const std::string& path,
+                 const DescribedScenario& scenario, const std::string& output, CommandResults& results,
+                 std::vector<ShownResult>& runs) {
   std::optional<DescribedPicture> picture;
   const DescribedRun run = play_into(core, request, path, scenario, output, step_count(scenario), picture);
   if (!run.holds()) results.add(ExitCode::disagreed);
@@ -243,21 +248,37 @@ void run_one(const DescribedCore& core, const RunRequest& request, const std::st
     results.add(run_json(core, output, run));
   else
     print_run(core, request, output, run);
-  if (picture) draw(core, request, output, run, *picture);
+  if (!picture) return {};
+  ShownResult result = shown(core, run, *picture);
+  if (!request.shows_sheet) {
+    draw(request, output, path, result);
+    return {};
+  }
+  runs.push_back(std::move(result));
+  return {.name = scenario.name,
+          .status = status_of(run),
+          .picture = panel_picture(*picture),
+          .link = fmt::format("#result-{}", runs.size())};
 }
 
 ExitCode run(const DescribedCore& core, RunRequest& request) {
-  return run_scenarios(request, [&](const std::string& path, const std::vector<Override>& overrides) {
-    const DescribedScenario scenario = load_described_scenario(core.description, path, overrides);
-    return LoadedScenario{scenario.name, [&, path, scenario](const std::string& output, auto& results) {
-                            run_one(core, request, path, scenario, output, results);
-                          }};
-  });
+  std::vector<ShownResult> runs;
+  return run_scenarios(
+      request,
+      [&](const std::string& path, const std::vector<Override>& overrides) {
+        const DescribedScenario scenario = load_described_scenario(core.description, path, overrides);
+        return LoadedScenario{scenario.name, [&, path, scenario](const std::string& output, auto& results) {
+                                return run_one(core, request, path, scenario, output, results, runs);
+                              }};
+      },
+      {.write_page = [&](const std::vector<RunPanel>& panels) {
+        write_run_pages(request.page, page_command(request, request.files), panels, runs);
+      }});
 }
 
 void declare(Options& options, RunRequest& request) {
-  declare_run(options, request, "draw the paths and values of one scenario",
-              "write them as a page, with the rows; one scenario");
+  declare_run(options, request, "draw the paths and values; of several scenarios a sheet",
+              "write them as a page, with the rows; several with a sheet of them");
   options.printing(request.printing, "print every value of the state, and expectations that hold");
 }
 

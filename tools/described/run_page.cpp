@@ -19,4 +19,16 @@ ShownResult shown_run(const Description& description, const DescribedScenario& s
   return shown;
 }
 
+Sheet panel_picture(const DescribedPicture& picture) {
+  const Figure figure = picture.figure("");
+  const auto& plots = std::get<std::vector<Plot>>(figure.body);
+  return plots.empty() ? Sheet() : plot_panel(plots.front());
+}
+
+void write_run_pages(const std::string& path, const std::string& command, const std::vector<RunPanel>& panels,
+                     std::vector<ShownResult> runs) {
+  if (panels.size() > 1) runs.insert(runs.begin(), {.title = sheet_title(panels), .panels = panels});
+  write_result_page(path, command, runs);
+}
+
 }  // namespace hyrax

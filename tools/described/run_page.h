@@ -16,4 +16,11 @@ namespace hyrax {
                                     const std::string& found,
                                     std::vector<std::pair<std::string, std::string>> origin);
 
+/// Its paths, or its first values over time, for a sheet.
+[[nodiscard]] Sheet panel_picture(const DescribedPicture& picture);
+
+/// Writes the page of several runs, with a sheet of them first.
+void write_run_pages(const std::string& path, const std::string& command, const std::vector<RunPanel>& panels,
+                     std::vector<ShownResult> runs);
+
 }  // namespace hyrax

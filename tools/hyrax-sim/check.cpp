@@ -85,7 +85,8 @@ ExitCode check(const Core& core, CheckRequest& request) {
   if (request.lists) return list(selection, request);
   OutputGuard guard = guard_outputs(selection, request);
   CheckOptions options{.golden_folder = request.golden_folder,
-                       .watched_step = request.printing.is_json ? program_step(core) : nullptr};
+                       .watched_step = request.printing.is_json ? program_step(core) : nullptr,
+                       .draws = !request.page.empty()};
   std::vector<CheckVerdict> verdicts(selection.paths.size());
   check_all(
       verdicts.size(), request.jobs,
@@ -121,9 +122,11 @@ ExitCode check(const Core& core, CheckRequest& request) {
 }
 
 void declare(Options& options, CheckRequest& request) {
-  declare_check(options, request, ", with both paths of the worst scenario of each of the first three causes",
-                "only compare the core with the accepted one of golden/core, and look for changes that no "
-                "scenario notices; exit code 1 if there is one, 4 if no core is accepted");
+  declare_check(
+      options, request,
+      " with a sheet of all runs, and both paths of the worst scenario of each of the first three causes",
+      "only compare the core with the accepted one of golden/core, and look for changes that no "
+      "scenario notices; exit code 1 if there is one, 4 if no core is accepted");
   options.text(request.unnoticed_folder,
                {"--unnoticed", "DIR", "write scenarios that show changes that no scenario notices"});
   options.integer(request.flings,

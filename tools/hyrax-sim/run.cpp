@@ -57,18 +57,30 @@ void write_page(const Core& core, const PaperRunRequest& request, const Scenario
   write_report(core, {.files = {run.output},
                       .against = run.comparison ? run.golden_path : "",
                       .output = request.page,
-                      .command = page_command(request, run.path)});
+                      .command = page_command(request, {run.path})});
   print_written(request, request.page);
 }
 
-void run_one(const Core& own_core, const PaperRunRequest& request, const std::optional<DriftOptions>& drift,
-             const std::string& path, const Scenario& scenario, const std::string& output,
-             CommandResults& results) {
+// The runs of several scenarios, with a sheet of them and of those that failed.
+void write_sheet(const Core& core, const PaperRunRequest& request, const ReportRequest& runs,
+                 const std::vector<RunPanel>& panels) {
+  if (runs.files.empty())
+    refuse_input("hyrax-sim run: --report: no scenario was run; " + request.page + " is not written");
+  ReportRequest page = runs;
+  page.output = request.page;
+  page.command = page_command(request, request.files);
+  page.panels = panels;
+  write_report(core, page);
+}
+
+RunPanel run_one(const Core& own_core, const PaperRunRequest& request,
+                 const std::optional<DriftOptions>& drift, const std::string& path, const Scenario& scenario,
+                 const std::string& output, CommandResults& results, ReportRequest& runs) {
   const Core core = run_core(own_core, path, scenario);
   if (drift) require_paper_core(core, path + ": --drift");
   require_measurable(core, path, scenario);
   std::optional<RunPicture> picture;
-  if (!request.figure.empty()) picture.emplace(scenario);
+  if (!request.figure.empty() || request.shows_sheet) picture.emplace(scenario);
   const ScenarioRun run =
       run_scenario(core, path, scenario, output,
                    {.golden_folder = request.golden_folder,
@@ -82,12 +94,19 @@ void run_one(const Core& own_core, const PaperRunRequest& request, const std::op
   if (!run.is_as_expected()) results.add(ExitCode::disagreed);
   report(core, request, run, results);
   if (run.drift) results.attempt_after([&] { require_reached(*run.drift); });
+  if (request.shows_sheet) {
+    const std::string link = "#run=" + std::to_string(runs.files.size());
+    runs.files.push_back(run.output);
+    runs.goldens.push_back(run.comparison ? run.golden_path : "");
+    return {.name = scenario.name, .status = run.status(), .picture = picture->panel(scenario), .link = link};
+  }
   if (!request.page.empty()) results.attempt_after([&] { write_page(core, request, run); });
-  if (!picture) return;
-  results.attempt_after([&] {
-    picture->draw(request.figure, run);
-    if (run.output != kStandardOutput) print_written(request, request.figure);
-  });
+  if (picture)
+    results.attempt_after([&] {
+      picture->draw(request.figure, run);
+      if (run.output != kStandardOutput) print_written(request, request.figure);
+    });
+  return {};
 }
 
 ExitCode run(const Core& core, PaperRunRequest request) {
@@ -95,25 +114,29 @@ ExitCode run(const Core& core, PaperRunRequest request) {
     refuse_input("hyrax-sim run: --report: not possible with a CSV file (found " + request.output +
                  "); allowed: .h5");
   std::optional<DriftOptions> drift;
+  ReportRequest runs;
   const auto load = [&](const std::string& path, const std::vector<Override>& overrides) {
     const Scenario scenario = load_scenario(path, overrides);
     return LoadedScenario{scenario.name, [&, path, scenario](const std::string& output, auto& results) {
-                            run_one(core, request, drift, path, scenario, output, results);
+                            return run_one(core, request, drift, path, scenario, output, results, runs);
                           }};
   };
-  return run_scenarios(request, load, [&](const std::vector<std::string>& outputs) {
+  const auto require = [&](const std::vector<std::string>& outputs) {
     for (const std::string& output : outputs)
       if (request.stores_rows && file_name(output).extension == ".csv")
         refuse_input("hyrax-sim run: --rows: not possible in a CSV file (found " + output +
                      "); allowed: .h5");
     if (!request.page.empty()) require_page();
     drift = stored_drift(core, request);
-  });
+  };
+  return run_scenarios(request, load, {require, [&](const std::vector<RunPanel>& panels) {
+                                         write_sheet(core, request, runs, panels);
+                                       }});
 }
 
 void declare(Options& options, PaperRunRequest& request) {
-  declare_run(options, request, "draw window, path and contacts to scale",
-              "write a page that replays the run in the browser");
+  declare_run(options, request, "draw window, path and contacts to scale; of several scenarios a sheet",
+              "write a page that replays the run, or several with a sheet of them, in the browser");
   options.flag(request.measures_drift,
                {"--drift", "", "measure against the reference, as the command `drift` does"});
   options.flag(request.stores_rows, {"--rows", "", "with --drift: store the errors of every row"});

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view kDataPlace = "{\"hyrax\":\"report data\"}";
 constexpr std::string_view kStillPlace = "<!--without JavaScript-->";
+constexpr std::string_view kSheetPlace = "<!--sheet-->";
 
 // Inside a script element nothing but `<` can end it or begin a comment.
 std::string script_text(const Json& data) {
@@ -39,7 +40,8 @@ std::string html_line(std::string_view tag, std::string_view text) {
   return text.empty() ? "" : fmt::format("<{0}>{1}</{0}>\n", tag, escaped(text, true));
 }
 
-void write_page_file(const std::string& path, PageKind kind, const Json& data, const std::string& still) {
+void write_page_file(const std::string& path, PageKind kind, const Json& data, const std::string& still,
+                     const std::string& sheet) {
   require_page();
   std::string page(page_template(kind));
   const auto put = [&page](std::string_view at, const std::string& text) {
@@ -49,6 +51,7 @@ void write_page_file(const std::string& path, PageKind kind, const Json& data, c
   };
   put(kDataPlace, script_text(data));
   put(kStillPlace, still);
+  if (!sheet.empty()) put(kSheetPlace, sheet);
   write_text_file(path, page);
 }
 

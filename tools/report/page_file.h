@@ -28,8 +28,9 @@ void require_page();
 [[nodiscard]] std::string html_line(std::string_view tag, std::string_view text);
 
 /// @param still HTML: of runs what a browser without JavaScript shows instead of the page, of sweeps the
-/// results.
+/// results. @param sheet of several runs: comes first.
 /// ERRORS: as require_page's; Failure(cannot_access) if `path` cannot be written.
-void write_page_file(const std::string& path, PageKind kind, const Json& data, const std::string& still);
+void write_page_file(const std::string& path, PageKind kind, const Json& data, const std::string& still,
+                     const std::string& sheet = {});
 
 }  // namespace hyrax

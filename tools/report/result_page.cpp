@@ -88,9 +88,10 @@ std::string rules_html(const ShownResult& result) {
   return html + "</ul></section>\n";
 }
 
-std::string result_html(const ShownResult& result, const std::string& command) {
-  std::string html =
-      "<article class=\"result\">\n" + html_line("h1", result.title) + html_line("p", result.subtitle);
+std::string result_html(const ShownResult& result, std::size_t place, const std::string& command) {
+  std::string html = fmt::format("<article class=\"result\" id=\"result-{}\">\n", place) +
+                     html_line("h1", result.title) + html_line("p", result.subtitle);
+  if (!result.panels.empty()) html += contact_sheet_html(result.panels, false);
   if (!result.figures.empty()) html += figure_element(result.figures.front(), result.title);
   html += "<section class=\"findings\">\n" + findings_html(result.verdict.text);
   for (std::size_t index = 1; index < result.figures.size(); ++index)
@@ -131,7 +132,8 @@ constexpr std::string_view kPage =
 void write_result_page(const std::string& path, const std::string& command,
                        const std::vector<ShownResult>& results) {
   std::string html;
-  for (const ShownResult& result : results) html += result_html(result, command);
+  for (std::size_t place = 0; place < results.size(); ++place)
+    html += result_html(results[place], place, command);
   if (std::ranges::all_of(results, &Json::is_null, &ShownResult::members))
     return write_text_file(path, fmt::format(kPage, escaped(results.empty() ? "" : results.front().title),
                                              kLookCss, kBaseCss, kResultsCss, html, kPicturesJs));

@@ -8,6 +8,7 @@
 #include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/files/non_finite_text.h"
+#include "tools/report/contact_sheet.h"
 #include "tools/report/figure_body.h"
 #include "tools/report/label_placer.h"
 #include "tools/report/plot_scale.h"
@@ -93,6 +94,17 @@ class RunDrawing {
     return sheet;
   }
 
+  /// The scene alone.
+  [[nodiscard]] Sheet panel(double width, double height) {
+    is_narrow_ = is_panel_ = true;
+    const Box& view = scene_.view;
+    scale_ = std::min(width / view.width(), height / view.height());
+    plot_ = {0.0, 0.0, view.width() * scale_, view.height() * scale_};
+    Sheet sheet{plot_.right, plot_.bottom};
+    draw_scene(sheet.svg, plot_);
+    return sheet;
+  }
+
  private:
   [[nodiscard]] SvgPoint at(double x_px, double y_px) const {
     return {plot_.left + (x_px - scene_.view.left) * scale_, plot_.top + (y_px - scene_.view.top) * scale_};
@@ -107,17 +119,21 @@ class RunDrawing {
 
   void draw(Svg& svg) {
     draw_axes(svg);
-    svg.begin_clip({plot_.left - 2, plot_.top - 2, plot_.right + 2, plot_.bottom + 2});
-    draw_windows(svg);
-    draw_sprites(svg);
-    draw_path(svg);
-    draw_touches(svg);
-    svg.end_clip();
+    draw_scene(svg, {plot_.left - 2, plot_.top - 2, plot_.right + 2, plot_.bottom + 2});
     draw_speeds(svg);
     LabelPlacer placer({room_.left, room_.top, room_.right, room_.bottom});
     avoid_all(placer);
     draw_throws(svg, placer);
     draw_labels(svg, placer);
+  }
+
+  void draw_scene(Svg& svg, const Box& clip) const {
+    svg.begin_clip(clip);
+    draw_windows(svg);
+    draw_sprites(svg);
+    draw_path(svg);
+    draw_touches(svg);
+    svg.end_clip();
   }
 
   // Ticks within the windows only.
@@ -206,7 +222,9 @@ class RunDrawing {
   void draw_path(Svg& svg) const {
     svg.begin("path of the centre");
     for (const Stroke& stroke : scene_.path.strokes)
-      if (stroke.kind == StrokeKind::flown)
+      if (stroke.kind == StrokeKind::flown && is_panel_)  // Panels have no scale of speeds.
+        svg.line(line_of(stroke), {colour_named("path"), 2.0});
+      else if (stroke.kind == StrokeKind::flown)
         draw_flown(svg, stroke.points);
       else
         svg.line(line_of(stroke), {colour_of(Tone::quiet), 1.5, dash_of(stroke.kind)});
@@ -393,16 +411,18 @@ class RunDrawing {
   const Columns& rows_;
   const RunScene& scene_;
   bool is_narrow_ = false;
+  bool is_panel_ = false;
   double scale_ = 0.0;  // px of the SVG for one px of the window, in x and in y.
   Box room_;            // For the plot and its labels.
   Box plot_;            // What shows the view.
 };
 
+constexpr double kDetail_px = 1.25;  // What is smaller, a path need not show.
+
 }  // namespace
 
 std::string run_svg(const Scenario& scenario, const Columns& rows, const std::vector<Contact>& contacts,
                     const std::optional<WallCounts>& bounces) {
-  constexpr double kDetail_px = 1.25;  // What is smaller, the path need not show.
   RunScene scene = make_run_scene(scenario, rows, contacts,
                                   (RunDrawing::kWidth - RunDrawing::kLeft - RunDrawing::kRight) / kDetail_px);
   if (bounces) scene.bounces = *bounces;
@@ -411,6 +431,11 @@ std::string run_svg(const Scenario& scenario, const Columns& rows, const std::ve
   const Sheet narrow =
       drawing.sheet(RunDrawing::kNarrow, RunDrawing::kNarrow / RunDrawing::kWidth * wide.height);
   return svg_text(scenario.name, wide, &narrow);
+}
+
+Sheet run_panel(const Scenario& scenario, const Columns& rows, const std::vector<Contact>& contacts) {
+  const RunScene scene = make_run_scene(scenario, rows, contacts, kPanelWidth / kDetail_px);
+  return RunDrawing(scenario, rows, scene).panel(kPanelWidth, kPanelHeight);
 }
 
 }  // namespace hyrax

@@ -136,4 +136,10 @@ inline constexpr std::size_t kWindowsShownMax = 12;
                                   const std::vector<Contact>& contacts,
                                   const std::optional<WallCounts>& bounces = std::nullopt);
 
+/// The same for a contact sheet: window, path and contacts alone, without texts; as wide or as high as a
+/// panel's picture.
+/// REQUIRES: as run_svg's.
+[[nodiscard]] Sheet run_panel(const Scenario& scenario, const Columns& rows,
+                              const std::vector<Contact>& contacts);
+
 }  // namespace hyrax

@@ -174,6 +174,11 @@ void Svg::begin_clip(const Box& box, std::string_view data) {
                        px(box.width()), px(box.height()), data);
 }
 
+void Svg::put(const Sheet& sheet, const Box& box) {
+  body_ += fmt::format("<svg {} viewBox=\"0 0 {} {}\">\n{}</svg>\n", place_of(box), px(sheet.width),
+                       px(sheet.height), sheet.svg.body());
+}
+
 std::string dark_rules(const std::string& svg) {
   std::string rules;
   for (const auto& [light, dark] : light_and_dark())

@@ -45,6 +45,8 @@ struct Lettering {
   double turned_deg = 0.0;  ///< Upwards.
 };
 
+struct Sheet;
+
 class Svg {
  public:
   /// A point that is not finite interrupts the line.
@@ -68,6 +70,8 @@ class Svg {
   /// @param data attributes for the scripts of pages, escaped; may be empty.
   void begin_clip(const Box& box, std::string_view data = {});
   void end_clip() { body_ += "</svg>\n"; }
+  /// Another drawing, as large as the box has room for.
+  void put(const Sheet& sheet, const Box& box);
 
   [[nodiscard]] const std::string& body() const { return body_; }
 

@@ -1,10 +1,12 @@
 #include "tools/app/check/check_verdict.h"
 
 #include "sim/cause/watched_core.h"
+#include "sim/replay/replay.h"
 #include "sim/trace/step_program.h"
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/library/check_flow.h"
+#include "tools/app/runs/scenario_run.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
@@ -19,6 +21,11 @@ void judge_into(const Core& own_core, const Scenario& scenario, const CheckOptio
                 CheckVerdict& verdict) {
   const Core core = run_core(own_core, verdict.path, scenario);
   require_measurable(core, verdict.path, scenario);
+  if (options.draws) {
+    RunPicture picture(scenario);
+    static_cast<void>(replay(core, scenario, picture));
+    verdict.picture = picture.panel(scenario);
+  }
   verdict.golden = golden_place(verdict.path, options.golden_folder);
   const bool has_golden = verdict.has_golden = verdict.golden && has_golden_file(*verdict.golden);
   const Core watched_core =

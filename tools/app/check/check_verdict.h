@@ -23,6 +23,7 @@ struct CheckOptions {
   bool reads_golden = true;  ///< If the summary does not decide. REQUIRES: no other threads.
   /// The program's, whose paths are noted as they are taken, which takes time; null: not noted.
   std::shared_ptr<const StepProgram> watched_step = nullptr;
+  bool draws = false;  ///< The run, for a sheet.
 };
 
 /// Plays a scenario and compares; never throws Failure: it becomes a verdict.

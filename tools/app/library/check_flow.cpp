@@ -56,11 +56,33 @@ void annotate(const std::vector<ReportEntry>& entries, const CheckRequest& reque
     print_error(annotations.substr(0, annotations.size() - 1));  // It ends the line.
 }
 
+// Every scenario; opened, it says what is wrong, and which command replays it.
+std::vector<RunPanel> panels_of(const CheckReport& report) {
+  std::vector<RunPanel> panels;
+  for (const ScenarioVerdict* const verdict : report.verdicts) {
+    if (!verdict->is_scenario) continue;
+    const std::string name(file_name(verdict->path).stem), &path = verdict->path;
+    const std::string& sentence = std::ranges::find(report.entries, path, &ReportEntry::name)->sentence;
+    std::vector<std::string> command = {"run", as_argument(path)};
+    if (!verdict->golden_option.empty())
+      command.insert(command.end(), {"--golden", as_argument(verdict->golden_option)});
+    command.insert(command.end(), {"--report", as_argument(name + ".html")});
+    const bool is_failed = verdict->status == CheckStatus::failed;  // Its sentence begins with the path.
+    panels.push_back({.name = name,
+                      .status = std::string(name_of(verdict->status)),
+                      .picture = verdict->picture,
+                      .text = is_failed ? sentence : path + (sentence.empty() ? "" : ": " + sentence),
+                      .command = is_failed ? "" : program_command(command)});
+  }
+  return panels;
+}
+
 void write_page(const std::string& path, const CheckReport& report, const std::vector<Figure>& figures) {
   std::vector<ReportEntry> entries;
   for (const ReportEntry& entry : report.entries)
     if (entry.exit_code != ExitCode::agreed) entries.push_back(entry);
-  ShownResult page{.title = report.counts, .subtitle = "hyrax-sim check", .figures = figures};
+  ShownResult page{
+      .title = report.counts, .subtitle = "hyrax-sim check", .panels = panels_of(report), .figures = figures};
   for (const Paragraph& paragraph : report.paragraphs)
     page.verdict.text.emplace_back(paragraph.sentence() + (paragraph.subject.empty() ? "" : "\n") +
                                    paragraph.lines);

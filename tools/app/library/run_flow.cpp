@@ -11,6 +11,7 @@
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
+#include "tools/files/text_file.h"
 #include "tools/store/csv_file.h"
 #include "tools/store/output_guard.h"
 
@@ -52,16 +53,13 @@ void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Ca
 ExitCode run_scenarios(
     RunRequest& request,
     const std::function<LoadedScenario(const std::string& path, const std::vector<Override>&)>& load,
-    const std::function<void(const std::vector<std::string>& outputs)>& require) {
+    const RunSteps& steps) {
   const std::vector<Override> overrides = overrides_of("hyrax-sim run", request.overrides);
   const std::vector<std::string> paths = list_scenarios(request.files);
   constexpr std::size_t kPrintedInFullMax = 3;
   if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())
     request.printing.detail = Printing::Detail::verdict;
-  for (const auto& [option, file] : {std::pair("--figure", request.figure), {"--report", request.page}})
-    if (!file.empty() && paths.size() > 1)
-      refuse_input(
-          fmt::format("hyrax-sim run: {}: allowed for one scenario only (found {})", option, paths.size()));
+  request.shows_sheet = paths.size() > 1 && !(request.figure + request.page).empty();
   std::vector<Candidate> candidates;
   for (const std::string& path : paths) {
     Candidate& candidate = candidates.emplace_back(Candidate{.path = path});
@@ -74,15 +72,30 @@ ExitCode run_scenarios(
   std::vector<std::string> outputs;
   for (const Candidate& candidate : candidates)
     if (candidate.scenario) outputs.push_back(candidate.output);
-  if (require) require(outputs);
+  if (steps.require) steps.require(outputs);
   if (!outputs.empty() && !request.output.empty() && writes_into_folder(request, candidates.size()))
     make_folder(request.output, "cannot be created");
   CommandResults results;
-  for (const Candidate& candidate : candidates)
+  std::vector<RunPanel> panels;
+  for (const Candidate& candidate : candidates) {
+    panels.push_back({.name = std::string(file_name(candidate.path).stem), .status = "failed"});
     results.attempt(candidate.path, [&] {
       if (candidate.failure) throw *candidate.failure;
-      candidate.scenario->run(candidate.output, results);
+      panels.back() = candidate.scenario->run(candidate.output, results);
     });
+  }
+  CommandResults of_sheet;  // No scenario fails with it.
+  if (request.shows_sheet && !request.figure.empty())
+    of_sheet.attempt_after([&] {
+      write_text_file(request.figure, contact_sheet_svg(panels));
+      print_written(request, request.figure);
+    });
+  if (request.shows_sheet && !request.page.empty())
+    of_sheet.attempt_after([&] {
+      steps.write_page(panels);
+      print_written(request, request.page);
+    });
+  results.add(of_sheet.exit_code());
   if (request.printing.is_json) print_json(results.take_json("runs"), 3);
   return results.exit_code();
 }
@@ -92,8 +105,9 @@ void print_written(const RunRequest& request, const std::string& path) {
     print_text("{}{}\n", request.printing.is_quiet() ? "written: " : "  written        ", path);
 }
 
-std::string page_command(const RunRequest& request, const std::string& scenario_path) {
-  std::vector<std::string> command = {"run", as_argument(scenario_path)};
+std::string page_command(const RunRequest& request, const std::vector<std::string>& scenarios) {
+  std::vector<std::string> command = {"run"};
+  for (const std::string& path : scenarios) command.push_back(as_argument(path));
   for (const std::string& text : request.overrides) command.insert(command.end(), {"--set", text});
   if (!request.golden_folder.empty()) command.insert(command.end(), {"--golden", request.golden_folder});
   command.insert(command.end(), {"--report", request.page});

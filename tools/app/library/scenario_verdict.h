@@ -10,6 +10,7 @@
 #include "tools/files/check_status.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/json.h"
+#include "tools/report/svg.h"
 
 namespace hyrax {
 
@@ -50,6 +51,7 @@ struct ScenarioVerdict {
   std::string remark;       ///< On a run that differs.
   std::string error;        ///< Of a failed one.
   ExitCode exit_code = ExitCode::agreed;
+  Sheet picture = {};  ///< Of its run, for a sheet; empty: not drawn.
 
   const DifferenceGroup* group = nullptr;  ///< In which its run differs, if it does; set by `explain`.
   /// The other half of a renamed scenario: of one whose golden file is missing the unreferenced golden file

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "sim/core/core.h"
 #include "sim/core/traced_core.h"
@@ -83,9 +84,9 @@ std::vector<Digest> block_digests(const TrajectoryFile& file) {
   return digests;
 }
 
-Evidence evidence_of(const Core& core, const TrajectoryFile& file) {
+Evidence evidence_of(const Core& core, const TrajectoryFile& file, std::int64_t rows_max) {
   Evidence evidence;
-  if (file.row_count() <= kPageRowsMax) {
+  if (file.row_count() <= rows_max) {
     evidence.rows = file.rows(0, file.row_count());
     return evidence;
   }
@@ -160,14 +161,21 @@ Json contacts_json(const std::vector<Contact>& contacts) {
   return object;
 }
 
-Json golden_json(const TrajectoryDiff& difference, const std::string& against) {
+// With rows where it differs.
+Json golden_json(const Core& core, const TrajectoryFile& golden, const TrajectoryFile& file) {
+  const TrajectoryDiff difference = diff_trajectories(core, golden, file, {}, nullptr);
   const Comparison& comparison = difference.comparison;
   Json::Object object = comparison_json(comparison);
-  object.insert(object.end(), {{"file", against},
+  object.insert(object.end(), {{"file", golden.path()},
                                {"agrees", comparison.agrees},
                                {"shape", comparison.shape},
                                {"is_by_time", comparison.distance.is_at_equal_times},
                                {"rows_compared", difference.rows_compared}});
+  if (!comparison.agrees)
+    object.emplace_back(
+        "rows",
+        rows_json(
+            evidence_of(run_core(core, golden.path(), golden.head().scenario), golden, kPageRowsMax).rows));
   return object;
 }
 
@@ -201,11 +209,11 @@ Json provenance_json(const Provenance& provenance) {
   return object;
 }
 
-Json run_data(const Core& own_core, const TrajectoryFile& file) {
+Json run_data(const Core& own_core, const TrajectoryFile& file, std::int64_t rows_max) {
   const FileHead& head = file.head();
   const Core core = run_core(own_core, file.path(), head.scenario);
   const ScenarioRun run = played(core, file);
-  const Evidence evidence = evidence_of(core, file);
+  const Evidence evidence = evidence_of(core, file, rows_max);
   Json::Object data{{"file", file.path()},
                     {"name", head.scenario.name},
                     {"title", title_of(head.scenario, head.steps, run.summary.simulated_s)},
@@ -266,21 +274,28 @@ Json parameters_json(const Core& core) {
 
 Json report_data(const Core& core, const ReportRequest& request) {
   Json::Array runs;
-  std::optional<TrajectoryFile> against;
-  if (!request.against.empty())
-    require_own_core(core, request.against,
-                     against.emplace(TrajectoryFile::open(request.against)).head().physics);
-  for (const std::string& path : request.files) {
+  const std::string why_not = why_not_replayed(core);
+  // Many runs share the room for rows, unless nothing else is shown of them.
+  constexpr std::size_t kAllRows = 50'000;
+  const std::int64_t rows_max =
+      why_not.empty()
+          ? std::min<std::int64_t>(kPageRowsMax, static_cast<std::int64_t>(kAllRows / request.files.size()))
+          : kPageRowsMax;
+  std::map<std::string, TrajectoryFile> goldens;
+  for (std::size_t index = 0; index < request.files.size(); ++index) {
+    const std::string& against = request.goldens.empty() ? request.against : request.goldens[index];
+    if (!against.empty() && !goldens.contains(against))
+      require_own_core(core, against,
+                       goldens.emplace(against, TrajectoryFile::open(against)).first->second.head().physics);
+    const std::string& path = request.files[index];
     const TrajectoryFile file = TrajectoryFile::open(path);
     require_own_core(core, path, file.head().physics);
-    Json run = run_data(core, file);
-    if (against)
-      run.get<Json::Object>()->emplace_back(
-          "golden", golden_json(diff_trajectories(core, *against, file, {}, nullptr), request.against));
+    Json run = run_data(core, file, rows_max);
+    if (!against.empty())
+      run.get<Json::Object>()->emplace_back("golden", golden_json(core, goldens.at(against), file));
     runs.push_back(std::move(run));
   }
-  const std::string why_not = why_not_replayed(core);
-  Json::Object data{
+  return Json::Object{
       {"format", "hyrax-report/1"},
       {"program", "hyrax-sim " + std::string(build_info().version)},
       {"core", core.name},
@@ -290,14 +305,6 @@ Json report_data(const Core& core, const ReportRequest& request) {
        why_not.empty() && !is_paper_model(core.name) ? Json(std::string(core.record.step)) : Json()},
       {"command", request.command},
       {"runs", std::move(runs)}};
-  if (against)
-    data.emplace_back(
-        "against",
-        Json::Object{
-            {"rows",
-             rows_json(
-                 evidence_of(run_core(core, request.against, against->head().scenario), *against).rows)}});
-  return data;
 }
 
 }  // namespace hyrax

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/replay/fingerprint.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/files/failure.h"
 #include "tools/report/page_file.h"
+#include "tools/report/run_scene.h"
 #include "tools/store/ensemble_file.h"
 #include "tools/store/table_file.h"
 #include "tools/store/trajectory_file.h"
@@ -45,24 +45,11 @@ void require_core_of_page(const Core& core, const std::string& output) {
                     "--report FILE.html, or cmake --build DIR --target page, then cmake --build DIR");
 }
 
-constexpr std::int64_t kPointsMax = 2'000;
-
 // The window with the path of the sprite's centre, to scale.
-std::string picture(const TrajectoryFile& file) {
-  const Scenario& scenario = file.head().scenario;
-  const Columns rows = file.rows(0, std::min<std::int64_t>(file.row_count(), kPointsMax));
-  std::string points;
-  for (std::size_t row = 0; row < rows.size() && std::isfinite(rows.x_px[row] + rows.y_px[row]); ++row)
-    points += fmt::format("{:.1f},{:.1f} ", rows.x_px[row] + scenario.sprite.width_px / 2.0,
-                          rows.y_px[row] + scenario.sprite.height_px / 2.0);
-  return fmt::format(
-      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"The window to scale, with the path of the "
-      "hyrax\">"
-      "<rect width=\"100%\" height=\"100%\" fill=\"none\" stroke=\"currentColor\" "
-      "vector-effect=\"non-scaling-stroke\"/>"
-      "<polyline points=\"{}\" fill=\"none\" stroke=\"currentColor\" "
-      "vector-effect=\"non-scaling-stroke\"/></svg>\n",
-      std::max(scenario.window.width_px, 1), std::max(scenario.window.height_px, 1), points);
+Sheet picture(const TrajectoryFile& file) {
+  constexpr std::int64_t kRowsDrawn = 50'000;
+  return run_panel(file.head().scenario, file.rows(0, std::min(file.row_count(), kRowsDrawn)),
+                   file.contacts());
 }
 
 // Of the data that this program made.
@@ -82,17 +69,34 @@ std::string verdict(const Json& run) {
   return html;
 }
 
+std::vector<RunPanel> panels_of(const ReportRequest& request, const Json& data) {
+  std::vector<RunPanel> panels;
+  for (std::size_t index = 0; request.files.size() > 1 && index < request.files.size(); ++index) {
+    const Json& run = (*data.get<Json::Array>("runs"))[index];
+    const Json* const golden = run.find("golden");
+    std::string status = text_at(*run.find("result"), "status");
+    if (golden != nullptr && !is_true(*golden, "agrees")) status = "disagreed";
+    if (golden != nullptr && status == "played") status = "agreed";
+    panels.push_back({.name = text_at(run, "name"),
+                      .status = std::move(status),
+                      .picture = picture(TrajectoryFile::open(request.files[index])),
+                      .link = fmt::format("#run={}", index)});
+  }
+  return panels;
+}
+
 }  // namespace
 
 std::string still_html(const ReportRequest& request, const Json& data) {
   std::string html;
   const auto& runs = *data.get<Json::Array>("runs");
-  for (std::size_t index = 0; index < runs.size(); ++index) {
-    const Json& run = runs[index];
-    html += html_line("h1", text_at(run, "name")) + html_line("p", text_at(run, "title")) + verdict(run) +
-            picture(TrajectoryFile::open(request.files[index]));
-  }
-  return html;
+  for (std::size_t index = 0; index < runs.size(); ++index)
+    html += fmt::format("<section id=\"run={}\">\n", index) + html_line("h1", text_at(runs[index], "name")) +
+            html_line("p", text_at(runs[index], "title")) + verdict(runs[index]) + "</section>\n";
+  if (runs.size() > 1) return html;
+  const Sheet sheet = picture(TrajectoryFile::open(request.files.front()));
+  const std::string svg = svg_element("The window to scale, with the path of the hyrax", "", sheet, 0.0);
+  return html + svg + "<style>" + dark_rules(svg) + "</style>\n";
 }
 
 void write_report(const Core& core, const ReportRequest& request) {
@@ -106,7 +110,9 @@ void write_report(const Core& core, const ReportRequest& request) {
     return;
   }
   const Json data = report_data(core, request);  // First: a bad input is reported by any build.
-  write_page_file(request.output, PageKind::runs, data, still_html(request, data));
+  const std::vector<RunPanel> panels = request.panels.empty() ? panels_of(request, data) : request.panels;
+  write_page_file(request.output, PageKind::runs, data, still_html(request, data),
+                  panels.empty() ? "" : contact_sheet_html(panels, true));
   require_core_of_page(core, request.output);
 }
 

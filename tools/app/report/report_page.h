@@ -7,6 +7,7 @@
 #include "sim/core/core.h"
 #include "sim/scenario/schedule.h"
 #include "tools/files/json.h"
+#include "tools/report/contact_sheet.h"
 #include "tools/report/result_page.h"
 
 namespace hyrax {
@@ -15,10 +16,12 @@ namespace hyrax {
 inline constexpr std::int64_t kPageRowsMax = 5'000;
 
 struct ReportRequest {
-  std::vector<std::string> files;  ///< Trajectories, at least one.
-  std::string against;             ///< The trajectory that they are compared with; empty: none.
-  std::string output;              ///< FILE.html.
-  std::string command;             ///< What made it, for the page.
+  std::vector<std::string> files;         ///< Trajectories, at least one.
+  std::string against = {};               ///< The trajectory that they are compared with; empty: none.
+  std::vector<std::string> goldens = {};  ///< If there are any, in its place: one a file; empty: none.
+  std::string output;                     ///< FILE.html.
+  std::string command;                    ///< What made it, for the page.
+  std::vector<RunPanel> panels = {};      ///< Of the sheet of several; empty: made of the files.
 };
 
 /// The data of the page: the runs, their verdicts, and the rows that it must replay bit for bit.
@@ -28,7 +31,7 @@ struct ReportRequest {
 /// A sweep's file as its page shows it. ERRORS: as EnsembleReader's.
 [[nodiscard]] ShownResult sweep_result(const Core& core, const std::string& path);
 
-/// What the page of trajectories shows without JavaScript: of each run its name, verdict and path.
+/// What the page of trajectories shows without JavaScript: of each run its name and verdict, of one its path.
 [[nodiscard]] std::string still_html(const ReportRequest& request, const Json& data);
 
 /// Doubles as base64 of little-endian binary64: exact, and a third of their decimal text.

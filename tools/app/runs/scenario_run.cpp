@@ -11,7 +11,6 @@
 #include "tools/app/play/play_with_progress.h"
 #include "tools/files/path.h"
 #include "tools/files/text_file.h"
-#include "tools/report/run_scene.h"
 #include "tools/store/drift_tables.h"
 #include "tools/store/trajectory_writer.h"
 

@@ -15,6 +15,7 @@
 #include "tools/app/command_line/print.h"
 #include "tools/app/drift/drift.h"
 #include "tools/files/json.h"
+#include "tools/report/run_scene.h"
 
 namespace hyrax {
 
@@ -85,6 +86,8 @@ class RunPicture final : public RowSink {
 
   /// ERRORS: those of write_text_file.
   void draw(const std::string& path, const ScenarioRun& run) const;
+  /// For a contact sheet.
+  [[nodiscard]] Sheet panel(const Scenario& scenario) const { return run_panel(scenario, rows_, contacts_); }
 
  private:
   std::int64_t rows_every_;

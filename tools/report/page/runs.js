@@ -83,8 +83,8 @@ function showDetails(result, seek) {
 // The golden file's rows, or those of the file where the replay differs from it.
 function otherOf(result) {
   const { run, outcome, file } = result;
-  if (report.against && !run.golden.agrees) {
-    const rows = rowsOf(report.against);
+  if (run.golden?.rows) {
+    const rows = rowsOf(run.golden);
     if (rows.step.length > 1) return { label: 'golden', name: 'golden file', rows: run.golden.is_by_time ? shownAt(result.rows, rows) : rows };
   }
   return outcome === 'differs' && file.step.length > 1 ? { label: 'file', name: 'file', rows: file } : null;
@@ -163,11 +163,11 @@ class View {
     if (this.playground) return this.playground.isLive || this.paint();
     this.paint();
     clearTimeout(this.writing);
-    this.writing = setTimeout(() => history.replaceState(null, '', `#step=${this.moment.step}`), 250);
+    this.writing = setTimeout(() => history.replaceState(null, '', `#${report.runs.length > 1 ? `run=${report.runs.indexOf(this.run)}&` : ''}step=${this.moment.step}`), 250);
   }
   /** Opens the moment that the address names. */
   openLink() {
-    const wanted = /^#step=(\d+)/.exec(location.hash);
+    const wanted = /[#&]step=(\d+)/.exec(location.hash);
     if (!wanted) return false;
     this.player.seek(Math.max(0, lastAtMost(this.moment.rows.step, Number(wanted[1]))));
     return true;
@@ -249,35 +249,55 @@ async function replayed({ core, reason }, run, share) {
   return replay(core, run, share);
 }
 
+// A run of a sheet says where this browser computes other bits.
+function markPanel(panel, outcome) {
+  if (!panel) return;
+  panel.dataset.replay = outcome;
+  if (outcome !== 'differs') return;
+  panel.className = 'panel bad';
+  panel.querySelector('span').textContent = '✗ differs in this browser';
+}
+
 export async function showRuns() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
   element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
-  const player = await coreOfPage(), { core } = player;
-  const results = [];
-  for (const run of report.runs)
-    results.push(await replayed(player, run, share => (element('verdict').firstChild.textContent = `Replaying ${run.name}: ${Math.floor(100 * share)} %`)));
-
-  const worstResult = results.reduce((a, b) => (worst[b.outcome] > worst[a.outcome] ? b : a));
+  const player = await coreOfPage(), { core } = player, panels = [...element('runs')?.querySelectorAll('a') ?? []];
+  const panelOf = index => panels.find(panel => panel.getAttribute('href') === `#run=${index}`);
+  const played = (index, progress) => replayed(player, report.runs[index], progress);
+  let kept = null, view = null, opened = null; // Of several runs only one is kept with its rows.
+  const order = panels.length ? panels.map(panel => Number(/\d+/.exec(panel.getAttribute('href'))[0])) : report.runs.keys();
+  for (const index of order) {
+    const result = await played(index, share => (element('verdict').firstChild.textContent = `Replaying ${report.runs[index].name}: ${Math.floor(100 * share)} %`));
+    markPanel(panelOf(index), result.outcome);
+    if (!kept || worst[result.outcome] > worst[kept.result.outcome]) kept = { index, result };
+  }
+  const worstResult = kept.result;
   const painter = new Painter(element('replay'), () => view?.paint());
-  let view = null;
-  const open = index => {
-    const itsCore = results[index].run.no_replay ? null : core;
+  const open = async index => {
     view?.end();
-    view = new View(itsCore, painter, results[index], () => open(index));
+    if (kept.index !== index) kept = { index, result: await played(index, () => {}) };
+    const itsCore = kept.result.run.no_replay ? null : core;
+    panels.forEach(panel => panel.toggleAttribute('aria-current', panel === panelOf(index)));
+    opened = index;
+    view = new View(itsCore, painter, kept.result, () => open(index));
     element('mode-fling').disabled = !itsCore;
   };
-  const picker = element('run');
-  picker.append(...results.map(({ run }, i) => make('option', { value: i }, `${run.name} (${run.file})`)));
-  element('run-picker').hidden = results.length < 2;
-  picker.addEventListener('change', () => open(Number(picker.value)));
-  element('mode-replay').addEventListener('click', () => root.dataset.mode === 'fling' && open(Number(picker.value)));
+  const wanted = () => report.runs[/^#run=(\d+)/.exec(location.hash)?.[1]] && Number(/\d+/.exec(location.hash)[0]);
+  element('all-runs').hidden = panels.length === 0;
+  element('mode-replay').addEventListener('click', () => root.dataset.mode === 'fling' && open(opened));
   element('mode-fling').addEventListener('click', () => view.setMode('fling'));
-  addEventListener('hashchange', () => view.openLink());
+  let opening = open(wanted() ?? kept.index); // One after another: they share the core.
+  const toRun = () => wanted() !== undefined && element('name').scrollIntoView();
+  addEventListener('hashchange', () => (opening = opening.then(async () => {
+    if (wanted() === undefined || wanted() === opened) view.openLink();
+    else await open(wanted());
+    toRun();
+  })));
+  await opening;
+  toRun();
   new ResizeObserver(() => view?.fit()).observe(document.querySelector('.columns'));
   followLook(() => view.repaint());
-  open(results.indexOf(worstResult));
-  picker.value = results.indexOf(worstResult);
 
   if (worstResult.check) root.dataset.stateHash = worstResult.check.stateHash;
   const { check } = worstResult;

@@ -1,7 +1,7 @@
 // The page of runs: which one it opens and at which moment, the address, lists that lead to steps, two runs, the playground.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import Plot, { base64, count, element, frame, later, load, page, reopen, resize, saved, windowEvents } from './stand_in.mjs';
+import Plot, { base64, Element, count, element, frame, later, load, page, reopen, resize, saved, windowEvents } from './stand_in.mjs';
 
 const { report } = await load('document');
 Object.assign(report, { program: 'hyrax-sim 1', command: 'report a.h5', core: 'paper', core_fingerprint: 'ab' });
@@ -20,14 +20,22 @@ const checked = { every: 10, compared: 41, nonFinite: null, atRestSince: null, e
 let frames = 0;
 const body = () => ({ t: 0, x: 45, y: 0, vx: 0, vy: 0, contact: 0, frames: ++frames });
 
-/** Opens a page; `found` is what the core comes to, or null where it has no scenario. */
-async function opened(runs, { against, hash = '', found = () => ({}), core = {}, start, show = showRuns } = {}) {
+function panelOf(index) {
+  const panel = new Element('a');
+  panel.setAttribute('href', `#run=${index}`);
+  panel.append(new Element('span'));
+  return panel;
+}
+
+/** Opens a page, with a sheet of panels in that order; `found` is what the core comes to, or null where it has no scenario. */
+async function opened(runs, { panels = [], hash = '', found = () => ({}), core = {}, start, show = showRuns } = {}) {
   reopen();
+  element('runs').append(...panels.map(index => panelOf(index)));
   frame(0);
   element('replay').parentElement = { clientWidth: 200 };
   element('speed').value = '1';
   location.hash = hash;
-  Object.assign(report, { runs, against });
+  Object.assign(report, { runs });
   let played = -1;
   Core.start = start ?? (async () => ({ requireSame() {}, useConstants() {}, measureBy() {}, load: () => (found(++played) ? 400 : -1), playTo: step => step, finish: () => ({ ...checked, ...found(played) }), rows: () => rows, contacts: () => contacts, errors: () => ({ step: [] }),
     contactErrors: () => ({ step: [95], wall: [2], time_error: [0.001], effective_restitution: [0.75] }), causes: () => ({ step: [] }), liveStart() {}, liveGrab() {}, liveVelocity: () => ({ vx: 3, vy: 4 }), liveFrame: body, liveScenario: () => ({ record: [], stateHash: 'ab' }), ...core }));
@@ -42,13 +50,31 @@ test('of several runs it opens the first of the worst', async () => {
   const differs = { stateHash: 'cd', firstDifference: 30 };
   for (const [founds, name, outcome] of [[[{}], 'a', 'agrees'], [[{}, {}], 'a', 'agrees'], [[{}, differs, differs], 'b', 'differs'], [[differs, {}, null], 'a', 'differs'], [[{}, null, {}, null], 'b', 'none'], [[null, {}, differs], 'c', 'differs']]) {
     await opened(founds.map((_, i) => run('abcd'[i])), { found: at => founds[at] });
-    assert.deepEqual([text('name'), document.title, data().replay, element('run').value, element('run-picker').hidden], [name, `${name} · hyrax-sim report`, outcome, 'abcd'.indexOf(name), founds.length < 2]);
+    assert.deepEqual([text('name'), document.title, data().replay, element('all-runs').hidden], [name, `${name} · hyrax-sim report`, outcome, true]);
     assert.deepEqual([data().stateHash, data().firstDifference], outcome === 'none' ? [undefined, undefined] : outcome === 'differs' ? ['cd', 30] : ['ab', undefined]);
   }
-  assert.deepEqual(element('run').children.map(({ value, textContent }) => `${value} ${textContent}`), ['0 a (/folder/a.h5)', '1 b (/folder/b.h5)', '2 c (/folder/c.h5)']);
-  element('run').value = '1';
-  element('run').fire('change');
-  assert.deepEqual([text('name'), text('title')], ['b', 'Title of b']);
+});
+
+test('a sheet opens its first of the worst, marks those that differ here, and leads to each run', async () => {
+  const differs = { stateHash: 'cd', firstDifference: 30 }, three = ['a', 'b', 'c'].map(name => run(name));
+  const panels = () => element('runs').children.map(({ dataset, className = '', textContent }) => [dataset.replay, 'current' in dataset, className, textContent].join(' ').trim());
+  await opened(three, { panels: [2, 0, 1] });
+  assert.deepEqual([text('name'), element('all-runs').hidden, data().replay, panels()], ['c', false, 'agrees', ['agrees true', 'agrees false', 'agrees false']]);
+  await opened(three, { panels: [2, 0, 1], found: at => (at === 1 ? differs : {}) });
+  assert.deepEqual([text('name'), data().replay, panels()], ['a', 'differs', ['agrees false', 'differs true panel bad ✗ differs in this browser', 'agrees false']]);
+  location.hash = '#run=1&step=120';
+  windowEvents.fire('hashchange');
+  await new Promise(setImmediate);
+  assert.deepEqual([text('name'), text('title'), row(), data().replay, panels()[2]], ['b', 'Title of b', 12, 'differs', 'agrees true']);
+  windowEvents.fire('keydown', { key: 'ArrowRight', target: element('replay') });
+  later();
+  assert.equal(location.hash, '#run=1&step=130');
+  await opened(three, { panels: [2, 0, 1], hash: '#run=1' });
+  assert.deepEqual([text('name'), row()], ['b', 0]);
+  for (const hash of ['#run=3', '#runs']) {
+    await opened(three, { panels: [2, 0, 1], hash });
+    assert.equal(text('name'), 'c', hash);
+  }
 });
 
 test('the address has the step that is shown, and opens it', async () => {
@@ -64,6 +90,7 @@ test('the address has the step that is shown, and opens it', async () => {
   assert.deepEqual([later(), location.hash], [[250], '#step=20']);
   location.hash = '#step=35';
   windowEvents.fire('hashchange');
+  await new Promise(setImmediate);
   assert.deepEqual([row(), element('time').attributes['aria-valuetext']], [3, 'row 30, 0.300 s']);
 });
 
@@ -85,8 +112,8 @@ test('each list of a run is at its place, and leads to its step', async () => {
 
 test('beside another run it opens on the second around their largest distance', async t => {
   const far = filed({ x: rows.x.map((x, i) => x + (i < 16 ? i : i === 16 ? 98 : i === 20 ? 99.5 : i === 30 ? 100 : 0)) });
-  const golden = { agrees: false, class: 'values', first_divergence: { step: 10, field: 'x' } };
-  await opened([run('a', { golden })], { against: { rows: far } });
+  const golden = { agrees: false, class: 'values', first_divergence: { step: 10, field: 'x' }, rows: far };
+  await opened([run('a', { golden })]);
   assert.deepEqual([row(), text('stage-note'), 'red' in data(), element('play').attributes['aria-label']], [20, 'Dashed: the golden file.', true, 'Pause']);
   assert.deepEqual([450, 650, 660].map(time => (frame(time), row())), [24, 25, 15]); // From 1.5 s to 2.5 s.
   const log = element('replay').getContext().log;
@@ -95,16 +122,16 @@ test('beside another run it opens on the second around their largest distance', 
   assert.ok(element('charts').children[0].id === 'chart-distance');
   assert.deepEqual([element('farthest').hidden, text('farthest-note').replace(/, [\d.,]+ times/, '')], [true, 'Farthest: 100 px at 3 s as large; dashed: the golden file.']);
   // A replay that differs is beside the rows of the file; a link says which moment is shown.
-  for (const [more, options, note] of [[{ rows: far }, { found: () => ({ stateHash: 'cd', firstDifference: 10 }), hash: '#step=50' }, 'Dashed: the file.'], [{ golden: { agrees: true, rows_compared: 41 } }, { against: { rows: far }, hash: '#step=50' }, '']]) {
+  for (const [more, options, note] of [[{ rows: far }, { found: () => ({ stateHash: 'cd', firstDifference: 10 }), hash: '#step=50' }, 'Dashed: the file.'], [{ golden: { agrees: true, rows_compared: 41 } }, { hash: '#step=50' }, '']]) {
     await opened([run('a', more)], options);
     assert.deepEqual([text('stage-note'), row(), element('play').attributes['aria-label']], [note, 5, 'Play']);
   }
-  await opened([run('a', { golden })], { against: { rows: filed({ x: rows.x.map((x, i) => x + (i === 7 ? 2 : 0)) }) } });
+  await opened([run('a', { golden: { ...golden, rows: filed({ x: rows.x.map((x, i) => x + (i === 7 ? 2 : 0)) }) } })]);
   assert.match(`${element('farthest').hidden} ${text('farthest-note')}`, /^false Farthest: 2 px at 0\.7 s, [\d.]+ times as large; dashed: the golden file\.$/);
   const { matchMedia } = globalThis;
   t.after(() => (globalThis.matchMedia = matchMedia));
   globalThis.matchMedia = query => ({ ...matchMedia(), matches: query === '(prefers-reduced-motion: reduce)' });
-  await opened([run('a', { golden })], { against: { rows: far } });
+  await opened([run('a', { golden })]);
   assert.deepEqual([row(), element('play').attributes['aria-label']], [20, 'Play']);
 });
 

@@ -162,6 +162,9 @@ export class Element {
   removeAttribute(name) {
     this.toggleAttribute(name, false);
   }
+  getAttribute(name) {
+    return this.attributes[name];
+  }
   get classes() {
     return (this.attributes.class ?? '').split(' ').filter(Boolean);
   }
@@ -226,7 +229,7 @@ export class Element {
 
 /** Made when it is first asked for, as the page's HTML has them all. */
 export function element(id) {
-  if (!known.has(id)) new Element(['replay', 'ticks'].includes(id) ? 'canvas' : id === 'run' ? 'select' : 'div', id);
+  if (!known.has(id)) new Element(['replay', 'ticks'].includes(id) ? 'canvas' : 'div', id);
   return known.get(id);
 }
 
