@@ -86,6 +86,7 @@ Json members_json(const Core& core, const std::string& path, const EnsembleReade
         {"place", static_cast<std::int64_t>(place_in_record(sweep.base, sweep.vary[key].pointer))},
         {"is_seed", sweep.vary[key].kind == ScenarioNumberKind::seed},
         {"is_grid", std::holds_alternative<GridAxis>(sweep.vary[key].variation)},
+        {"is_choice", std::holds_alternative<ChoiceDraw>(sweep.vary[key].variation)},
         {"values", doubles_json(values_of(sweep, key, members))}});
   for (const MemberNumbers& each : numbers)
     if (each.is_result() && each.known() > 0 && !each.is_constant())

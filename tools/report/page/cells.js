@@ -21,7 +21,7 @@ const labelOf = pointer => names[pointer] ?? (pointer.startsWith('/parameters/')
 /** What can stand on an axis or be a colour: {name, label, values, isGrid, isInput, all, stride}. */
 export function numbersOf({ inputs, results }, members) {
   return [
-    ...inputs.map(({ name, is_seed, is_grid, values }) => ({ name, label: labelOf(name), isGrid: is_grid, isInput: true, all: doubles(values), stride: is_seed ? 2 : 1 })),
+    ...inputs.map(({ name, is_seed, is_grid, is_choice, values }) => ({ name, label: labelOf(name), isGrid: is_grid, isChoice: is_choice, isInput: true, all: doubles(values), stride: is_seed ? 2 : 1 })),
     ...results.map(({ name, unit, values }) => ({ name, label: unit && unit !== '1' ? `${name}, ${unit}` : name, isGrid: false, all: doubles(values), stride: 1 }))]
     .map(each => ({ ...each, values: each.stride === 1 ? each.all : members.map((_, i) => each.all[2 * i] * 2 ** 32 + each.all[2 * i + 1]) }));
 }
@@ -35,16 +35,22 @@ function edgesOf(values) {
   return Array.from({ length: count + 1 }, (_, i) => low - half + (i * (high - low + 2 * half)) / count);
 }
 
-/** {edges, items}: cells {column, line, row, x, y, value, count} of two grids, points {row, x, y, value} of others. */
-export function itemsOf({ x, y, tint }) {
-  const rows = tint.values.length;
+/** The rows of each panel, {value, rows}, by rising values: of a choice one each, else one of all. */
+export function panelsOf(choice, count) {
+  const all = Array.from({ length: count }, (_, row) => row);
+  if (!choice) return [{ rows: all }];
+  return [...new Set(choice.values)].sort((a, b) => a - b).map(value => ({ value, rows: all.filter(row => choice.values[row] === value) }));
+}
+
+/** {edges, items} of these rows: cells {column, line, row, x, y, value, count} of two grids, points {row, x, y, value} of others. Edges are those of all rows. */
+export function itemsOf({ x, y, tint }, rows) {
   if (!(x.isGrid && y.isGrid && x !== y)) {
-    const stride = Math.ceil(rows / pointsMax);
-    const points = Array.from({ length: Math.ceil(rows / stride) }, (_, i) => ({ row: i * stride, x: x.values[i * stride], y: y.values[i * stride], value: tint.values[i * stride] }));
+    const stride = Math.ceil(rows.length / pointsMax);
+    const points = rows.filter((_, i) => i % stride === 0).map(row => ({ row, x: x.values[row], y: y.values[row], value: tint.values[row] }));
     return { edges: null, items: points.filter(item => Number.isFinite(item.x + item.y)) };
   }
   const edges = [edgesOf(x.values), edgesOf(y.values)], [across, up] = edges, cells = new Map();
-  for (let row = 0; row < rows; ++row) {
+  for (const row of rows) {
     const column = firstAtLeast(across, x.values[row]) - 1, line = firstAtLeast(up, y.values[row]) - 1;
     const key = column + line * cellsMax;
     if (!cells.has(key)) cells.set(key, { column, line, row, x: x.values[row], y: y.values[row], sum: 0, count: 0 });

@@ -1,7 +1,7 @@
-// The members of a sweep over two of their numbers, in the colours of a third: cells that tile where both are grids,
-// points elsewhere. A click replays a member beside its neighbours.
+// The members of a sweep over two of their numbers, in the colours of a third, with a panel for each value of a choice: cells
+// that tile where both are grids, points elsewhere. A click replays a member beside its neighbours.
 import uPlot from 'uplot';
-import { itemsOf, numbersOf, recordOf, stops, viridis } from './cells.js';
+import { itemsOf, numbersOf, panelsOf, recordOf, stops, viridis } from './cells.js';
 import { Core } from './core.js';
 import { doubles, firstAtLeast, rangeOf } from './data.js';
 import { element, make, report, root, save } from './document.js';
@@ -12,29 +12,31 @@ import { Player, showReadouts } from './player.js';
 import { partsOf, scenarioText } from './record.js';
 import { placeAt, playedHere, sizesOf } from './replay.js';
 
+const panelsMax = 12;
+
 class Explorer {
   constructor(sweep, place, play) {
     this.members = doubles(sweep.members);
     this.sweep = sweep;
     this.play = play;
     this.numbers = numbersOf(sweep, this.members);
-    const inputs = this.numbers.filter(each => each.isInput), results = this.numbers.filter(each => !each.isInput);
-    const grids = inputs.filter(each => each.isGrid);
+    const inputs = this.numbers.filter(each => each.isInput), results = this.numbers.filter(each => !each.isInput), choices = inputs.filter(({ isChoice, values }) => isChoice && new Set(values).size <= panelsMax);
+    const panel = inputs.length > 1 ? choices[0] : undefined, varied = inputs.filter(each => each !== panel), grids = varied.filter(each => each.isGrid);
     // Of inputs that are no grids the one of most values, in the colours of the next.
-    const [most, next] = inputs.map(each => [new Set(each.values).size, each]).sort(([a], [b]) => b - a).map(([, each]) => each);
-    this.shown = grids.length > 1 ? { x: grids[0], y: grids[1], tint: results[0] } : { x: most, y: results[0], tint: next ?? results[1] ?? results[0] };
-    const choice = (key, label) => make('label', {}, `${label} `, make('select', { id: `members-${key}`, onchange: event => this.#choose(key, event.target.value) },
-      ...this.numbers.map(({ name, label }) => make('option', { value: name, selected: this.shown[key].name === name }, label))));
+    const [most, next] = varied.map(each => [new Set(each.values).size, each]).sort(([a], [b]) => b - a).map(([, each]) => each);
+    this.shown = { ...(grids.length > 1 ? { x: grids[0], y: grids[1], tint: results[0] } : { x: most, y: results[0], tint: next ?? results[1] ?? results[0] }), panel };
+    const choice = (key, label, numbers = this.numbers) => make('label', {}, `${label} `, make('select', { id: `members-${key}`, onchange: event => this.#choose(key, event.target.value) },
+      ...numbers.map(({ name, label }) => make('option', { value: name, selected: this.shown[key]?.name === name }, label))));
     const share = sweep.count === this.members.length ? `all ${grouped(sweep.count, 0)} members` : `${grouped(this.members.length, 0)} of ${grouped(sweep.count, 0)} members`;
-    this.place = make('div', { class: 'plot' });
+    this.place = make('div');
     this.hover = make('p', { class: 'quiet', role: 'status' });
     this.bar = make('div', { class: 'bar' });
     place.append(make('div', { class: 'head' }, make('h2', {}, 'The members'), make('p', { class: 'note quiet' }, share)),
-      make('div', { class: 'choices' }, choice('x', 'Across'), choice('y', 'Up'), choice('tint', 'Colour'),
+      make('div', { class: 'choices' }, choice('x', 'Across'), choice('y', 'Up'), choice('tint', 'Colour'), ...(choices.length ? [choice('panel', 'A panel each', [...choices, { name: '', label: 'none' }])] : []),
         make('label', {}, 'Member ', make('input', { type: 'number', id: 'member-number', min: 0, max: this.members.at(-1), onchange: event => this.#pick(this.#rowOf(Number(event.target.value))) }))),
       this.bar, this.place, this.hover);
     this.#draw();
-    const fit = () => this.plot.setSize({ width: this.place.clientWidth, height: this.plot.height });
+    const fit = () => this.panels.forEach(({ plot, place }) => plot.setSize({ width: place.clientWidth, height: plot.height }));
     new ResizeObserver(fit).observe(this.place);
     followLook(fit);
   }
@@ -48,55 +50,62 @@ class Explorer {
   }
 
   #draw() {
-    const { x, y, tint } = this.shown;
-    Object.assign(this, itemsOf(this.shown));
-    [this.low, this.high] = rangeOf(this.items.map(({ value }) => value));
+    const { x, y, tint, panel } = this.shown;
+    for (const { plot } of this.panels ?? []) plot.destroy();
+    this.place.className = panel ? 'panels' : '';
+    this.panels = panelsOf(panel, tint.values.length).map(each => ({ ...each, ...itemsOf(this.shown, each.rows), name: panel ? `${panel.label}: ${grouped(each.value, 6)}` : '' }));
+    const items = this.panels.flatMap(({ items }) => items), [{ edges }] = this.panels;
+    [this.low, this.high] = rangeOf(items.map(({ value }) => value));
     const padded = values => {
       const [low, high] = rangeOf(values), room = (high - low || 1) * 0.03;
       return [low - room, high + room];
     };
-    const [rangeX, rangeY] = this.edges ? this.edges.map(edges => [edges[0], edges.at(-1)]) : [padded(this.items.map(item => item.x)), padded(this.items.map(item => item.y))];
-    const axis = { stroke: () => color('quiet'), font: '12px system-ui, sans-serif', labelFont: '12px system-ui, sans-serif', ticks: { show: false }, grid: { show: !this.edges, stroke: () => color('rule'), width: 1 },
-      values: (_, splits) => splits.map(value => grouped(value, 6)) };
-    this.plot?.destroy();
-    this.plot = new uPlot({
-      width: this.place.clientWidth || 600, height: 420, padding: [12, 24, 0, 0], legend: { show: false },
-      cursor: { drag: { x: false, y: false }, points: { show: false } },
-      scales: { x: { time: false, range: rangeX }, y: { range: rangeY } },
-      axes: [{ ...axis, label: x.label, labelSize: 22, size: 34 }, { ...axis, label: y.label, labelSize: 24, size: 62 }],
-      series: [{}, { show: false }],
-      hooks: { draw: [plot => this.#paint(plot)] },
-    }, [rangeX, [null, null]], this.place);
-    const what = this.edges ? 'A cell is the mean of its members' : 'A point is a member';
-    this.plot.root.setAttribute('role', 'img');
-    this.plot.root.setAttribute('aria-label', `${tint.label} over ${x.label} and ${y.label}. ${what}; from ${rounded(this.low)} to ${rounded(this.high)}.`);
-    this.plot.over.addEventListener('pointermove', event => this.#show(this.#itemAt(event)));
-    this.plot.over.addEventListener('click', event => this.#pick(this.#itemAt(event)?.row));
+    const ranges = edges ? edges.map(each => [each[0], each.at(-1)]) : [padded(items.map(item => item.x)), padded(items.map(item => item.y))];
+    const what = edges ? 'A cell is the mean of its members' : 'A point is a member';
+    this.place.replaceChildren(...this.panels.map(each => make('div', {}, ...(panel ? [make('h3', {}, each.name)] : []), (each.place = make('div', { class: 'plot' })))));
+    for (const each of this.panels) this.#drawPanel(each, ranges, what);
     this.bar.replaceChildren(make('span', {}, tint.label), make('span', {}, rounded(this.low)),
       make('i', { style: `background: linear-gradient(90deg, ${stops.map((_, i) => viridis(i / (stops.length - 1))).join(', ')})` }), make('span', {}, rounded(this.high)));
     this.hover.textContent = `${what}. Click one to replay it.`;
   }
 
-  #paint({ ctx, bbox, valToPos }) {
+  #drawPanel(panel, [rangeX, rangeY], what) {
+    const { x, y, tint } = this.shown, axis = { stroke: () => color('quiet'), font: '12px system-ui, sans-serif', labelFont: '12px system-ui, sans-serif', ticks: { show: false }, grid: { show: !panel.edges, stroke: () => color('rule'), width: 1 },
+      values: (_, splits) => splits.map(value => grouped(value, 6)) };
+    const plot = (panel.plot = new uPlot({
+      width: panel.place.clientWidth || 600, height: panel.name ? 260 : 420, padding: [12, 24, 0, 0], legend: { show: false },
+      cursor: { drag: { x: false, y: false }, points: { show: false } },
+      scales: { x: { time: false, range: rangeX }, y: { range: rangeY } },
+      axes: [{ ...axis, label: x.label, labelSize: 22, size: 34 }, { ...axis, label: y.label, labelSize: 24, size: 62 }],
+      series: [{}, { show: false }],
+      hooks: { draw: [plot => this.#paint(plot, panel)] },
+    }, [rangeX, [null, null]], panel.place));
+    plot.root.setAttribute('role', 'img');
+    plot.root.setAttribute('aria-label', `${panel.name && `${panel.name}. `}${tint.label} over ${x.label} and ${y.label}. ${what}; from ${rounded(this.low)} to ${rounded(this.high)}.`);
+    plot.over.addEventListener('pointermove', event => this.#show(this.#itemAt(event, panel), panel));
+    plot.over.addEventListener('click', event => this.#pick(this.#itemAt(event, panel)?.row));
+  }
+
+  #paint({ ctx, bbox, valToPos }, { edges, items }) {
     const tintOf = value => (Number.isFinite(value) ? viridis((value - this.low) / (this.high - this.low || 1)) : color('rule'));
     // A cell, or a disc of that radius around a point.
     const outline = (item, radius) => {
       ctx.beginPath();
-      if (!this.edges) return ctx.arc(valToPos(item.x, 'x', true), valToPos(item.y, 'y', true), radius * devicePixelRatio, 0, 2 * Math.PI);
-      const [left, right] = [0, 1].map(side => Math.round(valToPos(this.edges[0][item.column + side], 'x', true)));
-      const [bottom, top] = [0, 1].map(side => Math.round(valToPos(this.edges[1][item.line + side], 'y', true)));
+      if (!edges) return ctx.arc(valToPos(item.x, 'x', true), valToPos(item.y, 'y', true), radius * devicePixelRatio, 0, 2 * Math.PI);
+      const [left, right] = [0, 1].map(side => Math.round(valToPos(edges[0][item.column + side], 'x', true)));
+      const [bottom, top] = [0, 1].map(side => Math.round(valToPos(edges[1][item.line + side], 'y', true)));
       return ctx.rect(left, top, right - left, bottom - top);
     };
     ctx.save();
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
-    for (const item of this.items) {
+    for (const item of items) {
       ctx.fillStyle = tintOf(item.value);
-      outline(item, this.items.length > 800 ? 2.2 : 3.5);
+      outline(item, items.length > 800 ? 2.2 : 3.5);
       ctx.fill();
     }
-    const chosen = this.items.find(({ row }) => row === this.row);
+    const chosen = items.find(({ row }) => row === this.row);
     if (chosen) {
       ctx.strokeStyle = color('ink');
       ctx.lineWidth = 2.5 * devicePixelRatio;
@@ -106,36 +115,37 @@ class Explorer {
     ctx.restore();
   }
 
-  #nearest(x, y, wanted = 1) {
-    const { plot } = this;
+  #nearest(x, y, { plot, items }, wanted = 1) {
     const distance = item => Math.hypot(plot.valToPos(item.x, 'x') - x, plot.valToPos(item.y, 'y') - y);
-    return this.items.map(item => ({ item, away: distance(item) })).sort((a, b) => a.away - b.away).slice(0, wanted).map(({ item }) => item);
+    return items.map(item => ({ item, away: distance(item) })).sort((a, b) => a.away - b.away).slice(0, wanted).map(({ item }) => item);
   }
-  #itemAt(event) {
-    const box = this.plot.over.getBoundingClientRect();
+  #itemAt(event, panel) {
+    const { plot, edges, items } = panel, box = plot.over.getBoundingClientRect();
     const [x, y] = [event.clientX - box.left, event.clientY - box.top];
-    if (!this.edges) return this.#nearest(x, y)[0];
-    const [column, line] = [['x', x], ['y', y]].map(([name, at], i) => firstAtLeast(this.edges[i], this.plot.posToVal(at, name)) - 1);
-    return this.items.find(item => item.column === column && item.line === line);
+    if (!edges) return this.#nearest(x, y, panel)[0];
+    const [column, line] = [['x', x], ['y', y]].map(([name, at], i) => firstAtLeast(edges[i], plot.posToVal(at, name)) - 1);
+    return items.find(item => item.column === column && item.line === line);
   }
-  #show(item) {
+  #show(item, { name }) {
     if (!item) return;
     const { x, y, tint } = this.shown;
-    this.hover.textContent = `${x.label} ${rounded(item.x, 6)}; ${y.label} ${rounded(item.y, 6)}; ${tint.label} ${rounded(item.value, 6)}; ` +
+    this.hover.textContent = `${name && `${name}; `}${x.label} ${rounded(item.x, 6)}; ${y.label} ${rounded(item.y, 6)}; ${tint.label} ${rounded(item.value, 6)}; ` +
       (item.count > 1 ? `mean of ${grouped(item.count, 0)} members` : `member ${grouped(this.members[item.row], 0)}`);
   }
 
-  // Cells that share a side, or the nearest points.
-  #neighbours(item) {
-    if (!this.edges) return this.#nearest(this.plot.valToPos(item.x, 'x'), this.plot.valToPos(item.y, 'y'), 5).filter(each => each !== item);
-    return this.items.filter(({ column, line }) => Math.abs(column - item.column) + Math.abs(line - item.line) === 1);
+  // Cells that share a side, or the nearest points, of the same panel.
+  #neighbours(item, panel) {
+    const { plot, edges, items } = panel;
+    if (!edges) return this.#nearest(plot.valToPos(item.x, 'x'), plot.valToPos(item.y, 'y'), panel, 5).filter(each => each !== item);
+    return items.filter(({ column, line }) => Math.abs(column - item.column) + Math.abs(line - item.line) === 1);
   }
   #pick(row) {
     if (row === undefined) return;
     this.row = row;
-    const item = this.items.find(each => each.row === row) ?? { row, x: this.shown.x.values[row], y: this.shown.y.values[row] };
-    this.plot.redraw();
-    this.play(this, row, this.#neighbours(item).map(each => each.row));
+    const panel = this.panels.find(({ rows }) => rows.includes(row));
+    const item = panel.items.find(each => each.row === row) ?? { row, x: this.shown.x.values[row], y: this.shown.y.values[row] };
+    for (const { plot } of this.panels) plot.redraw();
+    this.play(this, row, this.#neighbours(item, panel).map(each => each.row));
   }
 
   scenarioOf(row, stateHash) {
@@ -163,11 +173,10 @@ class Stage {
     const place = element('member'), result = played(row), { rows, contacts, check } = result;
     explorer.place.closest('.figure').after(place);
     place.hidden = false;
-    place.scrollIntoView({ block: 'nearest' });
     const member = explorer.members[row];
     element('member-heading').textContent = `Member ${grouped(member, 0)}`;
     element('member-number').value = member;
-    const inputs = Object.entries(result.texts).map(([name, text]) => `${name} ${text}`).join(', ');
+    const inputs = Object.entries(result.texts).map(([name, text]) => `${explorer.numbers.find(each => each.name === name).label}: ${text}`).join('; ');
     element('member-note').textContent = `${inputs}. Ends at x ${rounded(rows.x.at(-1), 6)}, y ${rounded(rows.y.at(-1), 6)} px after ${grouped(check.steps, 0)} steps; contacts ` +
       `${Object.entries(check.contacts).filter(([, count]) => count).map(([wall, count]) => `${wall} ${count}`).join(', ') || 'none'}. Thin: ${neighbours.length} neighbours.`;
     element('download-member').onclick = () => save(`member-${member}.json`, 'application/json', explorer.scenarioOf(row, check.stateHash));
@@ -180,6 +189,7 @@ class Stage {
     this.player.paintTicks();
     this.player.play();
     this.paint();
+    place.scrollIntoView({ block: 'nearest' }); // With the height of what is drawn.
   }
   paint() {
     const body = this.moment.body();

@@ -75,7 +75,7 @@ export class Painter {
   /** Fits the canvas into its place, at the resolution of the display. */
   fit() {
     const [width, height] = this.extent;
-    const room = this.canvas.parentElement.clientWidth;
+    const place = this.canvas.parentElement, room = place.clientWidth - 2 * (parseFloat(getComputedStyle(place).paddingLeft) || 0);
     const most = Math.max(180, Math.min(innerHeight * 0.46, 600));
     const cssWidth = Math.min(room, (most * width) / height), cssHeight = Math.max(40, (cssWidth * height) / width);
     Object.assign(this.canvas.style, { width: `${cssWidth}px`, height: `${cssHeight}px` });

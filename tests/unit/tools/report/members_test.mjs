@@ -81,7 +81,7 @@ test('a click replays the member beside its neighbours, and saves it', async () 
   assert.deepEqual(loaded, ['10 5 0 0', '10 5 -1 0', '20 5 0 0', '10 5 1 0']);
   assert.equal(Plot.all.at(-1).ctx.log.at(-1), 'stroke ink 5: box 173,120 134,100');
   assert.deepEqual([element('member').hidden, section.next, element('member-heading').textContent, element('member-number').value], [false, element('member'), 'Member 7', 7]);
-  assert.equal(element('member-note').textContent, '/start/vx_px_per_s 0, /start/x_px 10. Ends at x 20, y 60 px after 1 steps; contacts right 2, ground 1. Thin: 3 neighbours.');
+  assert.equal(element('member-note').textContent, 'start speed to the right, px/s: 0; start, x from the left, px: 10. Ends at x 20, y 60 px after 1 steps; contacts right 2, ground 1. Thin: 3 neighbours.');
   assert.deepEqual(element('member').inView, { block: 'nearest' });
   saved.length = 0;
   element('download-member').onclick();
@@ -97,6 +97,29 @@ test('a click replays the member beside its neighbours, and saves it', async () 
   const number = choices.querySelector('input');
   assert.equal(number.attributes.max, '16');
   assert.deepEqual(['10', '11', '99'].map(value => (loaded.splice(0), number.fire('change', { target: { value } }), loaded[0])), ['20 5 0 0', '10 5 1 0', '20 5 1 0']);
+});
+
+test('a choice has a panel for each value, over common axes and colours', async () => {
+  const rate = { ...input('/clock/rate_hz', 10, false, [144, 60, 60, 144, 60, 60]), is_choice: true }, faceted = { ...grid, inputs: [...grid.inputs, rate] };
+  const { section, choices, at, choose } = await shown(faceted), panels = () => Plot.all.slice(-2).map(plot => (plot.redraw(), plot.ctx.log));
+  assert.deepEqual(section.querySelectorAll('h3').map(({ textContent }) => textContent), ['frame rate, Hz: 60', 'frame rate, Hz: 144']);
+  // Each member is in its panel's place of the six cells of all, in the colour that it has among all.
+  const boxes = ['40,120 133,100', '40,20 133,100', '173,120 134,100', '173,20 134,100', '307,120 133,100', '307,20 133,100'];
+  const fills = rows => rows.map(i => `fill ${i < 5 ? viridis(i / 4) : 'rule'}: box ${boxes[i]}`);
+  assert.deepEqual(panels(), [fills([1, 2, 4, 5]), fills([0, 3])]);
+  assert.match(at('pointermove', 100, 25), /^frame rate, Hz: 144; start speed to the right, px\/s 0; .*member 10$/);
+  assert.equal(at('pointermove', 100, 75), at('pointermove', 100, 25), 'nothing is there in this panel');
+  loaded.length = 0;
+  at('click', 100, 25);
+  assert.deepEqual([loaded, panels().map(log => log.at(-1).startsWith('stroke ink'))], [['20 5 0 0'], [false, true]]); // Its neighbours are in the other panel.
+  assert.deepEqual(choices.querySelectorAll('select').at(-1).children.map(({ value }) => value), ['/clock/rate_hz', '']);
+  choose('panel', '');
+  assert.deepEqual([section.querySelectorAll('h3').length, panels()[1].length], [0, 7]);
+  const one = await shown({ ...faceted, inputs: [input('a', 4, false, [0, 1, 2, 3, 4, 5]), rate] });
+  assert.deepEqual(one.plot().options.axes.map(({ label }) => label), ['a', 'final_x, px']);
+  const ranges = Plot.all.slice(-2).map(({ scales }) => JSON.stringify(scales));
+  assert.equal(ranges[0], ranges[1]);
+  assert.equal((await shown({ ...faceted, inputs: [rate] })).section.querySelectorAll('h3').length, 0, 'nothing else is varied');
 });
 
 test('numbers that are no grids, many points and a page with figures have their places', async () => {

@@ -155,25 +155,26 @@ test('a long run is played in pieces, which say how far it is', async () => {
 
 const number = (values, isGrid) => ({ values, isGrid });
 
+const itemsOf = numbers => cells.itemsOf(numbers, count(numbers.tint.values.length));
 test('a cell is the mean of its members; of many values cells are even, and points at most 5000, evenly taken', () => {
   const x = number([1, 2, 4, 1, 2, 4, 1], true), y = number([0, 0, 0, 10, 10, 10, 0], true), tint = number([1, 2, 3, 4, NaN, 6, 9], false);
-  const { edges, items } = cells.itemsOf({ x, y, tint });
+  const { edges, items } = itemsOf({ x, y, tint });
   assert.deepEqual(edges, [[0.25, 1.5, 3, 4.75], [-5, 5, 15]]);
   assert.deepEqual(items.map(({ column, line, row, x: across, y: up, count: of, value }) => [column, line, row, across, up, of, value]),
     [[0, 0, 0, 1, 0, 2, 5], [1, 0, 1, 2, 0, 1, 2], [2, 0, 2, 4, 0, 1, 3], [0, 1, 3, 1, 10, 1, 4], [1, 1, 4, 2, 10, 0, NaN], [2, 1, 5, 4, 10, 1, 6]]);
   for (const side of [1, 99, 100, 101, 250]) {
     const x = number(count(side * 2).map(i => i % side), true), y = number(count(side * 2).map(i => Math.floor(i / side)), true);
-    const { edges: [across], items } = cells.itemsOf({ x, y, tint: number(x.values, false) });
+    const { edges: [across], items } = itemsOf({ x, y, tint: number(x.values, false) });
     assert.equal(across.length, Math.min(side, 100) + 1);
     assert.ok(across[0] < 0 && across.at(-1) > side - 1);
     assert.equal(items.reduce((sum, item) => sum + item.count, 0), 2 * side);
     for (const { column, value } of items) assert.ok(across[column] <= value && value <= across[column + 1], `${side}: ${value}`);
   }
   for (const [members, shown, stride] of [[1, 1, 1], [4999, 4999, 1], [5000, 5000, 1], [5001, 2501, 2], [10001, 3334, 3]]) {
-    const x = number(count(members), true), { edges, items } = cells.itemsOf({ x, y: number(x.values.map(i => 2 * i), false), tint: number(x.values.map(i => 3 * i), false) });
+    const x = number(count(members), true), { edges, items } = itemsOf({ x, y: number(x.values.map(i => 2 * i), false), tint: number(x.values.map(i => 3 * i), false) });
     assert.deepEqual([edges, items.length, ...Object.values(items.at(-1))], [null, shown, ...[1, 1, 2, 3].map(factor => factor * stride * (shown - 1))]);
   }
-  assert.equal(cells.itemsOf({ x: number([1, NaN], false), y: number([1, 1], false), tint: number([1, 1], false) }).items.length, 1);
+  assert.equal(itemsOf({ x: number([1, NaN], false), y: number([1, 1], false), tint: number([1, 1], false) }).items.length, 1);
 });
 
 test('a member has its own record, seeds with all 64 bits', () => {
