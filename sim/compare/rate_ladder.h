@@ -1,13 +1,18 @@
 // One scenario at many frame rates, by any core: how far each run is from that of the finest rate.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
+
+#include "sim/scenario/frame_clock.h"
+#include "sim/scenario/scenario.h"
 
 namespace hyrax {
 
@@ -19,9 +24,10 @@ inline constexpr std::array<double, 4> kDoubledRates_hz = {125.0, 250.0, 500.0, 
 /// A run at one rate.
 struct RateRun {
   double rate_hz = 0.0;
-  /// The largest distance, in px, from the run of the finest rate, at equal times; nothing: one of both ends
-  /// early.
-  std::optional<double> off_px = {};
+  /// The largest distance, in px, from the run by the scenario's own clock, at equal times; nothing: one of
+  /// both ends early, or has too many frames.
+  std::optional<double> own_px = {};
+  std::optional<double> off_px = {};  ///< The same from the run of the finest rate.
   std::int64_t contacts = 0;
   std::optional<double> at_rest_since_s = {};
   std::vector<std::string> faults = {};  ///< Why it does not hold, sentences.
@@ -43,24 +49,74 @@ struct RateLadder {
   [[nodiscard]] bool converges() const { return gain() >= 1.4; }
 };
 
+/// The scenario with its events by time, for any rate, up to `until_most_s`, whatever comes behind it; says
+/// in `ladder` what is left out. @param event_frames of its events.
+template <class AnyScenario>
+[[nodiscard]] AnyScenario by_time(const AnyScenario& scenario, const std::vector<std::int64_t>& event_frames,
+                                  double until_most_s, RateLadder& ladder) {
+  AnyScenario timed = scenario;
+  timed.events.clear();
+  const FrameClock clock(scenario.clock);
+  constexpr std::int64_t kFramesMost = 10'000'000;  // Frames without time never come to an end.
+  const std::int64_t steps = step_count(scenario);
+  std::size_t event = 0;
+  Timeline timeline;
+  std::int64_t frame = 0;
+  for (; frame < std::min(steps, kFramesMost) && timeline.time_s() < until_most_s;
+       timeline.play(clock.dt_s(frame++)))
+    for (; event < event_frames.size() && event_frames[event] == frame; ++event) {
+      if (std::holds_alternative<Hitch>(scenario.events[event].action))
+        ladder.has_hitches = true;
+      else
+        timed.events.push_back({timeline.time_s(), scenario.events[event].action});
+    }
+  ladder.scenario = scenario.name;
+  ladder.until_s = std::min(timeline.time_s(), until_most_s);
+  ladder.is_cut = frame < steps || ladder.until_s < timeline.time_s();
+  timed.length = ladder.until_s;
+  return timed;
+}
+
+/// The scenario by even frames of that rate, or by its own clock; nothing: it has more frames, or is a trace
+/// that was cut. @param timed of by_time.
+template <class AnyScenario>
+[[nodiscard]] std::optional<AnyScenario> at_rate(std::optional<double> rate_hz, const AnyScenario& scenario,
+                                                 AnyScenario timed, const RateLadder& ladder,
+                                                 double frames_most) {
+  if (rate_hz) {
+    timed.clock = {FixedRate{*rate_hz}, {}};
+    return timed;
+  }
+  if (!ladder.is_cut)
+    timed = scenario;
+  else if (std::holds_alternative<RecordedSteps>(scenario.clock.base))
+    return std::nullopt;
+  if (static_cast<double>(step_count(timed)) > frames_most) return std::nullopt;
+  return timed;
+}
+
 /// Plays a scenario at each rate.
-/// @param play_at (rate in Hz, RateRun& that takes what is to be said of the run) gives the run; nothing: it
-/// ends early.
+/// @param play_at (rate in Hz, or nothing for the scenario as it is; RateRun& that takes what is to be said
+/// of the run) gives the run; nothing: it ends early, or has too many frames.
 /// @param distance_px (run, run) in px, at equal times.
 void climb(RateLadder& ladder, const std::vector<double>& rates_hz, const auto& play_at,
            const auto& distance_px) {
   const auto distance = [&](const auto& a, const auto& b) {
     return a && b ? distance_px(*a, *b) : std::optional<double>();
   };
+  RateRun unsaid;
+  const auto own = play_at(std::nullopt, unsaid);
   RateRun of_finest{.rate_hz = kFinestRate_hz};
   const auto finest = play_at(kFinestRate_hz, of_finest);
   if (finest) of_finest.off_px = 0.0;
+  of_finest.own_px = distance(own, finest);
   for (const double rate_hz : rates_hz) {
     RateRun& run = ladder.runs.emplace_back(RateRun{.rate_hz = rate_hz});
-    run.off_px = distance(finest, play_at(rate_hz, run));
+    const auto played = play_at(rate_hz, run);
+    run.own_px = distance(own, played);
+    run.off_px = distance(finest, played);
   }
   ladder.runs.push_back(std::move(of_finest));
-  RateRun unsaid;
   auto coarse = play_at(kDoubledRates_hz.front(), unsaid);
   for (const double rate_hz : kDoubledRates_hz) {
     auto fine = play_at(2.0 * rate_hz, unsaid);

@@ -45,7 +45,6 @@ struct RequestRefused : std::runtime_error {
 struct Study {
   std::string name = {};     ///< On the command line: "frame-rate".
   std::string summary = {};  ///< In a few words, for the help.
-  bool takes_scenarios = false;
   bool takes_within = false;
   bool needs_paper_step = true;
   std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.

@@ -204,7 +204,7 @@ class Shapes(InstalledPackage):
                     outcome = self.expect(BAD_INPUT, *arguments, says="needs the paper's step, with any constants")
                     self.assertRegex(outcome.err, rf"\(found in the core {name}: .*{re.escape(expression)}\)\n")
                 rates = self.expect(AGREED, "study", "frame-rate", "--quick").out
-                self.assertIn("From 2000 Hz, 60 Hz is up to ", rates)
+                self.assertIn("\nFrom 2000 Hz, 60 Hz is up to ", rates)
                 self.assertIn("the fling does not converge: from 125 to 250 Hz it changes by up to ", rates)  # Drag acts once a frame.
                 self.assertIn("; no value loses half its digits.\n", rates)
                 if name == "spin":  # It has a further member.
@@ -229,7 +229,7 @@ class Shapes(InstalledPackage):
     def test_a_core_of_float_is_told_whether_float_matters(self):
         self.use("single")
         outcome = self.expect(AGREED, "study", "frame-rate", "--quick", "--json", "--report", "page.html")
-        self.assertRegex(outcome.json["answer"], r"^From 2000 Hz, 60 Hz is up to [\d,.]+ px away, 240 Hz up to [\d,.]+ px\.$")
+        self.assertRegex(outcome.json["answer"], r"^From the run at its own clock, 144 Hz is up to [\d,.]+ px away, 240 Hz up to [\d,.]+ px\.$")
         self.assertEqual([(row["rate_hz"], row["off_px"]) for row in outcome.json["rates"]][-1], (2000, 0))
         self.assertEqual([row["rate_hz"] for row in outcome.json["roundings"]], [24, 60, 144, 240])
         self.assertIn("Does float matter here? No: that is less than half a pixel.", (self.folder / "page.html").read_text(encoding="utf-8"))

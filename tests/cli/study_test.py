@@ -90,6 +90,25 @@ class SpeedError(ProgramTest):
         self.assertNotIn("--costs-of-process", self.expect(AGREED, "study", "--help").out)
 
 
+class FrameRate(ProgramTest):
+    def test_how_far_a_scenario_moves_at_another_rate_is_what_diff_says_of_its_two_runs(self):
+        self.write("own.json", fling(name="own", steps=300, events=[{"step": 100, "place": {"x_px": 900, "y_px": 100}}, {"at_s": 3, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))
+        document = self.expect(AGREED, "study", "frame-rate", "own.json", "--quick", "--no-figures", "--json").json
+        self.assertEqual({row["rate_hz"]: row["from_own_px"] for row in document["rates"]}[60], 0)
+        self.expect(AGREED, "run", "own.json", "-o", "60.h5")
+        self.expect(AGREED, "run", "own.json", "--set", "/clock/rate_hz=144", "--set", "/steps=720", "--set", "/events/0/step=240", "-o", "144.h5")
+        distance = self.expect(DISAGREED, "diff", "60.h5", "144.h5", "--json").json["max_px"]
+        self.assertGreater(distance, 20)
+        self.assertEqual({row["rate_hz"]: row["from_own_px"] for row in document["rates"]}[144], distance)
+        self.assertRegex(document["answer"], rf"^From the run at its own clock, 144 Hz is up to {distance:.3g} px away")
+
+    def test_a_scenario_in_which_no_time_passes_is_left_out(self):
+        self.write("timeless.json", fling(name="timeless", clock={"dt_s": 0}, steps=10**12))
+        self.expect(BAD_INPUT, "study", "frame-rate", "timeless.json", says="timeless: left out, as no time passes in it")
+        self.write("own.json", fling(name="own"))
+        self.assertIn("\ntimeless: left out, as no time passes in it.\n", self.expect(AGREED, "study", "frame-rate", "timeless.json", "own.json", "--quick").out)
+
+
 class HardCases(ProgramTest):
     """Of scenarios of the project and of the user's own."""
 

@@ -35,12 +35,17 @@ Result study_frame_rate(const DescribedCore& core, const StudyInput& input) {
   std::vector<std::string> left_out;
   const std::vector<DescribedScenario> scenarios = scenarios_of(core.description, input);
   for (const DescribedScenario& scenario : scenarios) {
-    if (const std::string why = why_one_rate(scenario); !why.empty())
-      left_out.push_back(scenario.name + ": left out, as " + why + ".");
-    else
+    std::string why = why_one_rate(scenario);
+    if (why.empty()) {
       ladders.push_back(climb(core, scenario, rates_hz, [&](const DescribedSummary& run) {
         return faults_of_run(core.description, run);
       }));
+      if (ladders.back().until_s == 0.0) {
+        ladders.pop_back();
+        why = "no time passes in it";
+      }
+    }
+    if (!why.empty()) left_out.push_back(scenario.name + ": left out, as " + why + ".");
     input.report_progress("scenarios", std::ssize(ladders) + std::ssize(left_out), std::ssize(scenarios));
   }
   if (ladders.empty()) refuse_input("hyrax-sim study frame-rate: " + left_out.front());
@@ -55,11 +60,9 @@ Command described_study_command(const DescribedCore& core) {
   Command command =
       study_command_of({{.name = "frame-rate",
                          .summary = "how far each frame rate is from the finest, and whether it converges",
-                         .takes_scenarios = true,
                          .run = [&core](const StudyInput& input) { return study_frame_rate(core, input); }},
                         {.name = "hard-cases",
                          .summary = "what must hold in every run, however hard the scenario",
-                         .takes_scenarios = true,
                          .run =
                              [&core](const StudyInput& input) {
                                return study_hard_cases(core, scenarios_of(core.description, input), input);

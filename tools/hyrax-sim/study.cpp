@@ -166,7 +166,7 @@ Command study_command() {
   std::vector<OfferedStudy> offered;
   for (const Study& study : studies())
     offered.push_back(
-        {study.name, study.summary, study.takes_scenarios, study.takes_within, study.default_scenarios,
+        {study.name, study.summary, study.takes_within, study.default_scenarios,
          [&study](const StudyInput& input) { return run_study(study, input); },
          [&study](const Core& core) {
            if (study.needs_paper_step || core.constants)

@@ -1,4 +1,4 @@
-// A fling of a core of the paper's interface at many frame rates.
+// A scenario of a core of the paper's interface at many frame rates.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,9 @@
 
 namespace hyrax {
 
-/// Plays it at each rate with even frames. REQUIRES: a length in s; no events.
-[[nodiscard]] RateLadder climb(const Core& core, const Scenario& fling, const std::vector<double>& rates_hz);
+/// Plays it at each rate with even frames; events keep their times. At most 60 s. REQUIRES: of the scenario
+/// the parameters are the core's.
+[[nodiscard]] RateLadder climb(const Core& core, const Scenario& scenario,
+                               const std::vector<double>& rates_hz);
 
 }  // namespace hyrax

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "sim/core/listing_core.h"
 #include "sim/result/display_rates.h"
 #include "sim/result/number_text.h"
+#include "sim/study/frame_rate/core_ladder.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/frame_rate/ladder_result.h"
 #include "sim/study/study.h"
@@ -278,10 +280,29 @@ Verdict verdict_of(const FrameRateStudy& study) {
   return verdict;
 }
 
+Result study_scenarios(const StudyRequest& request, const std::vector<double>& rates_hz) {
+  std::vector<RateLadder> ladders;
+  std::vector<std::string> left_out;
+  for (const auto& [path, scenario] : request.scenarios) {
+    const RateLadder& ladder = ladders.emplace_back(
+        climb(with_parameters(request.core, scenario.parameters).value(), scenario, rates_hz));
+    if (ladder.until_s == 0.0) {
+      left_out.push_back(scenario.name + ": left out, as no time passes in it.");
+      ladders.pop_back();
+    }
+    if (request.report_progress)
+      request.report_progress("scenarios", std::ssize(ladders) + std::ssize(left_out),
+                              std::ssize(request.scenarios));
+  }
+  if (ladders.empty()) throw RequestRefused("hyrax-sim study frame-rate: " + left_out.front());
+  return ladder_result(ladders, left_out);
+}
+
 Result run_frame_rate(const StudyRequest& request) {
   constexpr std::int64_t kFlings = 120, kQuickFlings = 100;
   std::vector<double> rates_hz(kLandingRates_hz.begin(), kLandingRates_hz.end());
   if (request.is_quick) rates_hz = {24.0, 60.0, 144.0, 240.0};
+  if (!request.scenarios.empty()) return study_scenarios(request, rates_hz);
   return frame_rate_result(study_frame_rate(request.core, rates_hz, request.is_quick ? kQuickFlings : kFlings,
                                             request.core_step.get()));
 }

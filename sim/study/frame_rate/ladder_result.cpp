@@ -15,8 +15,10 @@ namespace {
 struct RateRow {
   const RateLadder* of = nullptr;
   const RateRun* run = nullptr;
+  [[nodiscard]] double own_px() const { return run->own_px.value_or(kNotGiven); }
   [[nodiscard]] double off_px() const { return run->off_px.value_or(kNotGiven); }
 };
+using Distance = double (RateRow::*)() const;
 
 std::vector<RateRow> rows_of(const std::vector<RateLadder>& ladders) {
   std::vector<RateRow> rows;
@@ -45,14 +47,14 @@ std::string convergence_text(const RateLadder& ladder) {
 }
 
 // The scenario that is farthest off at each rate.
-std::vector<RateRow> worst_rows(const std::vector<RateLadder>& ladders) {
+std::vector<RateRow> worst_rows(const std::vector<RateLadder>& ladders, Distance distance_px) {
   std::vector<RateRow> worst;
   for (const RateRow& row : rows_of(ladders)) {
     const auto same =
         std::ranges::find(worst, row.run->rate_hz, [](const RateRow& each) { return each.run->rate_hz; });
     if (same == worst.end())
       worst.push_back(row);
-    else if (!(row.off_px() <= same->off_px()))
+    else if (!((row.*distance_px)() <= ((*same).*distance_px)()))
       *same = row;
   }
   return worst;
@@ -63,50 +65,61 @@ Table rate_table(const std::vector<RateRow>& rows) {
                               auto get) {
     return column_of(name, unit, what, rows, [get](const RateRow& row) { return get(*row.run); });
   };
-  return {"rates",
-          fmt::format("distance from the run at {:g} Hz, at equal times", kFinestRate_hz),
-          {column_of("scenario", "", "its name", rows, [](const RateRow& row) { return row.of->scenario; }),
-           of_run("rate", "Hz", "frame rate", [](const RateRun& run) { return run.rate_hz; }),
-           column_of("off", "px", "largest distance", rows, &RateRow::off_px),
-           of_run("contacts", "1", "contacts of the run", [](const RateRun& run) { return run.contacts; }),
-           of_run("at_rest_since", "s", "when the last movement of half a pixel ended",
-                  [](const RateRun& run) { return run.at_rest_since_s.value_or(kNotGiven); })}};
+  return {
+      "rates",
+      fmt::format("distances at equal times from the scenario's own run and from the run at {:g} Hz",
+                  kFinestRate_hz),
+      {column_of("scenario", "", "its name", rows, [](const RateRow& row) { return row.of->scenario; }),
+       of_run("rate", "Hz", "frame rate", [](const RateRun& run) { return run.rate_hz; }),
+       column_of("from_own", "px", "largest distance from the run by its own clock", rows, &RateRow::own_px),
+       column_of("off", "px", fmt::format("largest distance from the run at {:g} Hz", kFinestRate_hz), rows,
+                 &RateRow::off_px),
+       of_run("contacts", "1", "contacts of the run", [](const RateRun& run) { return run.contacts; }),
+       of_run("at_rest_since", "s", "when the last movement of half a pixel ended",
+              [](const RateRun& run) { return run.at_rest_since_s.value_or(kNotGiven); })}};
 }
 
 std::string px_text(double px) {
   return std::isnan(px) ? "an unknown distance" : "up to " + rounded(px, 3) + " px";
 }
 
-std::string answer_of(const std::vector<RateLadder>& ladders) {
-  const std::vector<RateRow> worst = worst_rows(ladders);
-  const auto at = [&](double rate_hz) -> const RateRow& {
-    return *std::ranges::find(worst, rate_hz, [](const RateRow& row) { return row.run->rate_hz; });
+// "A, 60 Hz is up to 3 px away, 240 Hz up to 1 px."
+std::string distances_text(const std::string& from, const std::vector<RateLadder>& ladders,
+                           Distance distance_px, double slow_hz) {
+  const std::vector<RateRow> worst = worst_rows(ladders, distance_px);
+  const auto at = [&](double rate_hz) {
+    const auto row = std::ranges::find(worst, rate_hz, [](const RateRow& each) { return each.run->rate_hz; });
+    return px_text(((*row).*distance_px)());
   };
-  return fmt::format("From {:g} Hz, 60 Hz is {} away, 240 Hz {}.", kFinestRate_hz, px_text(at(60.0).off_px()),
-                     px_text(at(240.0).off_px()));
+  return fmt::format("From {}, {:g} Hz is {} away, 240 Hz {}.", from, slow_hz, at(slow_hz), at(240.0));
 }
 
 Figure figure_of(const std::vector<RateLadder>& ladders) {
   constexpr std::array kTones = {Tone::blue,      Tone::orange, Tone::green,
                                  Tone::vermilion, Tone::purple, Tone::sky_blue};
-  Plot plot{.x = display_rate_axis(22.0, 1100.0),
-            .y = {.label = "largest distance, px (logarithmic)", .is_logarithmic = true}};
-  Figure figure{.subtitle =
-                    fmt::format("Largest distance from the run at {:g} Hz, at equal times", kFinestRate_hz)};
-  for (std::size_t index = 0; index < std::min(ladders.size(), kTones.size()); ++index) {
-    Series series{.name = ladders[index].scenario,
-                  .look = {.form = Form::line_and_points, .tone = kTones[index]}};
-    for (const RateRun& run : ladders[index].runs) {
-      const double px = run.off_px.value_or(kNotGiven);
-      series.x.push_back(run.rate_hz);
-      series.y.push_back(px > 0.0 ? px : kNotGiven);
+  const std::size_t shown = std::min(ladders.size(), kTones.size());
+  Figure figure{.subtitle = "Largest distances at equal times"};
+  if (shown < ladders.size())
+    figure.subtitle += fmt::format("; the first {} of {} scenarios", shown, ladders.size());
+  std::vector<Plot> plots;
+  for (const auto& [from, px_of] : {std::pair(std::string("its own clock"), &RateRun::own_px),
+                                    {fmt::format("{:g} Hz", kFinestRate_hz), &RateRun::off_px}}) {
+    Plot plot{.x = display_rate_axis(22.0, 1100.0),
+              .y = {.label = "px from the run at " + from + " (logarithmic)", .is_logarithmic = true}};
+    for (std::size_t index = 0; index < shown; ++index) {
+      Series series{.name = ladders[index].scenario,
+                    .look = {.form = Form::line_and_points, .tone = kTones[index]}};
+      for (const RateRun& run : ladders[index].runs) {
+        const double px = (run.*px_of).value_or(kNotGiven);
+        series.x.push_back(run.rate_hz);
+        series.y.push_back(px > 0.0 ? px : kNotGiven);
+      }
+      if (plots.empty()) figure.legend.push_back({series.name, series.look});
+      plot.series.push_back(std::move(series));
     }
-    figure.legend.push_back({series.name, series.look});
-    plot.series.push_back(std::move(series));
+    plots.push_back(std::move(plot));
   }
-  if (ladders.size() > kTones.size())
-    figure.subtitle += fmt::format("; the first {} of {} scenarios", kTones.size(), ladders.size());
-  figure.body = std::vector{std::move(plot)};
+  figure.body = std::move(plots);
   return figure;
 }
 
@@ -133,9 +146,12 @@ std::vector<std::string> notes_of(const std::vector<RateLadder>& ladders) {
 }  // namespace
 
 Result ladder_result(const std::vector<RateLadder>& ladders, const std::vector<std::string>& left_out) {
-  Verdict verdict{.answer = answer_of(ladders), .broken = broken_rules(ladders)};
+  const std::string own = ladders.size() == 1 ? "the run at its own clock" : "runs at their own clocks";
+  Verdict verdict{.answer = distances_text(own, ladders, &RateRow::own_px, 144.0),
+                  .broken = broken_rules(ladders)};
   verdict.text = {"The largest distance at each rate, and the scenario that has it:",
-                  rate_table(worst_rows(ladders))};
+                  rate_table(worst_rows(ladders, &RateRow::own_px)),
+                  distances_text(fmt::format("{:g} Hz", kFinestRate_hz), ladders, &RateRow::off_px, 60.0)};
   for (const auto& notes : {notes_of(ladders), left_out})
     for (const std::string& note : notes) verdict.text.emplace_back(note);
   Result result{.tables = {rate_table(rows_of(ladders))},

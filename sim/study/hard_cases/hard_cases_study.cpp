@@ -296,7 +296,6 @@ Result run_hard_cases(const StudyRequest& request) {
 Study hard_cases_study() {
   return {.name = "hard-cases",
           .summary = "what must hold in every step, however hard the scenario",
-          .takes_scenarios = true,
           .needs_paper_step = false,
           .default_scenarios = "scenarios/hard",
           .run = run_hard_cases};

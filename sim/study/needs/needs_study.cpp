@@ -326,7 +326,6 @@ Result run_needs(const StudyRequest& request) {
 Study needs_study() {
   return {.name = "needs",
           .summary = "which parts of the model and events a scenario needs, and the cheapest method for it",
-          .takes_scenarios = true,
           .takes_within = true,
           .run = run_needs};
 }

@@ -330,7 +330,6 @@ Verdict speed_error_verdict(const SpeedError& study, const std::string& machine,
 Study speed_error_study() {
   return {.name = "speed-error",
           .summary = "what every method and rate costs, and how far it is from the exact motion",
-          .takes_scenarios = true,
           .run = run_speed_error};
 }
 

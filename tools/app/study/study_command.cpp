@@ -86,8 +86,6 @@ void refuse_what_it_does_not_take(const OfferedStudy& study, const StudyArgument
   const auto refuse = [&](const std::string& what) {
     refuse_input("hyrax-sim study " + study.name + ": " + what + "; see `hyrax-sim study --help`");
   };
-  if (arguments.files.size() > 1 && !study.takes_scenarios)
-    refuse("takes no scenarios (found '" + arguments.files[1] + "')");
   if (!arguments.within.empty() && !study.takes_within) refuse("takes no --within");
   if (arguments.costs_of_process && !study.print_costs) refuse(std::string("takes no ") + kCostsOption);
 }

@@ -30,7 +30,6 @@ inline constexpr const char* kCostsOption = "--costs-of-process";
 struct OfferedStudy {
   std::string name = {};
   std::string summary = {};
-  bool takes_scenarios = false;
   bool takes_within = false;
   std::string default_scenarios = {};  ///< Folder to take if none are given; empty: runs without.
   /// ERRORS: Failure.
