@@ -85,9 +85,10 @@ void read_clock(const JsonPlace& here, Clock& clock) {
     clock.base = FixedStep{dt.number(kFrameRule).value_or(1.0)};
   const JsonPlace jitter = here.member("jitter");
   if (!jitter.is_there()) return;
-  if (std::holds_alternative<RecordedSteps>(clock.base))
-    jitter.wrong("not allowed with an array dt_s, which gives every dt");
   clock.jitter = read_jitter(jitter);
+  if (!std::holds_alternative<RecordedSteps>(clock.base)) return;
+  jitter.wrong("not allowed with an array dt_s, which gives every dt");
+  clock.jitter.reset();  // The events are checked against the trace alone.
 }
 
 // The number of frames if it is known: of a duration only if the clock is valid.
