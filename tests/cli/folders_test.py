@@ -39,6 +39,13 @@ class Folders(ProgramTest):
         self.assertEqual(self.listed(folder="link"),
                          ["link/a/one.json", "link/c.json/three.json", "link/linked.json", "link/two.schema.json"])
 
+    def test_the_golden_folder_is_beside_the_nearest_folder_named_scenarios(self):
+        self.write("scenarios/part/scenarios/three.json", fling(name="three"))
+        self.bless("scenarios")
+        self.assertEqual(self.names("scenarios/part/golden"), ["three.h5", "three.txt"])
+        for command in (("check",), ("check", "scenarios")):
+            self.assertEqual(self.expect(AGREED, *command, "--json").json["agreed"], 2)
+
     def test_links_in_a_circle_come_to_an_end(self):
         self.link(".", "scenarios/self")
         self.link("../..", "scenarios/a/root")

@@ -104,12 +104,11 @@ std::vector<std::string> list_scenarios(const std::vector<std::string>& argument
   return paths;
 }
 
-void set_default_folders(std::vector<std::string>& arguments, std::string& golden_folder) {
+void set_default_folder(std::vector<std::string>& arguments) {
   if (!arguments.empty()) return;
   if (!is_folder("scenarios"))
     refuse_input("scenarios: no such folder in the current one; name the scenarios or folders to check");
   arguments = {"scenarios"};
-  if (golden_folder.empty()) golden_folder = "golden";
 }
 
 }  // namespace hyrax

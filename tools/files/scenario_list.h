@@ -20,8 +20,8 @@ namespace hyrax {
 [[nodiscard]] std::vector<std::string> list_scenarios(const std::vector<std::string>& arguments,
                                                       std::vector<Failure>& unlisted);
 
-/// With no arguments: `scenarios` of the current folder, and its `golden` if no golden folder was given.
+/// With no arguments: `scenarios` of the current folder.
 /// ERRORS: Failure(bad_input) if there are no arguments and no folder `scenarios`.
-void set_default_folders(std::vector<std::string>& arguments, std::string& golden_folder);
+void set_default_folder(std::vector<std::string>& arguments);
 
 }  // namespace hyrax

@@ -90,8 +90,8 @@ ScenarioVerdict verdict_on(const UnreferencedGolden& golden) {
 
 }  // namespace
 
-ExitCode check(const Core& core, std::vector<std::string> files, std::string golden_folder) {
-  set_default_folders(files, golden_folder);
+ExitCode check(const Core& core, std::vector<std::string> files, const std::string& golden_folder) {
+  set_default_folder(files);
   std::vector<Failure> unlisted;
   const std::vector<std::string> paths = list_scenarios(files, unlisted);
   const std::vector<UnreferencedGolden> unreferenced = find_unreferenced(files, golden_folder);

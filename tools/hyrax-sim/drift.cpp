@@ -55,14 +55,12 @@ bool is_trajectory(const std::string& path) {
 
 DriftInput read_input(const std::string& path) {
   DriftInput input{path, is_trajectory(path)};
-  try {
+  input.failure = failure_of(path, [&] {
     if (input.is_file)
       input.head = TrajectoryFile::open(path).head();
     else
       input.head.emplace().scenario = load_scenario(path);
-  } catch (const Failure& failure) {
-    input.failure = failure;
-  }
+  });
   return input;
 }
 

@@ -18,30 +18,26 @@ class CommandResults {
   /// Does the work; a failure becomes the entry {"scenario", "status": "failed", "error"}.
   template <class Work>
   void attempt(const std::string& path, const Work& work) {
-    try {
-      work();
-    } catch (const Failure& failure) {
-      add_failure(failure);
-      entries_.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure.what()}});
-    }
+    const auto failure = failure_of(path, work);
+    if (!failure) return;
+    add_failure(*failure);
+    entries_.push_back(Json::Object{{"scenario", path}, {"status", "failed"}, {"error", failure->what()}});
   }
 
   /// Does work that follows on the last entry; a failure is added to that entry.
   template <class Work>
   void attempt_after(const Work& work) {
-    try {
-      work();
-    } catch (const Failure& failure) {
-      add_failure(failure);
-      if (entries_.empty()) return;
-      Json::Object& entry = *entries_.back().get<Json::Object>();
-      const auto status = std::ranges::find(entry, "status", &Json::Object::value_type::first);
-      if (status != entry.end())
-        status->second = "failed";
-      else
-        entry.emplace_back("status", "failed");
-      entry.emplace_back("error", failure.what());
-    }
+    const auto failure = failure_of("hyrax-sim", work);
+    if (!failure) return;
+    add_failure(*failure);
+    if (entries_.empty()) return;
+    Json::Object& entry = *entries_.back().get<Json::Object>();
+    const auto status = std::ranges::find(entry, "status", &Json::Object::value_type::first);
+    if (status != entry.end())
+      status->second = "failed";
+    else
+      entry.emplace_back("status", "failed");
+    entry.emplace_back("error", failure->what());
   }
 
   void add(Json entry) { entries_.push_back(std::move(entry)); }

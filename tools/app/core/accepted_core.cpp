@@ -89,6 +89,11 @@ std::vector<std::string> words_of(const std::string& text) {
 
 }  // namespace
 
+bool AcceptedFile::operator==(const AcceptedFile& other) const {
+  return checksum == other.checksum && is_of_project == other.is_of_project &&
+         (is_of_project ? path == other.path : fs::path(path).filename() == fs::path(other.path).filename());
+}
+
 std::string AcceptedCore::text() const {
   std::string text = header;
   for (const AcceptedFile& file : files) text += "\n" + file.text;
@@ -96,7 +101,8 @@ std::string AcceptedCore::text() const {
 }
 
 bool AcceptedCore::has_same_files(const AcceptedCore& other) const {
-  return header == other.header && (files.empty() || other.files.empty() || files == other.files);
+  return header == other.header &&
+         (files.empty() || other.files.empty() || std::ranges::is_permutation(files, other.files));
 }
 
 bool AcceptedCore::covers(const std::string& core_name) const {
@@ -140,17 +146,17 @@ CoreCommands core_commands(const std::vector<std::string>& scenarios, const std:
 std::vector<HeaderChange> core_changes(const AcceptedCore& accepted, const AcceptedCore& program,
                                        const std::string& header_path) {
   std::vector<HeaderChange> changes = header_changes(accepted.header, program.header, header_path);
-  if (accepted.has_same_files(program)) return changes;
-  std::map<std::string, std::array<const AcceptedFile*, 2>> files;  // Accepted, the program's.
-  for (const AcceptedFile& file : accepted.files) files[file.path][0] = &file;
-  for (const AcceptedFile& file : program.files) files[file.path][1] = &file;
-  for (const auto& [path, pair] : files) {
-    const AcceptedFile none, &from = pair[0] ? *pair[0] : none, &to = pair[1] ? *pair[1] : none;
-    if (from.is_of_project || to.is_of_project)
-      std::ranges::move(header_changes(from.text, to.text, path), std::back_inserter(changes));
-    else if (from != to)
-      changes.push_back({HeaderChangeKind::altered, "a file outside the project", 1, {}, {}, path});
-  }
+  if (accepted.files.empty() || program.files.empty()) return changes;
+  std::map<std::string, std::array<std::string_view, 2>> texts;  // Of the project's: accepted, the program's.
+  for (const AcceptedFile& file : accepted.files)
+    if (file.is_of_project) texts[file.path][0] = file.text;
+  for (const AcceptedFile& file : program.files)
+    if (file.is_of_project)
+      texts[file.path][1] = file.text;
+    else if (std::ranges::find(accepted.files, file) == accepted.files.end())
+      changes.push_back({HeaderChangeKind::altered, "a file outside the project", 1, {}, {}, file.path});
+  for (const auto& [path, pair] : texts)
+    std::ranges::move(header_changes(pair[0], pair[1], path), std::back_inserter(changes));
   return changes;
 }
 

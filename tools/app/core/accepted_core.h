@@ -24,7 +24,9 @@ struct AcceptedFile {
   std::string text;  ///< Empty of one that is not of the project.
   std::string checksum;
   bool is_of_project = false;
-  bool operator==(const AcceptedFile&) const = default;
+
+  /// Outside the project the folder may be another: machines differ in where they keep their files.
+  bool operator==(const AcceptedFile& other) const;
 };
 
 struct AcceptedCore {
@@ -57,8 +59,8 @@ struct AcceptedCore {
 [[nodiscard]] AcceptedCore program_core(const Core& core);
 [[nodiscard]] AcceptedCore core_of(std::string_view model, const CoreRecord& record);
 
-/// What the program's core changes of the accepted one, in the words of its header and of the project's files
-/// that it includes. @param header_path names the header.
+/// What the program's core changes of the accepted one, in the words of its header and, as far as both list
+/// them, of the files that it includes. @param header_path names the header.
 [[nodiscard]] std::vector<HeaderChange> core_changes(const AcceptedCore& accepted,
                                                      const AcceptedCore& program,
                                                      const std::string& header_path);

@@ -412,11 +412,8 @@ Json bless_json(const BlessReport& report, Json::Array groups) {
 }
 
 void complete(BlessRequest& request) {
-  if (request.prunes && request.files.empty()) {
-    request.files = {"scenarios"};
-    if (request.golden_folder.empty()) request.golden_folder = "golden";
-  }
-  if (request.accepts_core_only) set_default_folders(request.files, request.golden_folder);
+  if (request.prunes && request.files.empty()) request.files = {"scenarios"};
+  if (request.accepts_core_only) set_default_folder(request.files);
   if (request.files.empty())
     refuse_input("hyrax-sim bless: SCENARIO: at least 1 needed (found 0); see `hyrax-sim bless --help`");
   if (request.blesses() && request.reason.find_first_not_of(" \t\n") == std::string::npos)

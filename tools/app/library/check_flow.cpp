@@ -119,7 +119,7 @@ CheckSelection select(CheckRequest& request, const LastFailed& last_failed) {
         "hyrax-sim check: --core: not with --filter, --list, --last-failed, --junit, --annotate, --summary "
         "or "
         "--report");
-  set_default_folders(request.files, request.golden_folder);
+  set_default_folder(request.files);
   if (!request.unnoticed_folder.empty())
     OutputGuard({}, request.golden_folder)
         .admit("hyrax-sim check: --unnoticed", request.unnoticed_folder + "/unnoticed.json");

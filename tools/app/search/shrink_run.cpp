@@ -21,6 +21,7 @@
 #include "sim/search/scenario_edit.h"
 #include "tools/app/command_line/progress.h"
 #include "tools/app/core/accepted_core.h"
+#include "tools/app/core/controlled_core.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
@@ -152,6 +153,8 @@ class Player {
     const WorkEnd end = run_guarded([&]() -> std::string {
       try {
         return find_here(kind, scenario, stops_everywhere);
+      } catch (const CoreFailure& failure) {
+        return kind == FindingKind::end ? failure.without_row() + "\n" : "";
       } catch (const std::exception& error) {
         return kind == FindingKind::end ? fmt::format("exception: {}\n", error.what()) : "";
       }

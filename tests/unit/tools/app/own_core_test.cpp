@@ -266,13 +266,15 @@ TEST(OwnCore, IsAcceptedWithTheFilesThatItsHeaderIncludes) {
   core.record.files = {};  // As what an older version accepted: nothing is known of them.
   EXPECT_EQ(verdict().status, CoreStatus::accepted);
   core.record.files = files;
+  files[0].path = "/opt/here/fast.h";  // As on another machine.
+  EXPECT_EQ(verdict().status, CoreStatus::accepted);
   files[1].text = "\nconstexpr double PULL = 9.5;\n";
   EXPECT_EQ(verdict().status, CoreStatus::not_proved);
   EXPECT_EQ(core_text(verdict()),
             "core: not proved equal to the accepted one: more than 4,096 paths\n"
             "  line 2    constant: PULL 9 -> 9.5 (src/deep/pull.h)\n");
   files[0].text = "int slow;\n";
-  EXPECT_NE(core_text(verdict()).find("altered: a file outside the project (/usr/fast.h)"),
+  EXPECT_NE(core_text(verdict()).find("altered: a file outside the project (/opt/here/fast.h)"),
             std::string::npos);
   files[1].path = "src/push.h";
   EXPECT_EQ(changes_sentence(header_changes("int a;", "int b;", "src/push.h"), "src/core.h"),
@@ -281,6 +283,22 @@ TEST(OwnCore, IsAcceptedWithTheFilesThatItsHeaderIncludes) {
             std::string::npos);
   write_bytes(folder.at("core/files/src/deep/pull.h"), "");
   EXPECT_NE(verdict().why.find("files/src/deep/pull.h: does not have the checksum"), std::string::npos);
+}
+
+// A file that the accepted core does not list may be as it was.
+TEST(OwnCore, OfAnOlderAcceptedCoreTheHeaderAloneIsCompared) {
+  const TempFolder folder;
+  Core core = own_core(true);
+  core.record.step = {};
+  write_accepted_core(folder.at(""), program_core(core));
+  const std::array files = {CoreFile{"/usr/fast.h", "int fast;\n", false},
+                            CoreFile{"src/pull.h", "int pull;\n", true}};
+  core.record.files = files;
+  const std::string header = std::string(core.record.header) + "int more;\n";
+  core.record.header = header;
+  const std::vector<HeaderChange> changes = CoreCheck(core, folder.at(""), {}).verdict().changes;
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes.front().detail, "int more;");
 }
 
 }  // namespace

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <csignal>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
@@ -17,6 +19,7 @@
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/app/core/accepted_core.h"
+#include "tools/app/core/controlled_core.h"
 
 namespace hyrax {
 namespace {
@@ -82,6 +85,20 @@ TEST_F(ShrinkRun, KeepsTheEndOfARunThatEndsItsProcess) {
     EXPECT_EQ(step_count(left), 1);
     EXPECT_EQ(left.events, std::vector<Event>());
     EXPECT_LE(complexity_of(left).digits, 8);
+  }
+}
+
+// The row in which it does it is another in each run.
+TEST_F(ShrinkRun, KeepsWhatACoreDoesThatEndsItsRun) {
+  for (const auto& [kept, trap] :
+       {std::pair<const char*, Trap>{"the core throws: beyond",
+                                     [](State&) { throw std::out_of_range("beyond"); }},
+        {"the core changes how the processor calculates (rounding or flush-to-zero); "
+         "remove what sets it from the core",
+         [](State&) { std::fesetround(FE_UPWARD); }}}) {
+    const ShrunkRun run = shrunk(controlled(trapped(trap)), long_fling());
+    EXPECT_EQ(run.kept, kept);
+    EXPECT_EQ(step_count(run.shrunk.scenario), 1);
   }
 }
 
