@@ -61,7 +61,7 @@ STATED = (
         (PAGE, "ends with exit code {}. After an edit", "cannot_access"), (PAGE, "end with exit code {}, and the page says", "program_fault"),
         (OWN, "ends with exit code {} for any other", "bad_input"), (OWN, "refuse\n(exit code {}) and say", "bad_input"),
         (OWN, "What is found ends with exit code {}", "disagreed"),
-        (OWN, "while it runs ends with exit code {}", "not_strict_ieee"), ("CHANGELOG.md", "rounds ends with exit code {}", "not_strict_ieee"),
+        (OWN, "while it runs ends with exit code {}, one that throws with {}.", "not_strict_ieee, disagreed"), ("CHANGELOG.md", "rounds ends with exit code {}", "not_strict_ieee"),
         (OWN, "`check` ends with exit code {}, even", "bad_input"))),
     *((CORE, f"| `{name}` | {{}}", HEADER, name) for name in PHYSICS_CONSTANTS.split(", ")),
     (CORE, "; and if `|vy| < {}` then", HEADER, "REST_THRESHOLD"),  # The formulas: tests/oracle/witness_test.py.
