@@ -226,7 +226,13 @@ class ReportTest(browser.BrowserTest):
             return [times[60], times[114]];
           })()"""
         zoomed = ["evaluate", "[...document.querySelectorAll('.u-select')].map(each => each.style.width)"]
-        (page,) = self.open({**self.report("long"), "actions": [
+        task = self.report("long")
+        # Of a page that never gets its turn again, what it shows first: the picture.
+        text = pathlib.Path(task["file"]).read_text(encoding="utf-8")
+        stopped = self.write("stopped.html", text.replace("<body>", "<body><script>setTimeout = () => 0; document.documentElement.dataset.ready = '';</script>", 1))
+        (still,) = self.open({"file": str(self.folder / stopped), "actions": [["evaluate", "[...document.querySelectorAll('#verdict > svg')].map(each => each.getBoundingClientRect().height > 100)"]]})
+        self.assertEqual(still["values"], [[True]])
+        (page,) = self.open({**task, "actions": [
             ["wait", "performance.getEntriesByName('ready').length > 0"],
             ["evaluate", "performance.getEntriesByName('first-contentful-paint')[0].startTime"],
             ["evaluate", "performance.getEntriesByName('ready')[0].startTime"], ["evaluate", frames],

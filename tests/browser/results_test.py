@@ -92,8 +92,13 @@ class ResultsTest(browser.BrowserTest):
         (page,) = self.open({**self.grid(), "actions": [
             ["mouse", ".u-over", [[5.5 / 20, 1 - 3.5 / 12]] * 2], ["wait", "!document.getElementById('member').hidden"],
             ["evaluate", "document.getElementById('member-heading').textContent"],
-            ["evaluate", "document.getElementById('member-note').textContent"], ["download", "#download-member", str(down)]]})
+            ["evaluate", "document.getElementById('member-note').textContent"], ["download", "#download-member", str(down)],
+            ["evaluate", "(({top, bottom}) => top >= 0 && bottom <= innerHeight)(document.getElementById('member').getBoundingClientRect())"], ["look", {"size": (390, 844)}],
+            ["evaluate", "['member', 'replay'].map(id => document.getElementById(id).getBoundingClientRect().right)"]]})
         self.assertEqual(page["errors"], [])
+        *_, is_in_view, _, (frame, canvas) = page["values"]
+        self.assertTrue(is_in_view)
+        self.assertLess(canvas, frame)
         member = 5 * 12 + 3
         self.assertEqual(page["values"][2], f"Member {member}")
         self.assertIn("4 neighbours", page["values"][3])

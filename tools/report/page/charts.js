@@ -1,20 +1,39 @@
 // Charts over the time of a run, with one cursor and one zoom.
 import uPlot from 'uplot';
-import { firstAtLeast, lastAtMost, rangeOf } from './data.js';
+import { firstAtLeast, lastAtMost } from './data.js';
 import { element, make, save } from './document.js';
 import { fixed, grouped, rounded } from './numbers.js';
 import { color, paintWall } from './painter.js';
-import { chartsOf, csvOf, logAxis, overviewRowsMin, rangeText, thousands, valueAt } from './series.js';
+import { chartsOf, csvOf, envelopeOf, logAxis, overviewRowsMin, rangeOfSeries, rangeText, thousands, valueAt } from './series.js';
+
+const rowsOfAPixel = 4; // Of more, a curve is the area between its smallest and its largest values.
+
+// As uPlot wants a path: a curve, or its envelope where rows are dense.
+function curve(plot, at, first, last, series) {
+  const [times] = plot.data, values = plot.data[at], { left, width } = plot.bbox, { min, max } = plot.scales.x;
+  if (last - first < rowsOfAPixel * width) return { ...(series.steps ? uPlot.paths.stepped({ align: -1 }) : uPlot.paths.linear())(plot, at, first, last), fill: null };
+  const parts = envelopeOf(times, values, first, last, min, max, width).map(({ column, low, high }) => [left + column, plot.valToPos(high, 'y', true), plot.valToPos(low, 'y', true)]);
+  const fill = new Path2D(), stroke = new Path2D();
+  for (const [x, top, foot] of parts) fill.rect(x, top, 1, foot - top);
+  for (const edge of [1, 2]) parts.forEach((part, i) => stroke[i && part[0] - parts[i - 1][0] < 2 ? 'lineTo' : 'moveTo'](part[0], part[edge]));
+  return { stroke, fill, clip: null, band: null, gaps: null, flags: 1 };
+}
 
 export class Charts {
   #plots = [];
   #isZooming = false;
+  #first = null; // What of the time charts show when they are drawn first.
 
   constructor(result, sizes, moment, seek) {
     Object.assign(this, { result, sizes, moment, seek });
-    this.#build(chartsOf(result, sizes));
-    this.zoomToMotion();
-    moment.listen(() => this.show());
+  }
+  /** Draws them, one a step. */
+  *draw() {
+    this.#first = this.#motion();
+    yield* this.#build(chartsOf(this.result, this.sizes));
+    this.zoom(this.#first);
+    this.#first = null;
+    this.moment.listen(() => this.show());
   }
 
   /** The result of a run that goes on, or of a changed one: then what is seen of the time stays. */
@@ -22,39 +41,42 @@ export class Charts {
     const { min, max } = this.#plots[0].plot.scales.x, isWhole = !result.isWhatIf;
     Object.assign(this, { result, sizes });
     const charts = chartsOf(result, sizes), kindOf = ({ id, series }) => `${id} ${series.map(({ name }) => name)}`;
-    if (charts.length !== this.#plots.length || charts.some((chart, i) => kindOf(chart) !== kindOf(this.#plots[i].chart))) this.#build(charts);
+    if (charts.length !== this.#plots.length || charts.some((chart, i) => kindOf(chart) !== kindOf(this.#plots[i].chart))) [...this.#build(charts)];
     this.#isZooming = true;
     charts.forEach((chart, i) => {
       this.#plots[i].chart = chart;
-      this.#plots[i].plot.setData([result.rows.t, ...chart.series.map(({ values }) => this.#drawn(values))]);
+      this.#plots[i].plot.setData([(chart.rows ?? result.rows).t, ...chart.series.map(({ values }) => this.#drawn(values))]);
     });
     this.zoom(isWhole ? null : [min, max]);
   }
 
-  #build(charts) {
+  *#build(charts) {
     const isBeside = chart => chart.isOverview || ['distance', 'position', 'velocity', 'energy', 'errors'].includes(chart.id);
     for (const id of ['charts', 'more-charts']) element(id).replaceChildren();
-    this.#plots = charts.map((chart, i) => this.#draw(chart, element(isBeside(chart) ? 'charts' : 'more-charts'),
-      chart.isOverview || !isBeside(chart) || !isBeside(charts[i + 1])));
+    this.#plots = [];
+    for (const [i, chart] of charts.entries()) {
+      this.#plots.push(this.#draw(chart, element(isBeside(chart) ? 'charts' : 'more-charts'), chart.isOverview || !isBeside(chart) || !isBeside(charts[i + 1])));
+      yield;
+    }
     this.#showTable(charts);
   }
 
   #draw(chart, place, isLast) {
-    const { rows } = this.result;
+    const { t } = chart.rows ?? this.result.rows;
     const legend = chart.series.map(series => make('span', { class: 'key' }, make('i', { class: `swatch ${series.dash ? 'dashed' : ''} tint-${series.color}` }),
       `${series.name} `, make('output', {}, '')));
     const figure = make('figure', { class: 'chart', id: `chart-${chart.id}` },
       make('figcaption', {}, make('span', { class: 'chart-title' }, chart.title, make('span', { class: 'quiet' }, chart.unit ? `, ${chart.unit}` : '')), make('span', { class: 'keys' }, ...legend),
         make('button', { type: 'button', class: 'link', 'aria-label': `Save ${chart.title} as CSV`, onclick: () => this.#saveCsv(chart.id) }, 'CSV')));
     place.append(figure);
-    const plot = new uPlot(this.#options(chart, figure, isLast), [rows.t, ...chart.series.map(({ values }) => this.#drawn(values))], figure);
+    const plot = new uPlot(this.#options(chart, figure, isLast), [t, ...chart.series.map(({ values }) => this.#drawn(values))], figure);
     const playhead = make('div', { class: 'playhead' });
     plot.over.append(playhead);
     const { divergence } = this.result;
     const marker = divergence === undefined || divergence === null ? null : make('div', { class: 'divergence', title: `first difference at step ${divergence}` });
     if (marker) plot.over.append(marker);
     plot.root.setAttribute('role', 'img');
-    plot.root.setAttribute('aria-label', `${chart.title} over time. ${chart.series.map(series => `${series.name}: ${rangeText(series.values, chart.unit)}`).join('; ')}.`);
+    plot.root.setAttribute('aria-label', `${chart.title} over time. ${chart.series.map(series => `${series.name}: ${rangeText(series, chart.unit)}`).join('; ')}.`);
     this.#listen(plot);
     return { plot, chart, playhead, marker, outputs: legend.map(key => key.querySelector('output')), figure };
   }
@@ -74,14 +96,14 @@ export class Charts {
       padding: [8, 14, isLast ? 0 : 6, 0],
       legend: { show: false },
       cursor: { y: false, points: { show: false }, drag: { x: true, y: false, dist: 6, setScale: !chart.isOverview }, ...(chart.isOverview ? {} : { sync: { key: 'run', setSeries: false } }) },
-      scales: { x: { time: false }, y: chart.isLog ? { distr: 3, log: 10, range: log.range } : chart.range ? { range: chart.range } : {} },
+      scales: { x: { time: false, range: (_, low, high) => (!chart.isOverview && this.#first) || [low, high] }, y: chart.isLog ? { distr: 3, log: 10, range: log.range } : chart.range ? { range: chart.range } : {} },
       axes: [
         { ...axis, show: isLast, size: 28, values: (_, splits) => splits.map(value => `${grouped(value, 6)} s`) },
         { ...axis, size: 64, gap: 6, space: 26, ...(log ? { splits: log.splits, values: log.values, filter: (_, splits) => splits } : { values: (_, splits) => splits.map(thousands) }) },
       ],
-      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), width: 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
+      series: [{}, ...chart.series.map(series => ({ label: series.name, stroke: () => color(series.color), fill: () => `color-mix(in srgb, ${color(series.color)} 35%, transparent)`, width: 1.5, pxAlign: 0, spanGaps: series.known?.isJoined === true,
         dash: series.dash ? [5, 4] : undefined, points: series.points ? { show: true, size: 7, fill: () => color(series.color), width: 0 } : { show: false },
-        paths: series.points ? () => null : series.steps ? uPlot.paths.stepped({ align: -1 }) : undefined }))],
+        paths: series.points ? () => null : (plot, at, first, last) => curve(plot, at, first, last, series) }))],
       hooks: chart.isOverview ? { setSelect: [({ select: { left, width }, posToVal }) => width > 0 && this.zoom([posToVal(left, 'x'), posToVal(left + width, 'x')])] } :
         { setScale: [(plot, scale) => scale === 'x' && this.#zoomed(plot)], draw: chart.id === 'distance' ? [plot => this.#markContacts(plot)] : [] },
     };
@@ -141,12 +163,12 @@ export class Charts {
     this.show();
   }
   // A run that has long settled opens on the part that moves.
-  zoomToMotion() {
+  #motion() {
     const { rows, run } = this.result;
     const end = rows.t[rows.t.length - 1];
-    if (rows.step.length >= overviewRowsMin && end > 10) return this.zoom([0, 10]);
+    if (rows.step.length >= overviewRowsMin && end > 10) return [0, 10];
     const since = run.result.at_rest_since_s;
-    this.zoom(since !== null && since > 0 && since < 0.7 * end ? [0, since * 1.08] : null);
+    return since !== null && since > 0 && since < 0.7 * end ? [0, since * 1.08] : null;
   }
 
   show() {
@@ -170,7 +192,7 @@ export class Charts {
   #showTable(charts) {
     const heads = ['chart', 'series', 'unit', 'smallest', 'largest', 'at the end'];
     const lines = charts.flatMap(({ title, unit, series }) => series.map(each => [title, each.name, unit,
-      ...[...rangeOf(each.values), valueAt(this.result.rows, each, this.result.rows.step.length - 1)].map(value => rounded(value, 6))]));
+      ...[...rangeOfSeries(each), valueAt(this.result.rows, each, this.result.rows.step.length - 1)].map(value => rounded(value, 6))]));
     const row = (tag, texts) => make('tr', {}, ...texts.map((text, i) => make(tag, { class: i < 3 ? 'text' : 'number' }, text)));
     const table = element('charts-table');
     table.replaceChildren(table.firstElementChild, make('div', { class: 'table', tabindex: '0', role: 'group', 'aria-label': 'The charts as a table' },
@@ -188,6 +210,6 @@ export class Charts {
   #saveCsv(id) {
     const { chart } = this.#plots.find(each => each.chart.id === id);
     const { rows, run } = this.result;
-    save(`${run.name}-${chart.id}.csv`, 'text/csv', csvOf(chart, rows));
+    save(`${run.name}-${chart.id}.csv`, 'text/csv', csvOf(chart, chart.rows ?? rows));
   }
 }

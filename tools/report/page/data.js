@@ -23,7 +23,8 @@ export const contactsIn = ({ contacts }) => contacts && Object.fromEntries(Objec
 /** Smallest and largest value that is known; null and null if none is. */
 export function rangeOf(values) {
   let low = Infinity, high = -Infinity;
-  for (const value of values) {
+  for (let i = 0; i < values.length; ++i) { // A million in little time, which `of` takes long for.
+    const value = values[i];
     if (value === null || value === undefined) continue;
     if (value < low) low = value;
     if (value > high) high = value;

@@ -52,6 +52,9 @@ function isFlown({ t, x, y, vx, vy }, i) {
   return Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]) <= 1.1 * speed * (t[i] - t[i - 1]) + 2;
 }
 
+// A long path takes far longer to draw than its parts; so many lines fill any window.
+const linesAtOnce = 500, linesMax = 8_000;
+
 export class Painter {
   #images;
   #stamps = new Map();
@@ -111,8 +114,8 @@ export class Painter {
 
   // Of a path that goes over itself again only the first time is dashed, so that dashes do not fill the gaps of others.
   #path(context, rows, isDashed = false) {
-    const flown = new Path2D(), jumps = new Path2D(), seen = new Map(), cell = 4 * this.ratio;
-    let x = NaN, y = NaN, count = 0, isUp = false;
+    const jumps = new Path2D(), seen = new Map(), cell = 4 * this.ratio, isResized = this.scene.sizes.length > 1, [sprite] = this.scene.sizes.map(size => size.sprite);
+    let flown = new Path2D(), x = NaN, y = NaN, count = 0, isUp = false, drawn = 0;
     const once = (fromX, fromY, toX, toY) => {
       const parts = Math.max(1, Math.ceil(Math.hypot(toX - fromX, toY - fromY) / cell));
       for (let part = 1; part <= parts; ++part) {
@@ -125,8 +128,10 @@ export class Painter {
       }
       if (!isUp) flown.lineTo(toX, toY);
     };
-    for (let i = 0; i < rows.x.length; ++i) {
-      const [nextX, nextY] = this.#middle(rows.x[i], rows.y[i], sizesAt(this.scene.sizes, rows.step?.[i] ?? 0).sprite);
+    let i = 0;
+    for (; i < rows.x.length && drawn < linesMax; ++i) {
+      const [width, height] = isResized ? sizesAt(this.scene.sizes, rows.step?.[i] ?? 0).sprite : sprite;
+      const nextX = (rows.x[i] + width / 2) * this.scale, nextY = (rows.y[i] + height / 2) * this.scale;
       if (!Number.isFinite(nextX + nextY)) break;
       if (Math.abs(nextX - x) < 0.7 && Math.abs(nextY - y) < 0.7) continue;
       if (!Number.isNaN(x) && !isFlown(rows, i)) {
@@ -137,13 +142,20 @@ export class Painter {
       if (Number.isNaN(x)) flown.moveTo(nextX, nextY);
       else if (isDashed) once(x, y, nextX, nextY);
       else flown.lineTo(nextX, nextY);
-      [x, y] = [nextX, nextY];
+      x = nextX;
+      y = nextY;
+      if (++drawn % linesAtOnce === 0 && !isDashed) {
+        context.stroke(flown);
+        flown = new Path2D();
+        flown.moveTo(x, y);
+      }
     }
     context.stroke(flown);
     context.save();
     context.setLineDash([4 * this.ratio, 3 * this.ratio]);
     context.stroke(jumps);
     context.restore();
+    return drawn === linesMax && i < rows.x.length ? rows.t[i - 1] : null;
   }
 
   // All that does not change with the moment.
@@ -159,7 +171,7 @@ export class Painter {
     }
     if (!scene.rows) return;
     this.#pen(context, 'path', 1.5);
-    this.#path(context, scene.rows);
+    this.pathEnd = this.#path(context, scene.rows); // In s, of a path that is cut; else null.
     if (scene.contacts) this.#paintContacts(context, scene.contacts);
     this.#paintInputs(context, scene);
     for (const rows of [scene.rows, scene.other]) if (rows) this.#paintNonFinite(context, rows, scene.sizes);

@@ -1,7 +1,8 @@
 // Plays a run of the report in the browser, and compares it with the file.
 import { bytes, doubles, lastAtMost, rowsOf } from './data.js';
 
-const pause = () => new Promise(resolve => setTimeout(resolve));
+/** Lets the browser draw and follow its reader. */
+export const pause = () => new Promise(resolve => setTimeout(resolve));
 
 async function playAll(core, steps, progress) {
   let piece = 20_000;
@@ -12,7 +13,7 @@ async function playAll(core, steps, progress) {
     if (at < end) return; // Not finite: the run ended there.
     const took = performance.now() - begin;
     if (took < 15) piece *= 2;
-    if (took > 60) piece = Math.max(1000, piece / 2);
+    if (took > 40) piece = Math.max(1000, piece / 2);
     progress(at / steps);
     if (at < steps) await pause();
   }
@@ -33,20 +34,23 @@ export async function replay(core, run, progress) {
   if (steps < 0) return { run, file, rows: file, outcome: 'none' };
   const begin = performance.now();
   await playAll(core, steps, progress);
-  const result = played(core), { check } = result;
-  const isSame = check.firstDifference === null && check.isComplete && check.steps === run.steps && check.stateHash === run.state_hash;
+  const result = {};
+  for (const [name, get] of partsPlayed(core)) {
+    if (steps > 50_000) await pause();
+    result[name] = get();
+  }
+  const { check } = result, isSame = check.firstDifference === null && check.isComplete && check.steps === run.steps && check.stateHash === run.state_hash;
   return { ...result, run, file, milliseconds: performance.now() - begin, outcome: isSame ? 'agrees' : 'differs' };
 }
 
-// The run that was played to its end.
-const played = core => ({ check: core.finish(), rows: core.rows(), contacts: core.contacts(), errors: core.errors(),
-  contactErrors: core.contactErrors(), causes: core.causes() });
+// What is known of the run that was played to its end, by name.
+const partsPlayed = core => [['check', () => core.finish()], ...['rows', 'contacts', 'errors', 'contactErrors', 'causes'].map(name => [name, () => core[name]()])];
 
 /** The run of a record that this page made, as replay has one. */
 export function playedHere(core, record, { stateHash, constants, inputs = [] }) {
   const begin = performance.now();
   core.playTo(core.load(record));
-  const result = played(core), { check, rows } = result, last = rows.step.length - 1;
+  const result = Object.fromEntries(partsPlayed(core).map(([name, get]) => [name, get()])), { check, rows } = result, last = rows.step.length - 1;
   return { ...result, milliseconds: performance.now() - begin, outcome: check.stateHash === stateHash ? 'agrees' : 'differs',
     run: { name: 'fling', constants, steps: check.steps, row_count: last + 1, expect: null, inputs, errors: core.isMeasuring ? check.errors : null, non_finite: check.nonFinite,
       result: { contacts: check.contacts, final: { x_px: rows.x[last], y_px: rows.y[last] }, at_rest_since_s: check.atRestSince } } };

@@ -10,8 +10,8 @@ import { count, firstOf, fixed, rounded } from './numbers.js';
 import { followLook, Painter, wallStyle } from './painter.js';
 import { Player, showReadouts } from './player.js';
 import { partsOf } from './record.js';
-import { placeAt, replay, sizesAt, sizesOf } from './replay.js';
-import { distancesFrom, shownAt } from './series.js';
+import { pause, placeAt, replay, sizesAt, sizesOf } from './replay.js';
+import { distancesFrom, overviewRowsMin, shownAt } from './series.js';
 import { verdictOf } from './verdict.js';
 import { WhatIf } from './what_if.js';
 
@@ -102,11 +102,20 @@ class View {
     root.toggleAttribute('data-red', Boolean(result.other));
     this.sizes = sizesOf(record, run.inputs);
     this.moment = new Moment(result.rows);
+    this.reopen = reopen;
+  }
+
+  /** Shows the run, a part at each step. */
+  *draw() {
+    const { result, run, core } = this;
     showHead(run);
     showVerdict(result);
     showDetails(result, step => this.player.seekStep(step));
+    yield;
     this.#setScene(result, this.sizes);
+    yield;
     this.charts = new Charts(result, this.sizes, this.moment, index => this.player.seek(index));
+    yield* this.charts.draw();
     this.player = new Player(this.moment, result.contacts, run, () => this.charts.zoom(null));
     this.charts.followsMouse = () => !this.player.isPlaying && root.dataset.mode !== 'fling';
     this.moment.listen(() => this.#follow());
@@ -114,8 +123,8 @@ class View {
     const decimated = every > 1 ? `Drawn from one row of every ${every.toLocaleString('en')}; the comparison covers all. ` : '';
     element('charts-note').textContent = result.rows.step.length > 5_000 ? `${decimated}Of many rows to a pixel, the smallest and the largest value are drawn.` : decimated;
     element('stage-note').textContent = result.reason ? `No replay: ${result.reason}. Without it there are no errors, no causes of drift and nothing to fling.`
-      : result.other ? `Dashed: the ${result.other.name}.` : '';
-    this.whatIf = new WhatIf(core, this, partsOf(record), reopen);
+      : `${result.other ? `Dashed: the ${result.other.name}.` : ''}${this.painter.pathEnd ? ` The path is that of the first ${fixed(this.painter.pathEnd, 0)} s.` : ''}`.trim();
+    this.whatIf = new WhatIf(core, this, partsOf(doubles(run.record)), this.reopen);
     this.setMode('replay');
     this.openLink() || this.#openWorst();
     this.#magnify();
@@ -261,7 +270,10 @@ function markPanel(panel, outcome) {
 export async function showRuns() {
   root.dataset.replay = 'running';
   showHead(report.runs[0]);
-  element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'));
+  // Until then a long run has the picture of pages without JavaScript.
+  const isLong = report.runs[0].row_count >= overviewRowsMin, still = isLong ? new DOMParser().parseFromString(document.querySelector('noscript').textContent, 'text/html').querySelectorAll('body > svg, body > svg + style') : [];
+  element('verdict').replaceChildren(make('p', { class: 'progress', role: 'status' }, 'Replaying …'), ...still);
+  if (isLong) await pause();
   const player = await coreOfPage(), { core } = player, panels = [...element('runs')?.querySelectorAll('a') ?? []];
   const panelOf = index => panels.find(panel => panel.getAttribute('href') === `#run=${index}`);
   const played = (index, progress) => replayed(player, report.runs[index], progress);
@@ -276,17 +288,20 @@ export async function showRuns() {
   const painter = new Painter(element('replay'), () => view?.paint());
   const open = async index => {
     view?.end();
+    view = null;
     if (kept.index !== index) kept = { index, result: await played(index, () => {}) };
     const itsCore = kept.result.run.no_replay ? null : core;
     panels.forEach(panel => panel.toggleAttribute('aria-current', panel === panelOf(index)));
     opened = index;
-    view = new View(itsCore, painter, kept.result, () => open(index));
+    const next = new View(itsCore, painter, kept.result, () => open(index)), isLong = kept.result.rows.step.length >= overviewRowsMin;
+    for (const _ of next.draw()) if (isLong) await pause();
+    view = next;
     element('mode-fling').disabled = !itsCore;
   };
   const wanted = () => report.runs[/^#run=(\d+)/.exec(location.hash)?.[1]] && Number(/\d+/.exec(location.hash)[0]);
   element('all-runs').hidden = panels.length === 0;
   element('mode-replay').addEventListener('click', () => root.dataset.mode === 'fling' && open(opened));
-  element('mode-fling').addEventListener('click', () => view.setMode('fling'));
+  element('mode-fling').addEventListener('click', () => view?.setMode('fling'));
   let opening = open(wanted() ?? kept.index); // One after another: they share the core.
   const toRun = () => wanted() !== undefined && element('name').scrollIntoView();
   addEventListener('hashchange', () => (opening = opening.then(async () => {
@@ -296,8 +311,10 @@ export async function showRuns() {
   })));
   await opening;
   toRun();
-  new ResizeObserver(() => view?.fit()).observe(document.querySelector('.columns'));
-  followLook(() => view.repaint());
+  const columns = document.querySelector('.columns'), room = () => `${columns.clientWidth} ${innerHeight}`;
+  let fitted = room();
+  new ResizeObserver(() => fitted !== (fitted = room()) && view?.fit()).observe(columns);
+  followLook(() => view?.repaint());
 
   if (worstResult.check) root.dataset.stateHash = worstResult.check.stateHash;
   const { check } = worstResult;

@@ -14,6 +14,16 @@ function energyOf({ run, rows }, sizes) {
   });
 }
 
+// A series whose values are made when they are first asked for: of many rows that takes long.
+function lazy(series, make) {
+  const get = () => {
+    const value = make();
+    Object.defineProperty(series, 'values', { value });
+    return value;
+  };
+  return Object.defineProperty(series, 'values', { get, enumerable: true, configurable: true });
+}
+
 // Values that only some rows have, in order of steps, as a list over all rows: null draws a gap, undefined a line that
 // goes straight on, for a series with `known.isJoined`.
 function spread(rows, steps, values, absent, isShown = () => true) {
@@ -27,7 +37,7 @@ function spread(rows, steps, values, absent, isShown = () => true) {
 }
 const joined = (rows, steps, values) => spread(rows, steps, values, undefined);
 
-/** What the charts show: title, unit, series. A series is {name, color, values, dash, points, steps}; of one
+/** What the charts show: title, unit, series, and rows if they have their own. A series is {name, color, values, dash, points, steps}; of one
 // with `known` only these rows have a value; between those of one that is joined it changes evenly. */
 export function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
@@ -42,9 +52,9 @@ export function chartsOf(result, sizes) {
     { id: 'velocity', title: 'Velocity', unit: 'px/s', decimals: 1, series: [
       { name: 'vx', color: 'blue', values: rows.vx }, { name: 'vy', color: 'orange', values: rows.vy },
       ...overlay(`vx, ${label}`, 'blue', other?.rows.vx), ...overlay(`vy, ${label}`, 'orange', other?.rows.vy)] },
-    ...(result.run.constants ? [{ id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [{ name: 'run', color: 'green', values: energyOf(result, sizes) }] }] : []),
+    ...(result.run.constants ? [{ id: 'energy', title: 'Energy', unit: 'px²/s²', decimals: 0, series: [lazy({ name: 'run', color: 'green' }, () => energyOf(result, sizes))] }] : []),
     { id: 'dt', title: 'Frame time', unit: 'ms', decimals: 3, range: fromZero, series: [
-      { name: 'dt', color: 'blue', steps: true, values: Array.from(rows.dt, (dt, i) => (rows.step[i] === 0 ? null : 1000 * dt)) }] },
+      lazy({ name: 'dt', color: 'blue', steps: true }, () => Array.from(rows.dt, (dt, i) => (rows.step[i] === 0 ? null : 1000 * dt)))] },
   ];
   if (errors?.step.length) {
     // With the drag of 60 Hz both are the same.
@@ -61,20 +71,21 @@ export function chartsOf(result, sizes) {
 function overview({ rows, contacts: met }) {
   const count = rows.step.length, stride = Math.ceil(count / 400);
   if (count < overviewRowsMin) return [];
-  const steps = [], speeds = [], contacts = [];
+  const steps = [], times = [], speeds = [], contacts = [];
   let at = 0;
   for (let from = 0; from < count; from += stride) {
     const to = Math.min(count, from + stride);
     const first = at;
     let most = 0;
-    for (let i = from; i < to; ++i) most = Math.max(most, Math.hypot(rows.vx[i], rows.vy[i]));
+    for (let i = from; i < to; ++i) most = Math.max(most, rows.vx[i] ** 2 + rows.vy[i] ** 2);
     while (at < (met?.step.length ?? 0) && met.step[at] <= rows.step[to - 1]) ++at;
     steps.push(rows.step[from]);
-    speeds.push(most);
+    times.push(rows.t[from]);
+    speeds.push(Math.sqrt(most));
     contacts.push((at - first) / (rows.t[to - 1] - rows.t[Math.max(0, from - 1)] || 1));
   }
-  const chart = (id, title, unit, name, tint, values) => ({ id, title, unit, decimals: 1, isOverview: true, range: fromZero, series: [
-    { name, color: tint, values: joined(rows, steps, values), known: { steps, values, isJoined: true } }] });
+  const chart = (id, title, unit, name, tint, values) => ({ id, title, unit, decimals: 1, isOverview: true, range: fromZero, rows: { step: [...steps, rows.step[count - 1]], t: [...times, rows.t[count - 1]] }, series: [
+    { name, color: tint, values: [...values, values.at(-1)], known: { steps, values, isJoined: true } }] });
   return [chart('overview-speed', 'Whole run: largest speed', 'px/s', 'speed', 'blue', speeds),
     chart('overview-contacts', 'Whole run: contacts', '1/s', 'contacts', 'vermilion', contacts)];
 }
@@ -119,6 +130,20 @@ function driftCharts({ rows, causes, contactErrors: contacts }) {
     { id: 'contact-restitution', title: 'Effective restitution', unit: '', decimals: 4, range: padded, series: [point('speed after / at the true impact', 'purple', 'effective_restitution', 1)] }];
 }
 
+/** Of values at rising times, with `columns` parts of a span of time: the smallest and the largest of each part that has any, as {column, low, high}. */
+export function envelopeOf(times, values, first, last, from, to, columns) {
+  const parts = [], scale = columns / (to - from);
+  for (let i = first; i <= last; ++i) {
+    const value = values[i], column = Math.min(Math.max(Math.floor((times[i] - from) * scale), 0), columns - 1);
+    if (value === null || value === undefined || Number.isNaN(value)) continue;
+    const part = parts.at(-1);
+    if (part?.column !== column) parts.push({ column, low: value, high: value });
+    else if (value < part.low) part.low = value;
+    else if (value > part.high) part.high = value;
+  }
+  return parts;
+}
+
 const exponent = value => String(value).replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).replace('-', '⁻');
 
 /** Whole decades, of which few are labelled. */
@@ -143,8 +168,15 @@ const fromZero = (_, low, high) => [Math.min(0, low ?? 0), high > 0 ? 1.15 * hig
 
 export const thousands = value => (Math.abs(value) >= 1e5 ? `${rounded(value / 1e6, 3)} M` : grouped(value, 3));
 
-export function rangeText(values, unit) {
-  const [low, high] = rangeOf(values);
+const ranges = new WeakMap();
+/** The smallest and the largest value of a series, found once. */
+export function rangeOfSeries(series) {
+  if (!ranges.has(series)) ranges.set(series, rangeOf(series.values));
+  return ranges.get(series);
+}
+
+export function rangeText(series, unit) {
+  const [low, high] = rangeOfSeries(series);
   return low === null ? 'no value' : `${rounded(low)} to ${rounded(high)} ${unit}`.trim();
 }
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import Plot, { element, load, saved } from './stand_in.mjs';
 
-const [{ Charts }, { Moment }] = await Promise.all(['charts', 'moment'].map(load));
+const [{ Charts }, { Moment }, series] = await Promise.all(['charts', 'moment', 'series'].map(load));
 
 const rows = { step: [0, 2, 4, 6, 8], t: [0, 1, 2, 3, 4], dt: [0, 0.5, 0.5, 0.5, 0.5], x: [0, 3, 6, 9, 12], y: [0, 10, 20, 30, 40], vx: [6, 6, 6, 6, -8], vy: [8, 10, 20, NaN, 0] };
 const sizes = [{ step: 0, window: [100, 80], sprite: [10, 20] }];
@@ -14,6 +14,7 @@ function charted(more) {
   Plot.all = [];
   const moment = new Moment({ ...result, ...more }.rows), sought = [];
   const charts = new Charts({ ...result, ...more }, sizes, moment, row => sought.push(row));
+  assert.ok([...charts.draw()].length === Plot.all.length && Plot.all.length > 0, 'one a step');
   const range = () => { const { min, max } = Plot.all.at(-1).scales.x; return [min, max]; };
   return { charts, moment, sought, range, plots: Plot.all };
 }
@@ -68,12 +69,25 @@ test('the overview of a long run selects what the others show', () => {
   assert.deepEqual([position.scales.x.min, position.scales.x.max].map(Math.round), [125, 375]);
 });
 
+test('where rows are dense, a curve is the area between its smallest and its largest values', () => {
+  const t = Float64Array.from({ length: 50_000 }, (_, i) => i / 100), step = t.map((_, i) => i), wave = t.map((_, i) => (i % 2 ? 1 : i / 50_000));
+  const { plots, charts } = charted({ rows: { step, t, dt: t, x: wave, y: t, vx: t, vy: t } }), [, , plot] = plots, path = (first, last) => plot.options.series[1].paths(plot, 1, first, last);
+  assert.deepEqual([path(0, 1599).kind, path(0, 1600).kind, path(0, 1599).fill], ['', undefined, null], 'four rows to each of 400 px');
+  charts.zoom(null);
+  const { fill, stroke } = path(0, 49_999), parts = stroke.shape.join(' ').split('from').slice(1).map(line => line.trim().split(' ').map(place => place.split(',').map(Number)));
+  assert.deepEqual([fill.shape.length, parts.length, parts.map(line => line.length)], [400, 2, [400, 400]]);
+  assert.deepEqual([parts[0][0], parts[0][399], parts[1][0]], [[40, 20], [439, 20], [40, 220]], 'the largest of each is 1, and the smallest begins at 0');
+  assert.ok(Math.abs(parts[1][200][1] - 120) < 1, 'half of the run: 0.5');
+  const gap = series.envelopeOf([0, 1, 2, 3], [5, null, NaN, 7], 0, 3, 0, 4, 4);
+  assert.deepEqual(gap, [{ column: 0, low: 5, high: 5 }, { column: 3, low: 7, high: 7 }]);
+});
+
 test('each chart has its axes, dashes and points', () => {
   const causes = { step: [0, 8] }, errors = { step: [0, 8], model: [0, 2], truncation: [0, 1], implementation: [0, 1] };
   for (const name of ['gravity', 'drag', 'lift', 'bounce', 'sum']) causes[name] = [0, 1];
   const { plots } = charted({ other, causes, errors, contactErrors: { step: [4], time_error: [1], effective_restitution: [2] } });
-  const looks = plots.map(({ place, options: { series, axes, scales } }) => `${place.id.slice(6)}: ${series.slice(1).map(each => [each.stroke(), each.dash && 'dashed', each.spanGaps && 'joined', each.points.show && `points of ${each.points.size}`,
-    each.paths?.()].filter(Boolean).join(' ')).join(', ')}${scales.y.distr === 3 ? '; logarithmic' : ''}${axes[0].show ? '; with times' : ''}`);
+  const looks = plots.map(({ place, options: { series, axes, scales } }, at) => `${place.id.slice(6)}: ${series.slice(1).map((each, i) => [each.stroke(), each.dash && 'dashed', each.spanGaps && 'joined', each.points.show && `points of ${each.points.size}`,
+    each.paths?.(plots[at], i + 1, 0, 4)?.kind].filter(Boolean).join(' ')).join(', ')}${scales.y.distr === 3 ? '; logarithmic' : ''}${axes[0].show ? '; with times' : ''}`);
   assert.deepEqual(looks, ['distance: vermilion; logarithmic', 'position: blue, orange, blue dashed, orange dashed', 'velocity: blue, orange, blue dashed, orange dashed', 'energy: green',
     'errors: orange, blue, green; logarithmic; with times', 'drift: blue joined, green joined, vermilion joined, purple joined, ink dashed joined; with times', 'contact-time: vermilion points of 7; with times',
     'contact-restitution: purple points of 7; with times', 'dt: blue steps -1; with times']);

@@ -87,8 +87,8 @@ test('axes are of whole decades, and of what is drawn', () => {
   assert.deepEqual(axis.splits(null, 0, 1e-3, 10).map(Math.log10).map(Math.round), [-3, -2, -1, 0, 1]);
   assert.deepEqual(axis.splits(null, 0, 1e-12, 1).map(Math.log10).map(Math.round), [-12, -9, -6, -3, 0]);
   assert.deepEqual(axis.values(null, [1e-12, 1, 10]), ['10⁻¹²', '10⁰', '10¹']);
-  assert.equal(series.rangeText([3, null, -2, undefined, NaN], 'px'), '−2 to 3 px');
-  assert.equal(series.rangeText([null, NaN], 'px'), 'no value');
+  assert.equal(series.rangeText({ values: [3, null, -2, undefined, NaN] }, 'px'), '−2 to 3 px');
+  assert.equal(series.rangeText({ values: [null, NaN] }, 'px'), 'no value');
   assert.deepEqual([99999, -1234, 100000, -2.5e6].map(series.thousands), ['99,999', '−1,234', '0.1 M', '−2.5 M']);
 });
 
@@ -148,7 +148,8 @@ test('a long run is played in pieces, which say how far it is', async () => {
     const played = [], reports = [];
     const playTo = end => (played.push(end), frame(performance.now() + took), Math.min(end, reaches));
     const core = { useConstants() {}, measureBy() {}, load: () => steps, playTo, finish: () => ({}), rows: () => rows, contacts() {}, errors() {}, contactErrors() {}, causes() {} };
-    const { milliseconds } = await replay.replay(core, run, share => (reports.push(share), Promise.resolve().then(later)));
+    const waiting = setInterval(later, 1);
+    const { milliseconds } = await replay.replay(core, run, share => reports.push(share)).finally(() => clearInterval(waiting));
     assert.deepEqual([played, reports, milliseconds], [ends, shares, took * ends.length]);
   }
 });

@@ -1,7 +1,7 @@
 // What the stage draws, by colour and place. The canvas has 4 px for each px of the window, on a display of 2 px to the point.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { element, load, windowEvents } from './stand_in.mjs';
+import { count, element, load, windowEvents } from './stand_in.mjs';
 
 const { color, followLook, Painter, wallColors } = await load('painter');
 
@@ -144,4 +144,18 @@ test('on paper colours are the light ones', () => {
   windowEvents.fire('beforeprint');
   windowEvents.fire('afterprint');
   assert.deepEqual(seen, ['light ink', 'ink']);
+});
+
+test('a very long path is drawn in parts that join, up to a time', () => {
+  const zigzag = length => ({ step: count(length), t: count(length), x: count(length).map(i => 30 * (i % 2)), y: count(length).map(() => 0), vx: count(length).map(() => 30), vy: count(length).map(() => 0) });
+  for (const [length, parts, end] of [[8_000, 17, null], [8_001, 17, 7_999], [20_000, 17, 7_999]]) {
+    const painter = new Painter(canvas, () => {});
+    painter.setScene({ sizes: sizes.slice(0, 1), inputs: [], rows: zigzag(length) });
+    painter.paint(still);
+    const strokes = canvas.getContext().log.filter(line => line.startsWith('stroke path'));
+    assert.equal(painter.pathEnd, end, length);
+    assert.equal(strokes.length, parts, length);
+    const [one, next] = strokes.map(line => line.split(' '));
+    assert.equal(one.at(-1), next[next.indexOf('from') + 1]);
+  }
 });

@@ -209,11 +209,11 @@ test('what is changed is marked, drawn beside the file’s run and saved as it i
 
 test('a page of another width is drawn anew', async () => {
   await opened([run('a')]);
-  element('replay').parentElement.clientWidth = element('ticks').clientWidth = 100;
+  element('replay').parentElement.clientWidth = element('ticks').clientWidth = element('.columns').clientWidth = 100;
   resize();
   assert.deepEqual(Plot.all.slice(-4).map(({ width }) => width), [200, 200, 200, 200]);
   assert.deepEqual([element('replay').width, element('replay').getContext().log[0], element('ticks').width, element('ticks').getContext().log.length], [200, 'fill screen: box 0,0 200,160', 200, 2]);
-  element('ticks').clientWidth = 200;
+  element('ticks').clientWidth = element('.columns').clientWidth = 200;
 });
 
 test('the playground takes the stage, and gives it back', async () => {

@@ -287,7 +287,7 @@ element('sprite').textContent = Buffer.from('<svg></svg>').toString('base64');
 /** In place of uPlot. Its axes are linear, 200 px by 100; on the canvas, with room at the left and top, twice as large. */
 export default class Plot {
   static all = [];
-  static paths = { stepped: ({ align }) => () => `steps ${align}` };
+  static paths = { stepped: ({ align }) => () => ({ kind: `steps ${align}` }), linear: () => () => ({ kind: '' }) };
   root = new Element('div');
   over = new Element('div');
   ctx = new Context();
