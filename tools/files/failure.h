@@ -41,12 +41,20 @@ class Failure : public std::runtime_error {
   ExitCode exit_code_;
 };
 
+/// One whose sentence does not say where: failure_of does.
+class UnplacedFailure : public Failure {
+ public:
+  using Failure::Failure;
+};
+
 /// What ends the work, as a failure: a fault of the program is one of `name`. Nothing: the work is done.
 template <class Work>
 [[nodiscard]] std::optional<Failure> failure_of(const std::string& name, const Work& work) {
   try {
     work();
     return std::nullopt;
+  } catch (const UnplacedFailure& failure) {
+    return Failure(failure.exit_code(), name + ": " + failure.what());
   } catch (const Failure& failure) {
     return failure;
   } catch (const std::bad_alloc&) {

@@ -10,10 +10,10 @@
 namespace hyrax {
 
 /// What a core does that ends its run.
-class CoreFailure : public Failure {
+class CoreFailure : public UnplacedFailure {
  public:
   CoreFailure(ExitCode exit_code, const std::string& sentence, std::string without_row)
-      : Failure(exit_code, sentence), without_row_(std::move(without_row)) {}
+      : UnplacedFailure(exit_code, sentence), without_row_(std::move(without_row)) {}
   /// The same in every run in which the core does it.
   [[nodiscard]] const std::string& without_row() const { return without_row_; }
 

@@ -86,12 +86,10 @@ Json golden_json(const ScenarioRun& run) {
   return object;
 }
 
-// "step" or "rows"; of walls with different sources {"left": ...}.
 Json sources_json(const Core& core) {
-  const auto source = [&](Wall wall) { return touches(core.walls_of_rows, wall) ? "rows" : "step"; };
-  if (core.walls_of_rows == 0 || core.walls_of_rows == kAllWalls) return source(Wall::left);
   Json::Object sources;
-  for (const Wall wall : kWalls) sources.emplace_back(name_of(wall), source(wall));
+  for (const Wall wall : kWalls)
+    sources.emplace_back(name_of(wall), touches(core.walls_of_rows, wall) ? "rows" : "step");
   return sources;
 }
 
