@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,7 +47,14 @@ struct RateLadder {
   /// first order. By least squares of the logarithms; infinite where the last one changes nothing.
   [[nodiscard]] double gain() const;
   /// Whether doublings change it less and less, beyond the chance of where impacts fall in a frame.
-  [[nodiscard]] bool converges() const { return gain() >= 1.4; }
+  [[nodiscard]] bool converges() const { return gain() >= 1.4 && is_falling(); }
+  /// Whether that is not decided: less on the whole, but not each less than the one before.
+  [[nodiscard]] bool is_undecided() const { return gain() >= 1.4 && !is_falling(); }
+
+ private:
+  [[nodiscard]] bool is_falling() const {
+    return std::ranges::adjacent_find(doubling_px, std::less_equal()) == doubling_px.end();
+  }
 };
 
 /// The scenario with its events by time, for any rate, up to `until_most_s`, whatever comes behind it; says

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 
 #include "sim/described/scripted_body.h"
@@ -172,6 +173,43 @@ class RunMeter {
   std::map<std::string, double> max_;
 };
 
+using Places = std::vector<std::size_t>;
+
+// The places, in either list, of what both have.
+std::array<Places, 2> common_places(const auto& a, const auto& b, const auto& is_same) {
+  std::array<Places, 2> places;
+  for (std::size_t place = 0; place < a.size(); ++place)
+    if (const auto found = std::ranges::find_if(b, [&](const auto& each) { return is_same(a[place], each); });
+        found != b.end()) {
+      places[0].push_back(place);
+      places[1].push_back(static_cast<std::size_t>(found - b.begin()));
+    }
+  return places;
+}
+
+// A run with these values and contacts only.
+ComparedSide part_of(const ComparedSide& side, const Places& values, const Places& contacts) {
+  ComparedSide part{[=, rows = side.rows](DescribedRows& batch) {
+                      rows(batch);
+                      DescribedRows chosen{batch.step, batch.t_s, batch.dt_s, {}, {}};
+                      for (std::size_t index = 0; index < batch.size(); ++index) {
+                        const KeptRow row = batch.row(index);
+                        for (const std::size_t place : values) chosen.state.push_back(row.state[place]);
+                        for (const std::size_t place : contacts)
+                          chosen.contacts.push_back(row.contacts[place]);
+                      }
+                      batch = std::move(chosen);
+                    },
+                    side.jumps,
+                    {}};
+  for (DescribedContact contact : side.contacts)
+    if (const auto place = std::ranges::find(contacts, contact.contact); place != contacts.end()) {
+      contact.contact = static_cast<std::size_t>(place - contacts.begin());
+      part.contacts.push_back(contact);
+    }
+  return part;
+}
+
 std::string range_text(const ValueInfo& value, const std::array<Word, 2>& range) {
   const auto text = [&](Word word) {
     if (value.type == ValueType::boolean) return std::string(word != 0 ? "true" : "false");
@@ -224,6 +262,20 @@ DescribedComparison compare_runs(const Description& description, const ComparedS
         [&](const KeptRow& row_a, const KeptRow& row_b, double t_s) { meter.measure(row_a, row_b, t_s); }));
   }
   return meter.finish(contact_counts(a.contacts, b.contacts));
+}
+
+DescribedComparison compare_common(const Description& description_a, const ComparedSide& a,
+                                   const Description& description_b, const ComparedSide& b,
+                                   const Tolerance& tolerance) {
+  const auto [values_a, values_b] = common_places(
+      description_a.state.values, description_b.state.values,
+      [](const ValueInfo& x, const ValueInfo& y) { return x.name == y.name && x.type == y.type; });
+  const auto [contacts_a, contacts_b] =
+      common_places(description_a.contacts, description_b.contacts, std::equal_to());
+  Description common;
+  for (const std::size_t place : values_b) common.state.values.push_back(description_b.state.values[place]);
+  for (const std::size_t place : contacts_b) common.contacts.push_back(description_b.contacts[place]);
+  return compare_runs(common, part_of(a, values_a, contacts_a), part_of(b, values_b, contacts_b), tolerance);
 }
 
 DescribedComparison no_difference(const Description& description) {

@@ -64,6 +64,12 @@ struct DescribedComparison {
 [[nodiscard]] DescribedComparison compare_runs(const Description& description, const ComparedSide& a,
                                                const ComparedSide& b, const Tolerance& tolerance = {});
 
+/// The same of runs of two descriptions, by the values of the state of one name and type, and the contacts of
+/// one name, that both have.
+[[nodiscard]] DescribedComparison compare_common(const Description& description_a, const ComparedSide& a,
+                                                 const Description& description_b, const ComparedSide& b,
+                                                 const Tolerance& tolerance = {});
+
 /// Of two runs that are the same.
 [[nodiscard]] DescribedComparison no_difference(const Description& description);
 

@@ -38,13 +38,13 @@ std::string difference_in_shape(const DescribedFile& a, const DescribedFile& b) 
 
 DescribedComparison compare_files(const DescribedCore& core, const DescribedFile& a, const DescribedFile& b,
                                   const Tolerance& tolerance) {
-  DescribedComparison result;
-  result.shape = difference_in_shape(a, b);
+  const std::string shape = difference_in_shape(a, b);
+  const bool are_all_held = holds_every_row(a) && holds_every_row(b);
+  DescribedComparison result =
+      compare_common(a.head().description, side_of(a), b.head().description, side_of(b), tolerance);
+  result.distance.has_unknown_rows = !are_all_held;
   if (description_difference(a.head().description, b.head().description).empty()) {
-    const std::string shape = std::exchange(result.shape, {});
-    result = compare_runs(a.head().description, side_of(a), side_of(b), tolerance);
     // Rows that a file does not hold are replayed.
-    const bool are_all_held = holds_every_row(a) && holds_every_row(b);
     std::vector<std::optional<ComparedSide>> played;
     for (const DescribedFile* const file : {&a, &b})
       if (!are_all_held)
@@ -55,13 +55,13 @@ DescribedComparison compare_files(const DescribedCore& core, const DescribedFile
       if (result.agrees() || !of_all.agrees()) result = std::move(of_all);
     }
     result.distance.has_unknown_rows = !are_known;
-    result.shape = shape;
     const bool is_exact = tolerance.is_exact();
     if (shape.empty() && result.agrees() && is_exact && a.head().state_hash != b.head().state_hash) {
       result.difference = are_known ? DifferenceClass::shape : DifferenceClass::values;
       if (are_known) result.shape = "a file contradicts itself: all rows agree, the state hashes do not";
     }
   }
+  if (!shape.empty()) result.shape = shape;
   if (!result.shape.empty()) result.difference = DifferenceClass::shape;
   return result;
 }

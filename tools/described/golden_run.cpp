@@ -143,6 +143,23 @@ DescribedComparison compare_with_rows(const DescribedCore& core, const Described
   return result;
 }
 
+// Of a golden file of another description: what both have.
+DescribedComparison compare_with_other_shape(const DescribedCore& core, const DescribedScenario& scenario,
+                                             const GoldenContents& run, const DescribedFile& file) {
+  const DescribedHead& kept = file.head();
+  const bool are_known = file.row_count() == kept.steps + 1 && fits_in_memory(core, step_count(scenario));
+  const auto unknown = batches_of(DescribedRows());
+  ComparedSide before{are_known ? file.rows() : unknown, jump_frames(kept.scenario, kept.steps),
+                      file.contacts()};
+  ComparedSide after = are_known && run.rows.size() == 0
+                           ? side_of(play_and_keep(core, scenario, true), scenario)
+                           : side_of(run, scenario);
+  if (!are_known) after.rows = unknown;
+  DescribedComparison result = compare_common(kept.description, before, core.description, after);
+  result.distance.has_unknown_rows = !are_known;
+  return result;
+}
+
 std::string summary_text(const DescribedCore& core, const DescribedScenario& scenario,
                          const GoldenContents& run) {
   const Description& description = core.description;
@@ -232,6 +249,7 @@ GoldenComparison compare_with_golden(const DescribedCore& core, const DescribedS
   const DescribedHead& kept = file.head();
   const std::string difference = description_difference(kept.description, core.description);
   if (!difference.empty()) {
+    static_cast<DescribedComparison&>(result) = compare_with_other_shape(core, scenario, run, file);
     result.shape = difference + ": bless --accept shape";
     result.difference = DifferenceClass::shape;
   } else {

@@ -92,18 +92,19 @@ std::vector<std::string> faults_of_run(const Description& description, const Des
 }
 
 std::string comparison_sentence(const DescribedComparison& comparison) {
-  if (!comparison.shape.empty()) return comparison.shape;
+  const std::string shape = comparison.shape.empty() ? "" : comparison.shape + "; ";
   const std::string maxima = maxima_text(comparison.max);
   const std::string contacts = contacts_text(comparison.contacts);
   if (comparison.first && !comparison.first->expected)
-    return fmt::format("differs within the 4,096 rows from step {}, which the golden file does not hold; {}",
-                       comparison.first->step, contacts);
+    return fmt::format(
+        "{}differs within the 4,096 rows from step {}, which the golden file does not hold; {}", shape,
+        comparison.first->step, contacts);
   const std::string apart = comparison.has_px || comparison.distance.has_unknown_rows
                                 ? distance_text(comparison.distance, kLeftOut)
                                 : "differs by " + (maxima.empty() ? "nothing that is recorded" : maxima);
-  return comparison.first ? fmt::format("{}, {}; first {} at step {}", apart, contacts,
+  return comparison.first ? fmt::format("{}{}, {}; first {} at step {}", shape, apart, contacts,
                                         comparison.first->value.name, comparison.first->step)
-                          : apart + ", " + contacts;
+                          : shape + apart + ", " + contacts;
 }
 
 std::string comparison_text(const DescribedComparison& comparison) {

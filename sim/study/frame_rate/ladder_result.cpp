@@ -37,9 +37,12 @@ std::string convergence_text(const RateLadder& ladder) {
     return ladder.scenario + " is the same at every rate from 125 Hz on.";
   std::string text = fmt::format(
       "{} {}: from {:g} to {:g} Hz it changes by up to {} px, from {:g} to {:g} Hz by up to {} px",
-      ladder.scenario, ladder.converges() ? "converges" : "does not converge", kDoubledRates_hz.front(),
-      2.0 * kDoubledRates_hz.front(), rounded(px.front(), 3), kDoubledRates_hz.back(), kFinestRate_hz,
-      rounded(px.back(), 3));
+      ladder.scenario,
+      ladder.converges()      ? "converges"
+      : ladder.is_undecided() ? "may converge, which these rates do not decide"
+                              : "does not converge",
+      kDoubledRates_hz.front(), 2.0 * kDoubledRates_hz.front(), rounded(px.front(), 3),
+      kDoubledRates_hz.back(), kFinestRate_hz, rounded(px.back(), 3));
   const double gain = ladder.gain();
   if (ladder.converges() && std::isfinite(gain))
     text += fmt::format("; each doubling of the rate {:.2g} times less than the one before", gain);
@@ -102,6 +105,7 @@ Figure figure_of(const std::vector<RateLadder>& ladders) {
   if (shown < ladders.size())
     figure.subtitle += fmt::format("; the first {} of {} scenarios", shown, ladders.size());
   std::vector<Plot> plots;
+  bool has_gap = false;
   for (const auto& [from, px_of] : {std::pair(std::string("its own clock"), &RateRun::own_px),
                                     {fmt::format("{:g} Hz", kFinestRate_hz), &RateRun::off_px}}) {
     Plot plot{.x = display_rate_axis(22.0, 1100.0),
@@ -110,7 +114,9 @@ Figure figure_of(const std::vector<RateLadder>& ladders) {
       Series series{.name = ladders[index].scenario,
                     .look = {.form = Form::line_and_points, .tone = kTones[index]}};
       for (const RateRun& run : ladders[index].runs) {
+        if (run.rate_hz == kFinestRate_hz) continue;
         const double px = (run.*px_of).value_or(kNotGiven);
+        has_gap = has_gap || !(px > 0.0);
         series.x.push_back(run.rate_hz);
         series.y.push_back(px > 0.0 ? px : kNotGiven);
       }
@@ -119,6 +125,7 @@ Figure figure_of(const std::vector<RateLadder>& ladders) {
     }
     plots.push_back(std::move(plot));
   }
+  if (has_gap) figure.remarks.emplace_back("At a gap the distance is 0, or not known.");
   figure.body = std::move(plots);
   return figure;
 }

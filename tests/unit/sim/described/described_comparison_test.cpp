@@ -100,6 +100,34 @@ TEST(DescribedComparison, MeasuresPairsInPxAndTheLargestOfEachUnit) {
   EXPECT_EQ(compare_with({.x_px = std::nan("")}).max_px(), std::numeric_limits<double>::infinity());
 }
 
+TEST(DescribedComparison, OfTwoDescriptionsItComparesWhatBothHave) {
+  // Without spin, y behind gear; and a contact in front of the wall.
+  Description before = car().description;
+  const std::vector<std::size_t> order = {0, 2, 4, 1, 5};
+  before.state.values.clear();
+  for (const std::size_t place : order) before.state.values.push_back(car().description.state.values[place]);
+  before.contacts = {"rail", "wall"};
+  const auto rows_of = [&](const Car& last, bool is_before) {
+    DescribedRows rows;
+    for (const auto& [step, of] : {std::pair(0, Car()), {1, last}}) {
+      KeptRow row = row_at(step, of);
+      std::vector<Word> state;
+      for (const std::size_t place : order) state.push_back(row.state[place]);
+      if (is_before) row = {row.step, row.t_s, row.dt_s, state, {1, row.contacts.front()}};
+      rows.append(row);
+    }
+    return batches_of(rows);
+  };
+  const auto compare = [&](const Car& other) {
+    return compare_common(before, {rows_of({}, true), {}, {{0, 0, 1, 0.0}, {1, 1, 1, 0.0}}},
+                          car().description, {rows_of(other, false), {}, {{0, 1, 1, 0.0}}});
+  };
+  EXPECT_TRUE(compare({.spin = 0.75F}).agrees()) << "what only one has is not compared";
+  EXPECT_EQ(compare({.y_px = 4.0}).max_px(), 4.0);
+  EXPECT_EQ(compare({.gear = Gear::drive}).first->value.name, "gear");
+  EXPECT_EQ(compare({.touches = true}).first->value.name, "wall");
+}
+
 TEST(DescribedComparison, AgreesWithinATolerance) {
   const Car other{.x_px = 0.5};
   const Tolerance within_half{0.5, {}, {}};

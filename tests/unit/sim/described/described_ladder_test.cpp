@@ -56,6 +56,17 @@ TEST(RateLadder, WhatMovesByTheFrameDoesNotConverge) {
   EXPECT_FALSE(ladder.converges());
 }
 
+TEST(RateLadder, DoublingsThatDoNotEachChangeLessThanTheOneBeforeDecideNothing) {
+  const auto ladder_of = [](const std::vector<double>& doubling_px) {
+    return RateLadder{.doubling_px = doubling_px};
+  };
+  EXPECT_TRUE(ladder_of({8.0, 4.0, 2.0, 1.0}).converges());
+  EXPECT_FALSE(ladder_of({8.0, 4.0, 2.0, 1.0}).is_undecided());
+  EXPECT_FALSE(ladder_of({8.0, 2.0, 3.0, 1.0}).converges());
+  EXPECT_TRUE(ladder_of({8.0, 2.0, 3.0, 1.0}).is_undecided());
+  EXPECT_FALSE(ladder_of({8.0, 8.1, 8.2, 7.9}).is_undecided());
+}
+
 TEST(RateLadder, EventsKeepTheirTimesAndHitchesAreLeftOut) {
   DescribedScenario scenario = scenario_for_test(120);
   scenario.events = {event_for_test(60, Hitch{0.25}), event_for_test(61, Act{0, {}})};

@@ -250,6 +250,37 @@ TEST_F(DescribedFiles, AnotherScenarioIsAnotherShape) {
   EXPECT_EQ(comparison.max_px(), 5.5);
 }
 
+// Has an output more.
+struct Painted : Marble {
+  template <class See>
+  void outputs(See&& see) const {
+    Marble::outputs(see);
+    see("hue", 1);
+  }
+};
+
+TEST_F(DescribedFiles, WhatMovedIsSaidWhereTheDescriptionIsAnother) {
+  const DescribedCore painted = described_core_of<Painted>("marble", {.header = "of the test"});
+  for (const std::int64_t steps : {90, 3000}) {  // The golden file holds all rows, or blocks.
+    write_golden_pair(marble(), scenario_of(steps), place(), "first");
+    const auto compare_painted = [&] {
+      return compare_with_golden(painted, scenario_of(steps),
+                                 play_for_golden(painted, scenario_of(steps), {}), place());
+    };
+    const GoldenComparison same = compare_painted();
+    EXPECT_EQ(same.shape, "output hue was added: bless --accept shape");
+    EXPECT_EQ(same.max_px(), steps == 90 ? std::optional(0.0) : std::nullopt);
+    push_px_per_s2 = 4.0;
+    const GoldenComparison moved = compare_painted();
+    push_px_per_s2 = 3.0;
+    EXPECT_EQ(moved.difference, DifferenceClass::shape);
+    if (steps == 90) {
+      EXPECT_NEAR(*moved.max_px(), 1.5, 1e-9);
+    }
+    EXPECT_EQ(moved.distance.has_unknown_rows, steps != 90);
+  }
+}
+
 TEST_F(DescribedFiles, AnEditedGoldenFileIsNoticed) {
   const DescribedScenario scenario = scenario_of(90);
   write_golden_pair(marble(), scenario, place(), "first");
