@@ -51,11 +51,14 @@ class DescribedBlesser final : public Blesser {
   }
   [[nodiscard]] BlessWords words(const BlessReport& report, const BlessRequest&) const override {
     BlessWords words;
-    for (const Blessing& blessing : report.blessings)
-      if (blessing.plays_otherwise())
-        words.paragraphs.push_back({.subject = printable(blessing.verdict->path) + ": ",
-                                    .verdict = "differs",
-                                    .predicate = ": " + run_of(*blessing.verdict).sentence()});
+    for (const Blessing& blessing : report.blessings) {
+      if (!blessing.plays_otherwise()) continue;
+      const ScenarioVerdict& run = *blessing.verdict;
+      words.paragraphs.push_back(
+          {.subject = printable(run.path) + ": ",
+           .verdict = "differs",
+           .predicate = ": " + (run.golden_fault.empty() ? run.consequence() : run.golden_fault)});
+    }
     return words;
   }
 
