@@ -26,6 +26,15 @@ Look look_of(std::size_t curve) {
 
 std::string named(const PositionPair& pair) { return pair.name.empty() ? "position" : pair.name; }
 
+// Whether a contact's name has that of a pair in it, as whole words: a_floor that of a.
+bool is_named_after(const std::string& contact, const PositionPair& pair) {
+  const auto words = [](std::string name) {
+    std::ranges::replace(name, '.', '_');
+    return "_" + name + "_";
+  };
+  return !pair.name.empty() && words(contact).find(words(pair.name)) != std::string::npos;
+}
+
 std::optional<double> input_of(const Description& description, const DescribedScenario& scenario,
                                std::string_view name) {
   const std::vector<ValueInfo>& inputs = description.inputs.values;
@@ -51,14 +60,13 @@ void DescribedPicture::row(const DescribedRow& row) {
       marks_.push_back({.at = row.t_s,
                         .text = event_name(description_, scenario_.events[next_event_].action),
                         .tone = Tone::quiet});
-  bool begins_contact = false;
+  Point point{.step = row.step, .t_s = row.t_s};
   for (std::size_t contact = 0; contact < row.contacts.size() && row.step == next_step_; ++contact)
-    begins_contact |= row.contacts[contact] != 0 && flags_before_[contact] == 0;
+    if (row.contacts[contact] != 0 && flags_before_[contact] == 0) point.contacts.push_back(contact);
   next_step_ = row.step + 1;
   flags_before_.assign(row.contacts.begin(), row.contacts.end());
-  const bool is_marked = begins_contact && contacts_.size() < kContactsMax;
+  const bool is_marked = !point.contacts.empty() && contacts_.size() < kContactsMax;
   if (row.step % every_ != 0 && !is_marked) return;
-  Point point{.step = row.step, .t_s = row.t_s};
   for (std::size_t value = 0; value < row.state.size(); ++value)
     point.values.push_back(number_of(description_.state.values[value].type, row.state[value]));
   for (std::size_t value = 0; value < row.outputs.size(); ++value)
@@ -84,11 +92,19 @@ Plot DescribedPicture::path_plot(const std::vector<PositionPair>& pairs) const {
     Series path{.name = named(pairs[pair]), .look = look_of(pair)};
     Series dots{.name = "contact",
                 .look = {.form = Form::points, .tone = path.look.tone, .marker = Marker::ring}};
-    for (const auto& [points, series] : {std::pair(&points_, &path), {&contacts_, &dots}})
-      for (const Point& point : *points) {
-        series->x.push_back(point.values[pairs[pair].x]);
-        series->y.push_back(point.values[pairs[pair].y]);
-      }
+    const auto is_of_pair = [&](std::size_t contact) {
+      const std::string& name = description_.contacts[contact];
+      return is_named_after(name, pairs[pair]) || std::ranges::none_of(pairs, [&](const PositionPair& each) {
+               return is_named_after(name, each);
+             });
+    };
+    const auto add = [&](Series& series, const Point& point) {
+      series.x.push_back(point.values[pairs[pair].x]);
+      series.y.push_back(point.values[pairs[pair].y]);
+    };
+    for (const Point& point : points_) add(path, point);
+    for (const Point& point : contacts_)
+      if (std::ranges::any_of(point.contacts, is_of_pair)) add(dots, point);
     plot.texts.push_back({path.x.front(), path.y.front(), named(pairs[pair]), path.look.tone});
     plot.series.push_back(std::move(path));
     if (!dots.x.empty()) plot.series.push_back(std::move(dots));
@@ -142,7 +158,8 @@ Figure DescribedPicture::figure(const std::string& subtitle) const {
   if (drawn < description_.state.values.size() + description_.outputs.values.size())
     figure.remarks.emplace_back("Not all values are drawn: of each unit the first twelve.");
   if (!contacts_.empty() && !pairs.empty())
-    figure.legend.push_back({"first row of a contact", {.form = Form::points, .marker = Marker::ring}});
+    figure.legend.push_back(
+        {"position at the first row of a contact", {.form = Form::points, .marker = Marker::ring}});
   figure.body = std::move(plots);
   return figure;
 }

@@ -23,9 +23,10 @@ class DescribedPicture final : public DescribedSink {
 
   void row(const DescribedRow& row) override;
 
-  /// A path for each pair of positions with dots at contacts, in the frame of the inputs width_px and
-  /// height_px if there are such; a plot for the other values and outputs of each unit; lines at actions and
-  /// sets. @param subtitle what was found of the run.
+  /// A path for each pair of positions with dots at contacts (one whose name has that of a pair, as a_floor,
+  /// is of that pair; any other of all), in the frame of the inputs width_px and height_px if there are such;
+  /// a plot for the other values and outputs of each unit; lines at actions and sets. @param subtitle what
+  /// was found of the run.
   [[nodiscard]] Figure figure(const std::string& subtitle) const;
   /// The rows that are drawn, state and outputs.
   [[nodiscard]] Table rows() const;
@@ -34,7 +35,8 @@ class DescribedPicture final : public DescribedSink {
   struct Point {
     std::int64_t step = 0;
     double t_s = 0.0;
-    std::vector<double> values = {};  // State, then outputs.
+    std::vector<double> values = {};         // State, then outputs.
+    std::vector<std::size_t> contacts = {};  // That begin in it, where that is known.
   };
 
   [[nodiscard]] Plot path_plot(const std::vector<PositionPair>& pairs) const;

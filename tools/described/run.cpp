@@ -222,6 +222,9 @@ ShownResult shown(const DescribedCore& core, const DescribedRun& run, const Desc
       core.description, run.scenario, summary, picture, found,
       {{"core", core.description.core}, {"file", run.path}, {"state hash", run.contents.state_hash()}});
   shown.verdict.broken = run.faults;
+  if (run.differs())
+    shown.verdict.broken.push_back("differs from " + run.golden->h5_path + ": " +
+                                   (run.golden_fault.empty() ? run.consequence() : run.golden_fault));
   for (const Expectation& expectation : run.broken)
     shown.verdict.broken.push_back(expectation_text(expectation));
   return shown;

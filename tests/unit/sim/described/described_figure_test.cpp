@@ -105,6 +105,38 @@ TEST(DescribedPicture, HasAPathInItsFrameValuesByUnitAndMarks) {
   EXPECT_EQ(plots[2].marks[1].text, "set");
 }
 
+struct Marbles {
+  double x = 0.0, y = 0.0, other_x = 50.0, other_y = 0.0;
+  int count = 0;
+  void step(double /*dt_s*/) { ++count; }
+  template <class See>
+  void state(See&& see) {
+    see("a.x_px", x);
+    see("a.y_px", y);
+    see("b.x_px", other_x);
+    see("b.y_px", other_y);
+    see("count", count);
+  }
+  template <class See>
+  void contacts(See&& see) const {
+    see("a_floor", count == 1);
+    see("a_b", count == 3);
+    see("click", count == 5);
+  }
+};
+
+TEST(DescribedPicture, AContactIsDrawnOnThePathsThatItsNameHas) {
+  const DescribedCore core = core_for_test<Marbles>();
+  const DescribedScenario scenario = scenario_for_test(6);
+  DescribedPicture picture(core.description, scenario);
+  DescribedSink* const sink = &picture;
+  static_cast<void>(play(core, scenario, {&sink, 1}));
+  const Plot path = std::get<std::vector<Plot>>(picture.figure("").body).front();
+  ASSERT_EQ(path.series.size(), 4u);  // Both paths, each with its contacts.
+  EXPECT_EQ(path.series[1].x.size(), 3u) << "a_floor, a_b, and click, which names none";
+  EXPECT_EQ(path.series[3].x, (std::vector{50.0, 50.0}));
+}
+
 template <std::size_t kBalls>
 struct Balls {
   std::array<double, kBalls> x = {}, y = {}, spin = {};
