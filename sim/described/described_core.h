@@ -73,8 +73,4 @@ struct DescribedCore {
   std::function<std::unique_ptr<DescribedBody>()> make = {};
 };
 
-/// The core that a program is built with, named by it; only its `main` asks for it. Defined by the one source
-/// that includes the core's header (built_described_core.cpp).
-[[nodiscard]] DescribedCore built_described_core();
-
 }  // namespace hyrax

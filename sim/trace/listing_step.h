@@ -5,9 +5,10 @@
 #include <string>
 
 #include "sim/motion/state.h"
-#include "sim/trace/traced_step.h"
 
 namespace hyrax {
+
+struct TracedStep;
 
 /// The paper's step with these constants, its constructor and setters included; canonical.
 [[nodiscard]] TracedStep listing_step(const Constants& constants);

@@ -1,13 +1,11 @@
 // What a run ended with.
 #pragma once
 
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
-#include "sim/trajectory/columns.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
 
@@ -39,15 +37,6 @@ struct RestAnchor {
     return std::nullopt;
   }
 };
-
-/// Since when a run has settled, in s. @param rows every row of the run, from row 0.
-[[nodiscard]] inline std::optional<double> at_rest_since_s(const Columns& rows) {
-  assert(rows.size() > 0);
-  RestAnchor anchor{rows.x_px.front(), rows.y_px.front(), rows.t_s.front()};
-  for (std::size_t index = 1; index < rows.size(); ++index)
-    if (anchor.moves_to(rows.x_px[index], rows.y_px[index])) anchor.t_s = rows.t_s[index];
-  return anchor.at_rest_since_s(rows.t_s.back());
-}
 
 struct RunSummary {
   std::int64_t steps = 0;           ///< Frames played.

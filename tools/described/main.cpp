@@ -1,3 +1,4 @@
+#include "sim/described/built_described_core.h"
 #include "tools/described/program.h"
 #include "tools/files/build_info.h"
 

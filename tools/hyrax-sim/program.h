@@ -1,9 +1,9 @@
 // The program hyrax-sim, for any core.
 #pragma once
 
-#include "sim/core/core.h"
-
 namespace hyrax {
+
+struct Core;
 
 /// What `main` returns, with its arguments.
 /// @param is_own_program not hyrax-sim itself: suggested commands have the name by which it was called.

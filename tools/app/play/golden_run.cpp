@@ -1,7 +1,9 @@
 #include "tools/app/play/golden_run.h"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
+#include <optional>
 
 #include "sim/compare/run_comparer.h"
 #include "sim/core/core.h"
@@ -94,6 +96,15 @@ RestoredRun restored(const std::vector<Core>& cores, const StoredRun& kept, std:
       if (const RunSummary summary = replay(core, kept.scenario); hex(summary.state_hash) == kept.state_hash)
         return {&core, summary};
   return {};
+}
+
+// Since when a run has settled, in s. REQUIRES: every row of it, from row 0.
+std::optional<double> at_rest_since_s(const Columns& rows) {
+  assert(rows.size() > 0);
+  RestAnchor anchor{rows.x_px.front(), rows.y_px.front(), rows.t_s.front()};
+  for (std::size_t index = 1; index < rows.size(); ++index)
+    if (anchor.moves_to(rows.x_px[index], rows.y_px[index])) anchor.t_s = rows.t_s[index];
+  return anchor.at_rest_since_s(rows.t_s.back());
 }
 
 // What a comparison by rows and blocks does not say.

@@ -1,4 +1,5 @@
 #include "sim/trace/listing_step.h"
+#include "sim/core/core.h"
 #include "sim/core/shipped_core.h"
 
 #include <gtest/gtest.h>
