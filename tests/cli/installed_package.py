@@ -3,6 +3,7 @@
 HYRAX_BUILD is the folder of a build; HYRAX_CXX, HYRAX_CXX_FLAGS and HYRAX_GENERATOR are its own.
 """
 
+import functools
 import os
 import pathlib
 import shutil
@@ -19,16 +20,25 @@ hyrax_add_scenarios({arguments})
 """
 
 
+_FOLDER = tempfile.TemporaryDirectory(prefix="hyrax-test-")
+
+
+@functools.cache
+def package():
+    """The package, installed once for all tests of a process, and moved: it must not remember where it was made."""
+    first = pathlib.Path(_FOLDER.name) / "first"
+    environment = {key: value for key, value in os.environ.items() if key != "DESTDIR"}
+    succeed("cmake", "--install", os.environ["HYRAX_BUILD"], "--prefix", first, env=environment)
+    return first.rename(first.with_name("package"))
+
+
 class InstalledPackage(ProgramTest):
-    """The package, installed and moved: it must not remember where it was made."""
+    """A folder for projects, which use the package."""
 
     @classmethod
     def setUpClass(cls):
-        cls.root = pathlib.Path(tempfile.mkdtemp(prefix="hyrax-test-"))
-        cls.addClassCleanup(shutil.rmtree, cls.root)
-        environment = {key: value for key, value in os.environ.items() if key != "DESTDIR"}
-        succeed("cmake", "--install", os.environ["HYRAX_BUILD"], "--prefix", cls.root / "first", env=environment)
-        cls.package = (cls.root / "first").rename(cls.root / "package")
+        cls.package = package()
+        cls.root = pathlib.Path(tempfile.mkdtemp(dir=_FOLDER.name))
 
     @classmethod
     def configure(cls, source, *options):

@@ -9,8 +9,8 @@ import unittest
 import h5py
 import numpy as np
 
+import own_cores_test
 import program
-from installed_package import InstalledPackage
 from process import succeed
 from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, SOURCE
 from sweep_program import NO_CLUSTER
@@ -18,8 +18,6 @@ from sweep_program import NO_CLUSTER
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import sweep as oracle  # noqa: E402 pylint: disable=wrong-import-position
 
-PROJECT = SOURCE / "tests/cli/own_cores"
-CORES = "balls", "pet", "platform", "fixed", "faulty"
 HYRAX_SIM = program.PROGRAM
 ALL = ["final", "contacts", "at_rest", "extremes", "state_hash"]
 
@@ -65,15 +63,10 @@ def datasets(path):
     return found
 
 
-class OwnCoresSweep(InstalledPackage):
+class OwnCoresSweep(own_cores_test.OwnCoresProject):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.project = cls.root / "cores"
-        shutil.copytree(PROJECT, cls.project)
-        outcome = cls.configure(cls.project, "-DCMAKE_BUILD_TYPE=Quick", "-DCMAKE_CXX_FLAGS_QUICK=-O0")
-        assert outcome.exit_code == 0, outcome
-        cls.build(*CORES)
         header = cls.project / "balls_core.h"  # With one value more, and with a constant changed.
         text = header.read_text(encoding="utf-8")
         for name, changed in (("longer", text.replace('see("b", b);', 'see("b", b);\n    see("width", width);')),
@@ -81,16 +74,9 @@ class OwnCoresSweep(InstalledPackage):
             assert changed != text
             shutil.copy(cls.project / "build/balls-sim", cls.project / "build/first-sim")
             header.write_text(changed, encoding="utf-8")
-            cls.build("balls")
+            succeed("cmake", "--build", cls.project / "build", "--target", "balls-sim")
             (cls.project / "build/balls-sim").rename(cls.project / f"build/{name}-sim")
             (cls.project / "build/first-sim").rename(cls.project / "build/balls-sim")
-
-    @classmethod
-    def build(cls, *cores):
-        succeed("cmake", "--build", cls.project / "build", "--target", *(f"{core}-sim" for core in cores))
-
-    def use(self, core):
-        program.PROGRAM = self.project / f"build/{core}-sim"
 
     def tearDown(self):
         program.PROGRAM = HYRAX_SIM

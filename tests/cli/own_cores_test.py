@@ -247,11 +247,21 @@ struct hyrax_core { double x = 0; const double k = 1; std::string s; std::option
 """
 
 
-class OwnCores(InstalledPackage):
+class OwnCoresProject(InstalledPackage):
+    """The project of own_cores/, built once for all tests of a process."""
+
+    project = None
+
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.project = cls.root / "cores"
+        if not OwnCoresProject.project:
+            OwnCoresProject.project = cls.root / "cores"
+            OwnCoresProject.warning = cls.built()
+
+    @classmethod
+    def built(cls):
+        """Builds it; returns the warnings of CMake."""
         shutil.copytree(PROJECT, cls.project)
         for core, (document, _) in LOOPS.items():
             path = cls.project / core / "scenarios/one.json"
@@ -259,12 +269,14 @@ class OwnCores(InstalledPackage):
             path.write_text(program.json.dumps(document), encoding="utf-8")
         outcome = cls.configure(cls.project, "-DCMAKE_BUILD_TYPE=Quick", "-DCMAKE_CXX_FLAGS_QUICK=-O0")
         assert outcome.exit_code == 0, outcome
-        cls.warning = " ".join(outcome.err.split())
         succeed("cmake", "--build", cls.project / "build")
+        return " ".join(outcome.err.split())
 
     def use(self, core):
         program.PROGRAM = self.project / f"build/{core}-sim"
 
+
+class OwnCores(OwnCoresProject):
     def tearDown(self):
         program.PROGRAM = self.project / "build/pet-sim"
 
@@ -360,11 +372,14 @@ class OwnCores(InstalledPackage):
     def test_what_does_not_compile_says_why_in_its_first_error(self):
         compilers = {os.path.realpath(shutil.which(name)) for name in (os.environ["HYRAX_CXX"], "g++", "clang++") if shutil.which(name)}
         source = self.package / "share/hyrax/source"
-        for compiler in sorted(compilers):
+        for number, compiler in enumerate(sorted(compilers)):
+            compiles = compiler, "-std=c++20", f"-I{source}"
+            see = self.folder / self.write(f"{number}/see.h", '#include "sim/described/see.h"\n')
+            succeed(*compiles, "-x", "c++-header", see, "-o", f"{see}.gch")  # It takes most of the time.
             for members, sentence in {**REFUSED, None: "hyrax_core: the header has no global struct hyrax_core"}.items():
                 with self.subTest(compiler=compiler, sentence=sentence):
                     path = self.write("bad.h", HEADER % members if members else "struct another_core {};\n")
-                    outcome = run(compiler, "-std=c++20", "-fsyntax-only", f"-I{source}", f'-DHYRAX_DESCRIBED_HEADER="{self.folder / "bad.h"}"',
+                    outcome = run(*compiles, "-fsyntax-only", "-include", see, f'-DHYRAX_DESCRIBED_HEADER="{self.folder / "bad.h"}"',
                                   '-DHYRAX_DESCRIBED_NAME="bad"', source / "sim/described/built_described_core.cpp")
                     self.assertNotEqual(outcome.exit_code, 0)
                     first = next(line for line in outcome.err.splitlines() if "error" in line)
