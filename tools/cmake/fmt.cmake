@@ -4,7 +4,7 @@ if(HYRAX_SIM)
   find_package(fmt REQUIRED)
   add_library(hyrax_fmt STATIC ${CMAKE_CURRENT_LIST_DIR}/fmt.cpp)
   hyrax_room(hyrax_fmt)
-  target_compile_options(hyrax_fmt PRIVATE $<$<CONFIG:Release>:-Og>)
+  target_compile_options(hyrax_fmt PRIVATE $<$<CONFIG:Release>:-O1>)
   target_include_directories(
     hyrax_fmt SYSTEM PUBLIC $<TARGET_PROPERTY:fmt::fmt-header-only,INTERFACE_INCLUDE_DIRECTORIES>)
   set(text_headers <map> <set> <chrono> <filesystem> <fmt/format.h>)
