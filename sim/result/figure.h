@@ -126,6 +126,7 @@ struct PointText {
   double y = 0.0;
   std::string text = {};
   Tone tone = Tone::quiet;
+  bool is_optional = false;  ///< Left out where it would cover another text.
 };
 
 /// A shaded part of the x axis, behind the series.

@@ -268,10 +268,14 @@ class PlotDrawing {
         placer.avoid({x_.at(mark.at), box_.top}, {x_.at(mark.at), box_.bottom});
       else
         placer.avoid({box_.left, y_.at(mark.at)}, {box_.right, y_.at(mark.at)});
+    if (const auto strip = y_.end_of_strip()) {
+      const double half = LabelPlacer::width(plot_.y.strip_name) / 2;
+      static_cast<void>(placer.place(plot_.y.strip_name, {{box_.right - 6 - half, *strip + 10}}));
+    }
     for (const PointText& text : plot_.texts) {
       const SvgPoint point{x_.clamped(text.x), y_.clamped(text.y)};
       if (plot_.y.categories.empty())
-        placer.draw_beside(svg_, point, text.text, text.tone);
+        placer.draw_beside(svg_, point, text.text, text.tone, text.is_optional);
       else  // In its row, whatever is beside it; where names are above, below.
         svg_.text({std::min(text_beside(text), text_end() - text_width(text.text, LabelPlacer::kSize)),
                    point.y + (has_names_above_ ? 18 : 0)},

@@ -71,7 +71,6 @@ SvgPoint LabelPlacer::moved_inside(const Box& label) const {
 }
 
 double LabelPlacer::cost(const Box& label) const {
-  constexpr double kOther = 1e4;  // More than any path.
   double cost = 0.0;
   for (const Box& other : labels_)
     if (label.left < other.right && other.left < label.right && label.top < other.bottom &&
@@ -99,9 +98,14 @@ SvgPoint LabelPlacer::place(std::string_view text, const std::vector<SvgPoint>& 
   return best;
 }
 
-void LabelPlacer::draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone tone) {
+void LabelPlacer::draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone tone, bool is_optional) {
   constexpr double kBeside = 10.0;
-  const SvgPoint centre = place(text, centres_around(at, text));
+  const std::vector<SvgPoint> centres = centres_around(at, text);
+  const auto covers_another = [&](SvgPoint centre) {
+    return cost(area(text, moved_inside(area(text, centre)))) >= kOther;
+  };
+  if (is_optional && std::ranges::all_of(centres, covers_another)) return;
+  const SvgPoint centre = place(text, centres);
   const Box label = area(text, centre);
   const SvgPoint edge{std::clamp(at.x, label.left, label.right), std::clamp(at.y, label.top, label.bottom)};
   avoid(at, edge);

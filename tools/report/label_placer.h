@@ -25,7 +25,8 @@ class LabelPlacer {
   /// the least of what should not be covered; of equals the first. REQUIRES: a centre.
   [[nodiscard]] SvgPoint place(std::string_view text, const std::vector<SvgPoint>& centres);
   /// Places a label beside a point and draws it, with a line to its point if that is not near.
-  void draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone tone);
+  /// @param is_optional nothing is drawn where it would cover another label.
+  void draw_beside(Svg& svg, SvgPoint at, std::string_view text, Tone tone, bool is_optional = false);
 
   [[nodiscard]] static double width(std::string_view text) { return text_width(text, kSize) + 4.0; }
   [[nodiscard]] static Lettering lettering(Tone tone) {
@@ -33,6 +34,8 @@ class LabelPlacer {
   }
 
  private:
+  static constexpr double kOther = 1e4;  // What it costs to cover another label: more than any path.
+
   static Box area(std::string_view text, SvgPoint centre);
   [[nodiscard]] SvgPoint moved_inside(const Box& label) const;
   [[nodiscard]] double cost(const Box& label) const;

@@ -2,8 +2,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/result/number_text.h"
 #include "sim/study/speed_error/speed_error.h"
@@ -32,6 +34,9 @@ constexpr Look kEndOnlyLook{.form = Form::line_and_points,
                             .marker_size = 0.25};
 constexpr Look kFrontLook{
     .form = Form::points, .tone = Tone::ink, .marker = Marker::square, .marker_size = 1.5};
+// What costs more than so many times the paper's step at 60 Hz, nobody would use: a note names it.
+constexpr double kUsable = 1000.0;
+constexpr std::array<int, 5> kRatesNamed_hz = {15, 60, 240, 960, 3840};
 // The rate for which the laws are defined, on every method's line.
 constexpr double kRinged_hz = 60.0;
 constexpr Look kRingLook{.form = Form::points, .tone = Tone::ink, .marker = Marker::ring, .marker_size = 1.2};
@@ -61,7 +66,13 @@ std::vector<Curve> curves_of(const SpeedError& study, std::size_t problem) {
 // The two plots of one problem, and their legend.
 class Diagram {
  public:
-  Diagram(const SpeedError& study, std::size_t problem) : study_(study), curves_(curves_of(study, problem)) {}
+  Diagram(const SpeedError& study, std::size_t problem) : study_(study), curves_(curves_of(study, problem)) {
+    for (const WorkPoint& point : study.points)
+      if (point.problem == problem && point.method == 0 && point.rate_hz == kRowRate_hz &&
+          point.cost.time_ns.median > 0.0)
+        usable_ns_ = kUsable * point.cost.time_ns.median;
+    for (const Curve& curve : curves_) over_cost_.push_back(over_cost(curve));
+  }
 
   [[nodiscard]] Plot cost_plot() const {
     Plot plot{
@@ -72,7 +83,8 @@ class Diagram {
       return plot;
     }
     Series front{.name = "Pareto front", .look = kFrontLook}, ring = ring_series();
-    for (const Curve* const curve : in_drawing_order()) {
+    for (const Curve* const curve : in_drawing_order(over_cost_)) {
+      if (curve->points.empty()) continue;
       const MethodKind& method = study_.methods[curve->method];
       if (method.is_reference()) {
         if (curve->points.front()->cost.is_measured())
@@ -81,16 +93,15 @@ class Diagram {
                                 .tone = Tone::quiet});
         continue;
       }
-      const double from_hz = is_adaptive(*curve) ? 0.0 : kRowRate_hz;
-      Series series = series_of(*curve, from_hz);
+      Series series = series_of(*curve);
+      if (curve->points.size() == 1) series.look.marker_size = 0.7;
       for (const WorkPoint* const point : curve->points) {
-        if (point->rate_hz < from_hz) continue;
         series.x.push_back(point->cost.time_ns.median);
         series.x_low.push_back(point->cost.time_ns.low);
         series.x_high.push_back(point->cost.time_ns.high);
         if (!point->cost.is_measured()) continue;
         if (!is_adaptive(*curve)) add_ringed(ring, *point, point->cost.time_ns.median);
-        if (curve->method == 0)
+        if (curve->method == 0 && has_text(*point))
           plot.texts.push_back({point->cost.time_ns.median, point->errors.position_px, rate_text(*point)});
         if (!point->is_pareto) continue;
         front.x.push_back(point->cost.time_ns.median);
@@ -100,7 +111,7 @@ class Diagram {
     }
     plot.series.push_back(std::move(front));
     plot.series.push_back(std::move(ring));
-    const std::vector<PointText> names = texts();
+    const std::vector<PointText> names = names_over_cost();
     plot.texts.insert(plot.texts.end(), names.begin(), names.end());
     return plot;
   }
@@ -111,9 +122,9 @@ class Diagram {
               .marks = {{.at = 1.0 / kRinged_hz, .text = "laws defined at 60 Hz", .tone = Tone::quiet}}};
     double longest_s = 0.0;
     Series ring = ring_series();
-    for (const int rate_hz : {15, 60, 240, 960, 3840})
+    for (const int rate_hz : kRatesNamed_hz)
       plot.x.ticks.push_back({1.0 / rate_hz, fmt::format("1/{}", rate_hz)});
-    for (const Curve* const curve : in_drawing_order()) {
+    for (const Curve* const curve : in_drawing_order(curves_)) {
       if (is_adaptive(*curve) || study_.methods[curve->method].is_reference()) continue;
       Series series = series_of(*curve);
       for (const WorkPoint* const point : curve->points) {
@@ -142,26 +153,77 @@ class Diagram {
     return entries;
   }
 
+  /// What the cost plot leaves out; empty: nothing.
+  [[nodiscard]] std::string left_out() const {
+    std::vector<std::string> names;
+    double most_ns = 0.0;
+    for (const Curve& curve : curves_)
+      for (const WorkPoint* const point : curve.points) {
+        if (!(point->cost.time_ns.median > usable_ns_)) continue;
+        most_ns = std::max(most_ns, point->cost.time_ns.median);
+        if (std::ranges::find(names, short_name(curve)) == names.end()) names.push_back(short_name(curve));
+      }
+    if (names.empty()) return "";
+    return fmt::format(
+        "Not drawn: what costs more than {} times the paper's step at 60 Hz, up to {} ms: of {}.",
+        rounded(kUsable), rounded(most_ns / 1e6, 2), fmt::join(names, ", "));
+  }
+
  private:
   [[nodiscard]] bool is_adaptive(const Curve& curve) const {
     return study_.methods[curve.method].is_adaptive();
+  }
+
+  [[nodiscard]] std::string short_name(const Curve& curve) const {
+    const MethodKind& method = study_.methods[curve.method];
+    return method.family.empty() ? method.label : method.family.substr(method.family.rfind(' ') + 1);
   }
 
   [[nodiscard]] bool is_end_only(const Curve& curve) const {
     return is_adaptive(curve) && curve.points.front()->rate_hz < kRowRate_hz;
   }
 
+  // Whether all are the same to twice the error and the cost: the tolerance does nothing.
+  [[nodiscard]] static bool are_alike(const std::vector<const WorkPoint*>& points) {
+    const auto is_within_twice = [&points](const auto& value) {
+      const auto [low, high] = std::ranges::minmax(points, {}, value);
+      return value(high) <= 2.0 * value(low);
+    };
+    return !points.empty() &&
+           is_within_twice([](const WorkPoint* point) { return point->cost.time_ns.median; }) &&
+           is_within_twice([](const WorkPoint* point) {
+             return std::max(point->errors.position_px, rounding_px(point->errors));
+           });
+  }
+
+  // What of a curve is drawn over cost: with all rows, what is usable; of a family of which the tolerance
+  // does nothing the cheapest.
+  [[nodiscard]] Curve over_cost(const Curve& curve) const {
+    Curve shown{curve.method, {}};
+    for (const WorkPoint* const point : curve.points)
+      if ((is_adaptive(curve) || point->rate_hz >= kRowRate_hz) && !(point->cost.time_ns.median > usable_ns_))
+        shown.points.push_back(point);
+    if (is_adaptive(curve) && are_alike(shown.points))
+      shown.points = {*std::ranges::min_element(
+          shown.points, {}, [](const WorkPoint* point) { return point->cost.time_ns.median; })};
+    return shown;
+  }
+
+  [[nodiscard]] static bool has_text(const WorkPoint& point) {
+    return std::ranges::find(kRatesNamed_hz, static_cast<int>(point.rate_hz)) != kRatesNamed_hz.end();
+  }
+
   // Grey first, the paper's step last: the later is drawn over the earlier.
-  [[nodiscard]] std::vector<const Curve*> in_drawing_order() const {
+  [[nodiscard]] std::vector<const Curve*> in_drawing_order(const std::vector<Curve>& curves) const {
     std::vector<const Curve*> order;
-    for (const Curve& curve : curves_) order.insert(order.begin(), &curve);
+    for (const Curve& curve : curves) order.insert(order.begin(), &curve);
     std::stable_partition(order.begin(), order.end(),
                           [&](const Curve* curve) { return is_adaptive(*curve); });
     return order;
   }
 
-  // A curve's name, look and errors from a rate on; a gap where the method failed.
-  [[nodiscard]] Series series_of(const Curve& curve, double from_hz = 0.0) const {
+  // A curve's name, look and errors; a gap where the method failed.
+  [[nodiscard]] Series series_of(const Curve& curve) const {
     const MethodKind& method = study_.methods[curve.method];
     Series series{.name = method.family.empty() ? method.label : method.family, .look = kAdaptiveLook};
     if (is_end_only(curve)) {
@@ -173,7 +235,6 @@ class Diagram {
       series.look.marker_size = 0.5;
     }
     for (const WorkPoint* const point : curve.points) {
-      if (point->rate_hz < from_hz) continue;
       series.y.push_back(point->errors.is_failed ? kNotGiven : point->errors.position_px);
       series.point_names.push_back(method.is_adaptive() ? study_.methods[point->method].label
                                                         : rate_text(*point));
@@ -214,26 +275,32 @@ class Diagram {
             .strip_name = "rounding"};
   }
 
-  // The names of GSL's steppers, each at its most accurate point, and what the line of zeros is.
-  [[nodiscard]] std::vector<PointText> texts() const {
-    std::vector<PointText> texts;
+  // The names of the methods: of lines where they end at the largest cost, of GSL's steppers with rows at the
+  // most accurate point, without rows at the cheapest; and what the line of zeros is.
+  [[nodiscard]] std::vector<PointText> names_over_cost() const {
+    std::vector<PointText> texts, optional;  // These are beside the same looks over dt, or without dashes.
     const WorkPoint* zero = nullptr;
-    for (const Curve& curve : curves_) {
+    for (const Curve& curve : over_cost_) {
       if (study_.methods[curve.method].is_reference()) continue;
-      const WorkPoint* last = nullptr;
+      const WorkPoint *cheapest = nullptr, *last = nullptr;
       for (const WorkPoint* const point : curve.points) {
-        if (!is_ranked(study_, *point)) continue;
+        if (point->errors.is_failed || !point->cost.is_measured()) continue;
+        if (cheapest == nullptr || point->cost.time_ns.median < cheapest->cost.time_ns.median)
+          cheapest = point;
         last = point;
-        if (point->errors.position_px == 0.0 &&
+        if (is_ranked(study_, *point) && point->errors.position_px == 0.0 &&
             (!zero || zero->cost.time_ns.median < point->cost.time_ns.median))
           zero = point;
       }
-      const std::string& family = study_.methods[curve.method].family;
-      if (last != nullptr && !family.empty())
-        texts.push_back(
-            {last->cost.time_ns.median, last->errors.position_px, family.substr(family.rfind(' ') + 1)});
+      if (last == nullptr) continue;
+      const WorkPoint& at = is_end_only(curve) ? *cheapest : *last;
+      const bool is_named_elsewhere = !is_adaptive(curve) || is_end_only(curve);
+      (is_named_elsewhere ? optional : texts)
+          .push_back({at.cost.time_ns.median, at.errors.position_px, short_name(curve),
+                      is_adaptive(curve) ? Tone::quiet : series_of(curve).look.tone, is_named_elsewhere});
     }
     if (zero != nullptr) texts.push_back({zero->cost.time_ns.median, 0.0, "no error at all"});
+    texts.insert(texts.end(), optional.begin(), optional.end());
     return texts;
   }
 
@@ -250,6 +317,8 @@ class Diagram {
 
   const SpeedError& study_;
   std::vector<Curve> curves_;
+  std::vector<Curve> over_cost_ = {};
+  double usable_ns_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -268,6 +337,7 @@ Figure speed_error_figure(const SpeedError& study, std::size_t problem, const st
     figure.subtitle += fmt::format("; bars: 95 % interval of the median of {} processes on {}",
                                    study.cost.processes, machine);
   if (problem == 0) figure.remarks = convergence_sentences(study);  // They are about its free flight.
+  if (std::string text = diagram.left_out(); !text.empty()) figure.remarks.push_back(std::move(text));
   return figure;
 }
 

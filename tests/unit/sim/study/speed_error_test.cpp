@@ -370,6 +370,37 @@ TEST(SpeedErrorFigure, WithoutASteadyClockItHasNoCosts) {
   EXPECT_EQ(plots[1].series.size(), 3u) << "two methods and the rings";
 }
 
+// Of steppers of three tolerances: one of which they change nothing, one that becomes too slow for anyone.
+TEST(SpeedErrorFigure, AFamilyIsOneNamedCurveAPointWhereItsToleranceDoesNothingAndEndsWhereNobodyUsesIt) {
+  SpeedError study = small_study();
+  for (const auto& [family, error_px, cost_ns] : {std::tuple("GSL rk8", 1e-5, 500.0),
+                                                  {"GSL rk8", 1.5e-5, 400.0},
+                                                  {"GSL rk8", 1e-5, 600.0},
+                                                  {"GSL slow", 1.0, 1e4},
+                                                  {"GSL slow", 1e-2, 1e5},
+                                                  {"GSL slow", 1e-4, 1e9},
+                                                  {"GSL slower", 1.0, 1e7}}) {
+    study.methods.push_back({.name = family, .label = family, .family = family, .accuracy = Adaptive{}});
+    WorkPoint point{0, study.methods.size() - 1, kRowRate_hz, {}, cost_of({cost_ns})};
+    point.errors.position_px = error_px;
+    study.points.push_back(point);
+  }
+  const Plot cost = plots_of(study)[0];
+  EXPECT_EQ(series_named(cost, "GSL rk8").x, std::vector<double>{400.0});
+  EXPECT_EQ(series_named(cost, "GSL slow").x, (std::vector<double>{1e4, 1e5}));
+  EXPECT_EQ(std::ranges::count(cost.series, "GSL slower", &Series::name), 0);
+  std::string names;
+  for (const PointText& text : cost.texts) names += text.text + ", ";
+  for (const char* const name : {"the paper's step, ", "velocity Verlet, ", "rk8, ", "slow, "})
+    EXPECT_TRUE(has(names, name)) << names;
+  EXPECT_FALSE(has(names, "slower"));
+  EXPECT_EQ(speed_error_figure(study, 0, "m").remarks.back(),
+            "Not drawn: what costs more than 1,000 times the paper's step at 60 Hz, up to 1,000 ms: of slow, "
+            "slower.");
+  EXPECT_EQ(speed_error_figure(small_study(), 0, "m").remarks.size() + 1,
+            speed_error_figure(study, 0, "m").remarks.size());
+}
+
 TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnBelowTheLeastError) {
   SpeedError study = small_study();
   const auto has_text = [&](const std::string& text) {
