@@ -229,7 +229,7 @@ class OwnCoresFiles(InstalledPackage):
         self.expect(AGREED, "run", "scenarios/falls.json", "--golden", "none", "--set", "/start={\"charge\": 0.5}", "-o", "b.h5")
         self.expect(AGREED, "report", "a.h5", "b.h5", "--against", "a.h5", "-o", "files.html")
         page = (self.folder / "files.html").read_text(encoding="utf-8")
-        a, b = page.split("<article")[1:]
+        _, a, b = page.split("<article")[1:]  # The first is the contact sheet.
         self.assertIn("Agrees with a.h5, bit for bit.", a)
         self.assertIn("differs from a.h5: ", b)
         # The same picture, rows, contacts and end as of the run that wrote it.
