@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Functions shared by tools/run, tools/check, tools/test, tools/package and .ci/run: packages, configuring, building. Sourced, not run.
+# Functions shared by tools/run, tools/check, tools/test, tools/package, tools/windows and .ci/run: packages, configuring, building. Sourced, not run.
 # All messages go to stderr, so that stdout contains only the results of the program.
 
 packages_to_build=(g++ cmake ninja-build pkg-config libhdf5-dev libaec-dev zlib1g-dev libgsl-dev
@@ -18,6 +18,8 @@ command -v npm > /dev/null || packages_for_page+=(npm) # A nodejs from elsewhere
 packages_to_browse=(chromium)
 # For tests/cli/hyrax, which run hyrax.exe under Wine and compare screenshots.
 packages_for_wine=(g++-mingw-w64-x86-64-posix wine wine64 xvfb picom hsetroot imagemagick xdotool librsvg2-bin)
+# For tools/windows: the compiler, what builds GSL and HDF5 for it, and what runs their programs.
+packages_for_windows=(g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev make wine wine64)
 # For tools/package: dependencies and file types for the Debian package, the man page, and hyrax.exe.
 packages_to_package=(dpkg-dev file python3 g++-mingw-w64-x86-64-posix)
 # For tests/package, which install the Debian package in a bare system.

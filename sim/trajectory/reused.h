@@ -32,6 +32,8 @@ class Reused {
   static Values& spare() {
 #ifdef __wasm__  // Has one thread, and no way to end a variable of it.
     static Values values;
+#elif defined(__MINGW32__)  // Gives a thread's variables back before it ends them: this one never ends.
+    thread_local Values& values = *new Values;
 #else
     thread_local Values values;
 #endif

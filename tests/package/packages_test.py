@@ -98,9 +98,14 @@ class Packages(unittest.TestCase):
 
     def test_the_archive_for_windows_has_programs_licence_and_help(self):
         with zipfile.ZipFile(self.zip) as archive:
-            content = {name.split("/")[1]: archive.read(name) for name in archive.namelist() if not name.endswith("/")}
+            content = {name.partition("/")[2]: archive.read(name) for name in archive.namelist() if not name.endswith("/")}
             times = {member.date_time for member in archive.infolist()}
-        self.assertEqual(sorted(content), ["HELP.txt", "LICENSE.txt", "hyrax-replay.exe", "hyrax.exe"])
+        tracked = succeed("git", "-C", SOURCE, "ls-files", "scenarios", "golden").out.split()
+        licences = sorted(name for name in content if name.startswith("licences/"))
+        self.assertEqual(sorted(content), sorted(["HELP.txt", "LICENSE.txt", "README.txt", "hyrax-replay.exe", "hyrax-sim.exe", "hyrax.exe",
+                                                  *tracked, *licences]))
+        self.assertEqual([name for name in licences if re.search("GPL|libgsl|libhdf5|libz", name)],
+                         ["licences/GPL-3.txt", "licences/libgsl.txt", "licences/libhdf5.txt", "licences/libz-mingw-w64.txt"])
         self.assertEqual(times, {time.gmtime(EPOCH)[:6]})
         for program in ("hyrax", "hyrax-replay"):
             text = (SOURCE / f"tools/{program}/help.txt").read_bytes().replace(b"\n", b"\r\n")

@@ -1,12 +1,11 @@
 if(HYRAX_SIM)
   # hyrax_fmt: {fmt}, compiled once. Debian has it as headers, which would be a third of all that is to be
   # compiled, and as a shared library, which would have to be loaded at every start.
-  find_package(fmt REQUIRED)
+  hyrax_header_only(fmt fmt/format.h)
   add_library(hyrax_fmt STATIC ${CMAKE_CURRENT_LIST_DIR}/fmt.cpp)
   hyrax_room(hyrax_fmt)
   target_compile_options(hyrax_fmt PRIVATE $<$<CONFIG:Release>:-O1>)
-  target_include_directories(
-    hyrax_fmt SYSTEM PUBLIC $<TARGET_PROPERTY:fmt::fmt-header-only,INTERFACE_INCLUDE_DIRECTORIES>)
+  target_link_libraries(hyrax_fmt PUBLIC fmt)
   set(text_headers <map> <set> <chrono> <filesystem> <fmt/format.h>)
 endif()
 

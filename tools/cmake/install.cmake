@@ -22,7 +22,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # hyrax-sim without its `main` and core, and with the libraries that it needs, as one object: who builds a program with
 # another core compiles two sources and needs no library but the compiler's own.
 set(hyrax_rooms app_expect physics trace replay compare expectations rate_ladder cause reference reference_gsl search study ensemble trajectory
-                scenario store golden report child_process page_record pages page run_core files fmt)
+                scenario store golden report page_record pages page run_core files process platform fmt)
 list(TRANSFORM hyrax_rooms PREPEND hyrax_)
 get_target_property(hyrax_app hyrax_commands LINK_LIBRARIES)
 list(FILTER hyrax_app INCLUDE REGEX "^hyrax_app_")

@@ -27,6 +27,26 @@ if(WIN32)
   endforeach()
   install(TARGETS hyrax hyrax-replay RUNTIME DESTINATION .)
   install(FILES ${package_folder}/LICENSE.txt ${package_folder}/HELP.txt DESTINATION .)
+  # hyrax-sim.exe of another build, which is fast; this one is small.
+  set(HYRAX_SIM_PROGRAM "" CACHE FILEPATH "hyrax-sim.exe of tools/windows, for the package; none: without it")
+  if(HYRAX_SIM_PROGRAM)
+    file(CONFIGURE OUTPUT ${package_folder}/README.txt @ONLY NEWLINE_STYLE CRLF CONTENT [[
+Double-click hyrax.exe: a hyrax that you grab with the mouse and throw. Right-click it for its menu.
+
+To record your throws, and to replay them to the same bits, open a terminal in this folder:
+
+  hyrax.exe --record my-fling.json
+  hyrax-sim.exe run my-fling.json
+  hyrax-sim.exe check            (all scenarios against their golden files)
+
+HELP.txt describes the options of hyrax.exe and hyrax-replay.exe, `hyrax-sim.exe --help` its own.
+hyrax-sim.exe links GSL, which is under the GPL, version 3 or later: whoever distributes it must follow that licence. GSL is
+built from the source of Debian's package gsl. The folder licences has the licences of all that it links.
+]])
+    install(PROGRAMS ${HYRAX_SIM_PROGRAM} DESTINATION .)
+    install(FILES ${package_folder}/README.txt DESTINATION .)
+    install(DIRECTORY ${HYRAX_LIBRARIES}/licences ${PROJECT_SOURCE_DIR}/scenarios ${PROJECT_SOURCE_DIR}/golden DESTINATION .)
+  endif()
   set(CPACK_GENERATOR ZIP)
   set(CPACK_PACKAGE_FILE_NAME hyrax-${PROJECT_VERSION}-windows-${CMAKE_SYSTEM_PROCESSOR})
   include(CPack)

@@ -7,6 +7,10 @@
 cmake_minimum_required(VERSION 3.25)
 include(${settings})
 set(ENV{LC_ALL} C) # The compiler's messages are read.
+set(nowhere /dev/null)
+if(CMAKE_HOST_WIN32)
+  set(nowhere NUL)
+endif()
 set(compile_limit TIMEOUT 1800) # It ends a compiler that hangs; that of a busy machine takes minutes.
 set(step ${folder}/step.txt)
 set(why ${folder}/why_incomplete.txt)
@@ -93,7 +97,7 @@ endfunction()
 
 # What another person's header prints is nobody's.
 macro(run program)
-  execute_process(COMMAND ${folder}/${program} ${step} ${why} ${ARGN} WORKING_DIRECTORY ${folder} INPUT_FILE /dev/null OUTPUT_QUIET
+  execute_process(COMMAND ${folder}/${program} ${step} ${why} ${ARGN} WORKING_DIRECTORY ${folder} INPUT_FILE ${nowhere} OUTPUT_QUIET
                   ERROR_VARIABLE messages RESULT_VARIABLE result TIMEOUT 60)
 endmacro()
 

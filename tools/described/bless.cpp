@@ -4,8 +4,8 @@
 #include "tools/described/commands.h"
 #include "tools/described/core_verdict.h"
 #include "tools/described/scenario_json.h"
-#include "tools/files/path.h"
 #include "tools/files/printable.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

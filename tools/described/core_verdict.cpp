@@ -8,10 +8,10 @@
 
 #include "sim/described/scripted_body.h"
 #include "tools/described/value_json.h"
-#include "tools/files/path.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/table_text.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

@@ -10,12 +10,12 @@
 #include "sim/trajectory/stored_run.h"
 #include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_changes.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/atomic_file.h"
+#include "tools/platform/path.h"
 #include "tools/store/golden_summary.h"
 
 namespace hyrax {

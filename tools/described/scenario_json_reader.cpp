@@ -4,8 +4,8 @@
 #include <unordered_map>
 
 #include "tools/files/event_reader.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

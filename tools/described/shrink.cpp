@@ -6,7 +6,7 @@
 #include "tools/described/commands.h"
 #include "tools/described/scenario_json.h"
 #include "tools/files/failure.h"
-#include "tools/files/guarded_child.h"
+#include "tools/platform/guarded_child.h"
 
 namespace hyrax {
 namespace {

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
 #include "tools/files/printable.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {
@@ -68,11 +68,11 @@ std::optional<GoldenPlace> golden_place(const std::string& scenario_path, const 
 }
 
 std::string golden_folder_of(const std::string& scenario_path, const std::string& given) {
-  return golden_folder(scenario_place(scenario_path).scenarios, given).string();
+  return golden_folder(scenario_place(scenario_path).scenarios, given).generic_string();
 }
 
 std::string scenarios_folder_of(const std::string& scenario_path) {
-  return scenario_place(scenario_path).scenarios.string();
+  return scenario_place(scenario_path).scenarios.generic_string();
 }
 
 bool has_golden_file(const GoldenPlace& place) {

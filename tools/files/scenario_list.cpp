@@ -5,8 +5,8 @@
 #include <iterator>
 #include <set>
 
-#include "tools/files/path.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

@@ -5,10 +5,10 @@
 #include "tools/files/failure.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/json_reader.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_head.h"
 #include "tools/files/scenario_members.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

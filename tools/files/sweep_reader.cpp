@@ -6,11 +6,11 @@
 #include "tools/files/failure.h"
 #include "tools/files/json_pointer.h"
 #include "tools/files/json_reader.h"
-#include "tools/files/path.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <memory>
 
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
+#include "tools/platform/atomic_file.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

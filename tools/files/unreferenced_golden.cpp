@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "tools/files/golden_place.h"
-#include "tools/files/path.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

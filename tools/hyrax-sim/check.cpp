@@ -2,9 +2,9 @@
 #include <filesystem>
 
 #include "tools/app/check/check_report.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 #include "tools/store/golden_file.h"
 
 namespace hyrax {

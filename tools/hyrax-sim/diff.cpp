@@ -42,7 +42,7 @@ std::array<std::string, 2> short_names(const std::filesystem::path& a, const std
     name_b = name_b.empty() ? rest_b.filename() : rest_b.filename() / name_b;
     rest_a = rest_a.parent_path(), rest_b = rest_b.parent_path();
   } while (name_a == name_b && (rest_a.has_filename() || rest_b.has_filename()));
-  return {name_a.string(), name_b.string()};
+  return {name_a.generic_string(), name_b.generic_string()};
 }
 
 void draw(const DiffRequest& request, const TrajectoryDiff& diff, const Overlay& overlay,

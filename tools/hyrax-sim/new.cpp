@@ -1,9 +1,9 @@
 #include "new_core.h"
 #include "tools/app/clock/new_scenario.h"
 #include "tools/files/build_info.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {

@@ -1,7 +1,6 @@
 // The command study over the studies of sim/study.
 #include <algorithm>
-#include <ctime>
-#include <fstream>
+#include <chrono>
 #include <set>
 #include <sstream>
 
@@ -13,36 +12,25 @@
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/study/study_command.h"
 #include "tools/files/failure.h"
-#include "tools/files/guarded_child.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/hyrax-sim/program.h"
+#include "tools/platform/guarded_child.h"
+#include "tools/platform/process.h"
 #include "tools/run_core/run_core.h"
 
 namespace hyrax {
 namespace {
 
-std::int64_t now_ns(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec;
-}
-
 // What other programs take from this one is no cost of the work, so it is the processor time of this thread.
 // To read that takes a microsecond: where nothing was taken, the time that passed is less, and is the better
 // one.
 std::int64_t time_of(const std::function<void()>& work) {
-  const std::int64_t from_processor_ns = now_ns(CLOCK_THREAD_CPUTIME_ID);
-  const std::int64_t from_ns = now_ns(CLOCK_MONOTONIC);
+  using Clock = std::chrono::steady_clock;
+  const std::int64_t from_processor_ns = thread_time_ns();
+  const Clock::time_point from = Clock::now();
   work();
-  const std::int64_t passed_ns = now_ns(CLOCK_MONOTONIC) - from_ns;
-  return std::min(passed_ns, now_ns(CLOCK_THREAD_CPUTIME_ID) - from_processor_ns);
-}
-
-std::string processor_name() {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
-  return "unknown processor";
+  const std::chrono::nanoseconds passed = Clock::now() - from;
+  return std::min<std::int64_t>(passed.count(), thread_time_ns() - from_processor_ns);
 }
 
 // What a process measured in a call of the meter: a line.
@@ -91,7 +79,7 @@ class CostProcesses {
     words.insert(words.begin(), "hyrax-sim");
     words.insert(words.end(), {kCostsOption, std::to_string(process)});
     const std::string what = "hyrax-sim study: costs";
-    const WorkEnd end = in_new_process(what, {.is_silent = false}, std::move(words));
+    const WorkEnd end = in_new_process(what, std::move(words));
     if (!end.result)
       throw Failure(ExitCode::cannot_access,
                     fmt::format("{}: the process that measures them ended {}", what,

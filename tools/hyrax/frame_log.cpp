@@ -2,10 +2,10 @@
 
 #include <cerrno>
 
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
-#include "tools/files/path.h"
+#include "tools/platform/atomic_file.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

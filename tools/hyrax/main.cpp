@@ -11,9 +11,9 @@
 #include "sim/core/shipped_core.h"
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
-#include "tools/files/path.h"
 #include "tools/hyrax/app.h"
 #include "tools/hyrax/report.h"
+#include "tools/platform/wide_text.h"
 
 namespace hyrax {
 namespace {

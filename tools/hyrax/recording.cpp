@@ -5,9 +5,9 @@
 #include <exception>
 #include <utility>
 
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
+#include "tools/platform/atomic_file.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

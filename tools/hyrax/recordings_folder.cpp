@@ -1,8 +1,8 @@
 #include <shlobj.h>
 
-#include "tools/files/path.h"
 #include "tools/hyrax/recording.h"
 #include "tools/hyrax/window.h"
+#include "tools/platform/wide_text.h"
 
 namespace hyrax {
 namespace {

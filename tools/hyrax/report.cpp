@@ -2,7 +2,7 @@
 
 #include <windows.h>
 
-#include "tools/files/path.h"
+#include "tools/platform/wide_text.h"
 
 namespace hyrax {
 namespace {

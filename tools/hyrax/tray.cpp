@@ -3,8 +3,8 @@
 #include <shellapi.h>
 
 #include "tools/files/build_info.h"
-#include "tools/files/path.h"
 #include "tools/hyrax/resource_ids.h"
+#include "tools/platform/wide_text.h"
 
 namespace hyrax {
 namespace {

@@ -168,7 +168,7 @@ Figure drift_figure(const DriftRun& run) {
 }
 
 std::string drift_figure_path(const std::string& folder, const std::string& name) {
-  return (std::filesystem::path(folder) / (name + "-drift.svg")).string();
+  return (std::filesystem::path(folder) / (name + "-drift.svg")).generic_string();
 }
 
 }  // namespace hyrax

@@ -6,6 +6,7 @@
 
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/files/build_info.h"
+#include "tools/platform/guarded_child.h"
 
 namespace hyrax {
 namespace {
@@ -45,10 +46,16 @@ Json::Object build_facts() {
 
 Json::Object library_facts() {
   const auto fault = arithmetic_fault();
-  return {{"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
-          {"hdf5", hdf5_version()},
-          {"xxhash", fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
-          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
+  Json::Object facts = {
+      {"self_test", fault ? std::string(*fault) : std::string(kStrictArithmetic)},
+      {"hdf5", hdf5_version()},
+      {"xxhash", fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
+      {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
+  if (!guards_work())
+    facts.emplace_back(
+        "not_guarded",
+        "a damaged HDF5 file, or a run that crashes or does not end, ends or stops this program");
+  return facts;
 }
 
 }  // namespace hyrax

@@ -4,18 +4,18 @@
 #include <filesystem>
 #include <system_error>
 
-#include <unistd.h>
-
 #include "tools/files/failure.h"
 #include "tools/files/printable.h"
+#include "tools/platform/path.h"
+#include "tools/platform/standard_streams.h"
 
 namespace hyrax {
 
 CsvFile::CsvFile(const std::string& path, std::int64_t rows, std::size_t columns) : path_(path) {
   if (path == kStandardOutput) {
-    file_.reset(fdopen(dup(STDOUT_FILENO), "wb"));
+    file_.reset(open_standard_output());
   } else {
-    file_.reset(std::fopen(target_.emplace(path).part_path().c_str(), "wb"));
+    file_.reset(open_file(target_.emplace(path).part_path(), "wb"));
     require_disk_space(path, rows, 2 * columns);  // A digit and a comma for each number.
   }
   if (!file_) fail();

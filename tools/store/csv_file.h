@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/files/atomic_file.h"
+#include "tools/platform/atomic_file.h"
 
 namespace hyrax {
 

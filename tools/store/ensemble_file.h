@@ -16,7 +16,7 @@
 #include "sim/ensemble/ensemble.h"
 #include "sim/result/table.h"
 #include "sim/scenario/sweep.h"
-#include "tools/files/atomic_file.h"
+#include "tools/platform/atomic_file.h"
 #include "tools/store/hdf5.h"
 
 namespace hyrax {

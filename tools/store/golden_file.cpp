@@ -235,7 +235,7 @@ std::vector<std::string> expected_attributes(StoredRun run) {
 
 }  // namespace
 
-void write_golden(const AtomicFile& target, const std::string& path, const StoredRun& run) {
+void write_golden(AtomicFile& target, const std::string& path, const StoredRun& run) {
   const bool has_many_contacts = static_cast<bool>(run.replay_contacts);
   h5::Handle file = h5::create_file(target.part_path(), has_many_contacts ? kBytesOfMany : 0);
   const bool is_written = file.is_open() && write_run(file, run) && file.close() >= 0;

@@ -5,13 +5,13 @@
 #include <string>
 
 #include "sim/trajectory/stored_run.h"
-#include "tools/files/atomic_file.h"
+#include "tools/platform/atomic_file.h"
 
 namespace hyrax {
 
 /// Writes the run into the file's part; the caller commits it.
 /// ERRORS: Failure(cannot_access) "PATH: cannot be written: REASON".
-void write_golden(const AtomicFile& target, const std::string& path, const StoredRun& run);
+void write_golden(AtomicFile& target, const std::string& path, const StoredRun& run);
 
 /// REQUIRES: as read_isolated.
 /// ERRORS: as TrajectoryFile's.

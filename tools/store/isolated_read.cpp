@@ -9,11 +9,9 @@
 #include <stdexcept>
 #include <tuple>
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include "tools/files/failure.h"
-#include "tools/files/guarded_child.h"
+#include "tools/platform/file_state.h"
+#include "tools/platform/guarded_child.h"
 
 namespace hyrax {
 namespace {
@@ -49,12 +47,12 @@ std::string damage_by(const std::function<void()>& read) {
 }
 
 // A file as it was when it was read, whatever its name.
-using FileVersion = std::tuple<dev_t, ino_t, off_t, time_t, decltype(timespec::tv_nsec)>;
+using FileVersion = std::tuple<decltype(identity_of("")), std::uintmax_t, std::filesystem::file_time_type>;
 
 FileVersion version_of(const std::string& path) {
-  struct stat state {};
-  stat(path.c_str(), &state);  // No file has the version of one that is unknown.
-  return {state.st_dev, state.st_ino, state.st_size, state.st_mtim.tv_sec, state.st_mtim.tv_nsec};
+  std::error_code unknown;  // No file has the version of one that is unknown.
+  return {identity_of(path), std::filesystem::file_size(path, unknown),
+          std::filesystem::last_write_time(path, unknown)};
 }
 
 // The files that cannot harm this process; in a child process nothing needs another.
@@ -81,15 +79,15 @@ std::uint64_t bytes_of(const std::string& path) {
 }  // namespace
 
 void read_isolated(const std::string& path, const std::function<void()>& read) {
-  if (is_child || harmless.contains(version_of(path))) return;
-  if (access(path.c_str(), R_OK) != 0) fail_to_read(path, errno);
+  if (!guards_work() || is_child || harmless.contains(version_of(path))) return;
+  if (const int error = error_of_reading(path)) fail_to_read(path, error);
   const std::string damage = damage_in_child(path, bytes_of(path), [&] { return damage_by(read); });
   if (!damage.empty()) refuse_input(path + ": is damaged: " + damage + "; copy it again, or write it again");
 }
 
 void read_isolated_together(const std::vector<std::string>& paths,
                             const std::function<void(const std::string& path)>& read) {
-  if (paths.size() < 2) return;
+  if (paths.size() < 2 || !guards_work()) return;
   std::uint64_t bytes = 0;
   std::vector<FileVersion> versions;
   for (const std::string& path : paths) {

@@ -7,25 +7,17 @@
 #include <fstream>
 #include <optional>
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
-#include "tools/files/path.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unknown_word.h"
+#include "tools/platform/file_state.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<std::pair<std::uintmax_t, std::uintmax_t>> identity_of(const std::string& path) {
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0) return std::nullopt;
-  return std::pair<std::uintmax_t, std::uintmax_t>{status.st_dev, status.st_ino};
-}
 
 // A large result of before is not read to see that it is none.
 bool begins_as_json(const std::string& path) {
@@ -164,7 +156,7 @@ void require_writable(const std::string& path) {
   while (!is_there(folder.string()) && folder.has_relative_path()) folder = folder.parent_path();
   if (!is_folder(folder.string())) fail_to_write(path, ENOTDIR);
   if (is_folder(path)) fail_to_write(path, EISDIR);
-  if (access(folder.c_str(), W_OK | X_OK) != 0) fail_to_write(path, errno);
+  if (const int error = error_of_writing_in(folder.string())) fail_to_write(path, error);
 }
 
 void make_folder(const std::string& path, const std::string& what) {

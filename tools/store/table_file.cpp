@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "tools/files/atomic_file.h"
 #include "tools/files/failure.h"
+#include "tools/platform/atomic_file.h"
 #include "tools/store/hdf5.h"
 #include "tools/store/isolated_read.h"
 

@@ -2,34 +2,21 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cerrno>
 #include <filesystem>
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include "sim/reference/model.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/file_state.h"
+#include "tools/platform/path.h"
 #include "tools/store/input_record.h"
 #include "tools/store/isolated_read.h"
 #include "tools/store/trajectory_parts.h"
 
 namespace hyrax {
 namespace {
-
-// By the kind of lock that HDF5 takes. A file that cannot be locked at all counts as not locked.
-bool is_locked(const std::string& path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool is_held = flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  close(file);
-  return is_held;
-}
 
 bool has_common_format(hid_t type) {
   for (const hid_t common :
@@ -54,7 +41,7 @@ std::vector<NumberColumn<double>> row_columns(hid_t file, const std::string& pat
 }  // namespace
 
 h5::Handle open_readable(const std::string& path) {
-  if (access(path.c_str(), R_OK) != 0) fail_to_read(path, errno);
+  if (const int error = error_of_reading(path)) fail_to_read(path, error);
   if (!is_regular_file(path)) refuse_input(path + ": is not a regular file");
   h5::Handle file = h5::open_file(path);
   if (!file.is_open() && is_locked(path))

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/trajectory/row_sink.h"
-#include "tools/files/atomic_file.h"
+#include "tools/platform/atomic_file.h"
 #include "tools/store/csv_file.h"
 #include "tools/store/trajectory_parts.h"
 

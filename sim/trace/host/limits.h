@@ -13,4 +13,9 @@ namespace hyrax::trace {
 /// it writes the reason to `why_file` and ends with exit code 0.
 void limit_process(const std::string& why_file, unsigned cpu_s_max = 10);
 
+/// Of limit_process: what differs between systems. On Windows there are no limits; a crash is noticed.
+void limit_resources(unsigned cpu_s_max);
+/// Of limit_process: writes the reason, and ends this process.
+[[noreturn]] void end_because(const char* why);
+
 }  // namespace hyrax::trace

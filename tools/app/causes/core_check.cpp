@@ -13,10 +13,10 @@
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/files/golden_place.h"
-#include "tools/files/path.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/table_text.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

@@ -8,10 +8,10 @@
 #include "tools/app/library/check_flow.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/non_finite_text.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 #include "tools/run_core/run_core.h"
 
 namespace hyrax {

@@ -1,10 +1,6 @@
 #include "tools/app/command_line/command_program.h"
 
-#include <csignal>
 #include <filesystem>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 #include "sim/physics/strict_arithmetic.h"
 #include "tools/app/command_line/print.h"
@@ -12,6 +8,8 @@
 #include "tools/files/build_info.h"
 #include "tools/files/main_program.h"
 #include "tools/files/unknown_word.h"
+#include "tools/platform/process.h"
+#include "tools/platform/standard_streams.h"
 
 namespace hyrax {
 namespace {
@@ -52,13 +50,6 @@ ExitCode run_command_line(const CommandProgram& program, std::vector<std::string
   return program.act(act);
 }
 
-// Otherwise the first file that is opened would get the number of a closed stream, and be printed into.
-// Writing to a stream that is open for reading only fails, as writing to a closed one does.
-void open_closed_streams() {
-  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(number, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDONLY));
-}
-
 std::string command_list(const std::vector<Command>& commands, bool is_common,
                          const std::function<bool(const Command&)>& applies) {
   std::string text;
@@ -83,11 +74,8 @@ std::string command_lists(const std::vector<Command>& commands,
 }
 
 int run_commands(const CommandProgram& program, int argc, char** argv) {
-  open_closed_streams();
-  // A file that may not grow further is an error like a full disk; it does not end the process.
-  std::signal(SIGXFSZ, SIG_IGN);
-  // If a parent process left it ignored, the exit status of a child process would be lost.
-  std::signal(SIGCHLD, SIG_DFL);
+  prepare_standard_streams();
+  prepare_signals();
   return run_program("hyrax-sim", argc, argv, [&](const std::vector<std::string>& arguments) {
     if (argc > 0 && program.is_own) set_program(argv[0]);
     try {

@@ -3,10 +3,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include "tools/files/table_text.h"
+#include "tools/platform/standard_streams.h"
 
 namespace hyrax {
 namespace {
@@ -14,16 +12,14 @@ namespace {
 bool has_colour() {
   const char* const no_color = std::getenv("NO_COLOR");
   const char* const terminal = std::getenv("TERM");
-  return isatty(STDOUT_FILENO) == 1 && (no_color == nullptr || *no_color == '\0') &&
+  return is_terminal(stdout) && (no_color == nullptr || *no_color == '\0') &&
          (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
 // The width of standard output, where that is a terminal that knows it.
 std::size_t columns_shown(const Printing& printing) {
-  winsize size{};
-  const bool is_known =
-      !printing.is_verbose() && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return is_known ? size.ws_col : std::numeric_limits<std::size_t>::max();
+  const auto columns = printing.is_verbose() ? std::nullopt : terminal_columns();
+  return columns.value_or(std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <unistd.h>
+#include "tools/platform/standard_streams.h"
 
 namespace hyrax {
 
@@ -18,7 +18,7 @@ std::string progress_text(std::int64_t done, std::int64_t total, const std::stri
 }
 
 Progress::Progress(std::string unit, std::int64_t total)
-    : unit_(std::move(unit)), total_(total), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : unit_(std::move(unit)), total_(total), is_terminal_(hyrax::is_terminal(stderr)) {}
 
 Progress::~Progress() {
   if (has_line_) std::fputs("\r\x1b[K", stderr);

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "tools/files/golden_place.h"
-#include "tools/files/path.h"
 #include "tools/files/printable.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include <sys/resource.h>
+#include "tools/platform/process.h"
 
 namespace hyrax {
 
@@ -20,10 +20,9 @@ namespace hyrax {
 /// As many threads as requested, or fewer if the system allows no more. What a thread takes of a limited
 /// address space, its stack and its heap, is not given back when it ends: below 128 MiB there is none.
 [[nodiscard]] std::vector<std::jthread> start_workers(std::int64_t count, const auto& work) {
-  constexpr rlim_t kBytesPerWorker = 128 << 20;
-  rlimit space{};
-  if (getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY)
-    count = std::min(count, static_cast<std::int64_t>(space.rlim_cur / kBytesPerWorker));
+  constexpr std::uint64_t kBytesPerWorker = 128 << 20;
+  if (const auto space = address_space_bytes_max())
+    count = std::min(count, static_cast<std::int64_t>(*space / kBytesPerWorker));
   std::vector<std::jthread> workers;
   try {
     for (std::int64_t worker = 0; worker < count; ++worker) workers.emplace_back(work);

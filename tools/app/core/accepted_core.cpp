@@ -17,9 +17,9 @@
 #include "tools/app/command_line/shell_command.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
-#include "tools/files/path.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

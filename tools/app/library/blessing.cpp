@@ -12,12 +12,12 @@
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/library/expect_update.h"
-#include "tools/files/path.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 #include "tools/store/golden_summary.h"
 #include "tools/store/output_guard.h"
 

@@ -11,9 +11,9 @@
 #include "tools/app/command_line/progress.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/command_line/workers.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 #include "tools/report/result_page.h"
 
 namespace hyrax {

@@ -9,8 +9,8 @@
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/library/check_flow.h"
-#include "tools/files/path.h"
 #include "tools/files/printable.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "sim/result/number_text.h"
 #include "tools/app/command_line/part.h"
-#include "tools/files/path.h"
+#include "tools/platform/path.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {
@@ -28,7 +28,7 @@ std::string failure_path(const FuzzRequest& request, std::string& name) {
   std::string path;
   for (int number = 1; path.empty() || is_there(path); ++number) {
     name = stem + (number == 1 ? "" : fmt::format("-{}", number));
-    path = (std::filesystem::path(request.folder) / (name + ".json")).string();
+    path = (std::filesystem::path(request.folder) / (name + ".json")).generic_string();
     if (request.folder == ".") path = name + ".json";
   }
   return path;

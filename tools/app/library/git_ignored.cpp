@@ -1,13 +1,13 @@
 // What was blessed and will be in no commit.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <map>
-#include <utility>
+#include <sstream>
 
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/library/blessing.h"
+#include "tools/platform/guarded_child.h"
 
 namespace hyrax {
 namespace {
@@ -26,15 +26,8 @@ std::vector<std::string> ignored_files(const std::string& folder, const std::vec
       words.push_back(fs::absolute(*file).lexically_normal().string());
       bytes += words.back().size();
     }
-    std::FILE* const output = popen((shell_command(words) + " 2> /dev/null").c_str(), "r");
-    if (output == nullptr) return ignored;
-    std::string line;
-    for (int c = 0; (c = std::fgetc(output)) != EOF;)
-      if (c != '\n')
-        line += static_cast<char>(c);
-      else
-        ignored.push_back(std::exchange(line, {}));
-    pclose(output);
+    std::istringstream lines(printed_by(words).value_or(""));
+    for (std::string line; std::getline(lines, line);) ignored.push_back(line);
   }
   return ignored;
 }

@@ -1,24 +1,16 @@
 #include "tools/app/library/check_flow.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <span>
 
 #include "sim/trajectory/state_hash.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/process.h"
 
 namespace hyrax {
 namespace {
 
 namespace fs = std::filesystem;
-
-// As the XDG Base Directory Specification has it: a relative path counts as none.
-fs::path cache_folder() {
-  for (const auto& [variable, below] : {std::pair("XDG_CACHE_HOME", ""), std::pair("HOME", ".cache")})
-    if (const char* const value = std::getenv(variable); value != nullptr && fs::path(value).is_absolute())
-      return fs::path(value) / below;
-  return {};
-}
 
 std::string absolute(const std::string& path) {
   std::error_code unknown;
@@ -30,9 +22,9 @@ std::string absolute(const std::string& path) {
 LastFailed::LastFailed() {
   std::error_code error;
   const std::string folder = fs::current_path(error).string();
-  const fs::path cache = cache_folder();
+  const std::string cache = cache_folder();
   if (error || cache.empty()) return;
-  file_ = (cache / "hyrax-sim" / hex(digest(std::as_bytes(std::span(folder))))).string();
+  file_ = (fs::path(cache) / "hyrax-sim" / hex(digest(std::as_bytes(std::span(folder))))).string();
   try {
     const std::string text = read_text_file(file_);
     for (std::size_t at = 0, end = 0; (end = text.find('\0', at)) != std::string::npos; at = end + 1)

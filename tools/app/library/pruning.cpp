@@ -4,16 +4,15 @@
 #include <cstring>
 #include <filesystem>
 
-#include <unistd.h>
-
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
 #include "tools/files/unreferenced_golden.h"
+#include "tools/platform/file_state.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {
@@ -81,7 +80,7 @@ bool is_written_summary(const std::string& path) try {
 
 void require_removable(const std::string& path) {
   const fs::path folder = fs::absolute(path).parent_path();
-  if (access(folder.c_str(), W_OK | X_OK) != 0) fail_to_remove(path, errno);
+  if (const int error = error_of_writing_in(folder.string())) fail_to_remove(path, error);
 }
 
 }  // namespace
@@ -111,7 +110,7 @@ Pruning find_prunable(const std::vector<std::string>& folders, const std::string
 
 void remove_files(const std::vector<std::string>& files) {
   for (const std::string& path : files)
-    if (unlink(path.c_str()) != 0 && errno != ENOENT) fail_to_remove(path, errno);
+    if (const int error = error_of_removing(path)) fail_to_remove(path, error);
 }
 
 }  // namespace hyrax

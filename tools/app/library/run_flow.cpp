@@ -9,9 +9,9 @@
 #include "tools/app/command_line/overrides.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 #include "tools/store/csv_file.h"
 #include "tools/store/output_guard.h"
 
@@ -42,8 +42,9 @@ void place_outputs(const RunRequest& request, OutputGuard& guard, std::vector<Ca
     if (is_to_stdout || !candidate.scenario) continue;
     const bool is_in_folder = request.output.empty() || writes_into_folder(request, candidates.size());
     candidate.output =
-        is_in_folder ? (std::filesystem::path(request.output) / (candidate.scenario->name + ".h5")).string()
-                     : request.output;
+        is_in_folder
+            ? (std::filesystem::path(request.output) / (candidate.scenario->name + ".h5")).generic_string()
+            : request.output;
     guard.admit("hyrax-sim run: -o of " + candidate.path, candidate.output, {".h5", ".csv"});
   }
 }

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-
 #include "sim/result/number_text.h"
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
@@ -76,8 +74,8 @@ void declare(Options& options, const std::string& said, ShrinkRequest& request) 
 
 std::string end_text(const WorkEnd& end, double limit_s) {
   if (end.is_timed_out()) return fmt::format("no end within {:g} s", limit_s);
-  if (end.signal == 0) return "ends the program";
-  return fmt::format("signal {} (SIG{})", end.signal, sigabbrev_np(end.signal));
+  const std::string signal = end.signal_text();
+  return signal.empty() ? "ends the program" : signal;
 }
 
 std::string shrunk_from(const std::string& name, std::int64_t steps, const std::string& kept) {

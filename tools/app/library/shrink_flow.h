@@ -7,7 +7,7 @@
 
 #include "sim/core/core.h"
 #include "tools/app/command_line/options.h"
-#include "tools/files/guarded_child.h"
+#include "tools/platform/guarded_child.h"
 
 namespace hyrax {
 

@@ -12,9 +12,9 @@
 #include "tools/app/play/play_with_progress.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/non_finite_text.h"
-#include "tools/files/path.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/table_text.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

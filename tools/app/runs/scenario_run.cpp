@@ -9,8 +9,8 @@
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/golden/golden_pair.h"
 #include "tools/app/play/play_with_progress.h"
-#include "tools/files/path.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 #include "tools/store/drift_tables.h"
 #include "tools/store/trajectory_writer.h"
 

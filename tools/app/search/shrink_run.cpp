@@ -25,10 +25,10 @@
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
-#include "tools/files/guarded_child.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/platform/guarded_child.h"
 
 namespace hyrax {
 namespace {

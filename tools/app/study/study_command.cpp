@@ -136,7 +136,7 @@ std::string command_of(const StudyArguments& arguments) {
 // Where the study's files go: FOLDER/NAME + an ending.
 std::string stem_of(const OfferedStudy& study, const StudyArguments& arguments) {
   return arguments.folder == "." ? study.name
-                                 : (std::filesystem::path(arguments.folder) / study.name).string();
+                                 : (std::filesystem::path(arguments.folder) / study.name).generic_string();
 }
 
 // The paths of its files.

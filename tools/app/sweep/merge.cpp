@@ -4,24 +4,14 @@
 #include <map>
 #include <memory>
 
-#include <sys/resource.h>
-
 #include "tools/app/command_line/progress.h"
 #include "tools/app/sweep/sweep_run.h"
 #include "tools/files/failure.h"
 #include "tools/files/printable.h"
+#include "tools/platform/process.h"
 
 namespace hyrax {
 namespace {
-
-// All parts are open at once.
-void allow_open_files(std::size_t count) {
-  constexpr rlim_t kOthers = 64;
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= count + kOthers) return;
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, count + kOthers);
-  setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 std::string core_text(const std::string& core) { return core.empty() ? "not named" : printable(core); }
 
@@ -103,7 +93,7 @@ void write_merged(const Parts& parts, const EnsembleHead& head, const std::strin
 
 MergeOutcome merge_parts(const std::vector<std::string>& paths, const ReadContents& read_contents,
                          const std::string& output) {
-  allow_open_files(paths.size());
+  allow_open_files(paths.size());  // All parts are open at once.
   Parts parts;
   for (const std::string& path : paths) add_part(path, read_contents, parts);
   const EnsembleReader& first = *parts.begin()->second;

@@ -6,8 +6,8 @@
 #include "tools/app/command_line/part.h"
 #include "tools/app/command_line/workers.h"
 #include "tools/app/sweep/sweep_run.h"
-#include "tools/files/path.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {

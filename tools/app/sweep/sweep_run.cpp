@@ -10,7 +10,7 @@
 
 #include "tools/app/command_line/progress.h"
 #include "tools/app/command_line/workers.h"
-#include "tools/files/path.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

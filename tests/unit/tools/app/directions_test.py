@@ -11,7 +11,7 @@ APP = SOURCE / "tools/app"
 # Targets of one folder.
 TARGETS = {"sim/compare": {"hyrax_compare", "hyrax_expectations"},
            "sim/reference": {"hyrax_reference", "hyrax_reference_gsl"},
-           "tools/files": {"hyrax_files", "hyrax_golden", "hyrax_child_process"},
+           "tools/files": {"hyrax_files", "hyrax_golden"}, "tools/platform": {"hyrax_platform", "hyrax_process"},
            "tools/report": {"hyrax_report", "hyrax_pages"}, "tools/report/wasm": {"hyrax_page_record"}}
 NOT_INCLUDED = {"hyrax_reference_gsl"}  # Links that need no header of their own.
 

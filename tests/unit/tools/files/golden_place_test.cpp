@@ -5,9 +5,9 @@
 #include "tools/files/check_status.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/json.h"
-#include "tools/files/path.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

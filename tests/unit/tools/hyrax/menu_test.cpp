@@ -15,8 +15,8 @@
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
 #include "tools/files/scenario_reader.h"
+#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

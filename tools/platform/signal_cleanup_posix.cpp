@@ -1,4 +1,4 @@
-#include "tools/files/signal_cleanup.h"
+#include "tools/platform/signal_cleanup.h"
 
 #include <array>
 #include <atomic>

@@ -25,7 +25,13 @@ struct WorkEnd {
 
   /// Whether a limit of time was the reason.
   [[nodiscard]] bool is_timed_out() const;
+  /// "signal 11 (SIGSEGV)"; empty: none ended it.
+  [[nodiscard]] std::string signal_text() const;
 };
+
+/// Whether in_child guards this process: not on Windows, which has no fork. There the work is done in this
+/// process: it has no limits, and what ends it ends this process.
+[[nodiscard]] bool guards_work();
 
 /// Does the work in a copy of this process, which ends with it or before it. Costs a fork: some milliseconds.
 /// The copy has no ignored or blocked signals: what crashes ends it, whoever started this program.
@@ -41,10 +47,13 @@ struct WorkEnd {
 /// elsewhere (address-space layout randomisation), on other pages of memory. Costs the start of a program.
 /// @param arguments the first is the program's name. @return as its result what it printed on standard
 /// output, if its exit code is 0. ERRORS: as in_child. REQUIRES: standard output is open.
-[[nodiscard]] WorkEnd in_new_process(const std::string& what, const ChildLimits& limits,
-                                     std::vector<std::string> arguments);
+[[nodiscard]] WorkEnd in_new_process(const std::string& what, std::vector<std::string> arguments);
 
-/// In the work: from now on it may take so long, whatever its limit was.
+/// What another program, the first word, looked for in PATH, printed on standard output, if its exit code was
+/// 0; it says nothing else.
+[[nodiscard]] std::optional<std::string> printed_by(std::vector<std::string> words);
+
+/// In the work, where it is guarded: from now on it may take so long, whatever its limit was.
 void limit_wall_time(double limit_s);
 
 }  // namespace hyrax

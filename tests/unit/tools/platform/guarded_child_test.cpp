@@ -1,5 +1,5 @@
 // Work in a child process: its result, or how it ended.
-#include "tools/files/guarded_child.h"
+#include "tools/platform/guarded_child.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TEST(GuardedChild, DISABLED_Crashes) { std::raise(SIGKILL); }
 TEST(GuardedChild, StartsThisProgramAgain) {
   setenv("HYRAX_NEW_PROCESS", "a new process", 1);
   const auto end_of_test = [](const std::string& name) {
-    return in_new_process("here", {},
+    return in_new_process("here",
                           {"again", "--gtest_also_run_disabled_tests", "--gtest_filter=*DISABLED_" + name});
   };
   EXPECT_NE(end_of_test("Prints").result.value_or("").find("printed by a new process"), std::string::npos);

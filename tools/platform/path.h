@@ -17,20 +17,17 @@ struct FileName {
   std::string_view extension;  ///< With its dot.
 };
 
+/// What may end the name of a folder.
+[[nodiscard]] std::string_view path_separators();
+
 /// The parts of a path, without looking at the disk. They refer to the path's text.
 [[nodiscard]] FileName file_name(std::string_view path);
 
 /// Whether something exists there, or may exist: if the system does not say, reading it will report why.
 [[nodiscard]] bool is_there(const std::string& path);
 
-#ifdef _WIN32
-[[nodiscard]] std::wstring to_wide(std::string_view utf8);
-[[nodiscard]] std::string to_utf8(std::wstring_view wide);
-/// For the system's wide functions, which take a path of any length if it is absolute and marked so.
-[[nodiscard]] std::wstring system_path(const std::string& path);
-#endif
-
-/// std::fopen and std::remove for UTF-8 paths of any length, on Windows too.
+/// std::fopen and std::remove for UTF-8 paths of any length, on Windows too, where /dev/stdin can be read as
+/// well.
 [[nodiscard]] std::FILE* open_file(const std::string& path, const char* mode);
 void remove_file(const std::string& path);
 

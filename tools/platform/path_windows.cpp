@@ -1,9 +1,14 @@
-#include "tools/files/path.h"
+#include "tools/platform/path.h"
 
+#include <io.h>
 #include <windows.h>
+
+#include "tools/platform/wide_text.h"
 
 namespace hyrax {
 namespace {
+
+constexpr std::string_view kStandardInput = "/dev/stdin";
 
 // Of no file: all bits.
 DWORD attributes_of(const std::string& path) { return GetFileAttributesW(system_path(path).c_str()); }
@@ -36,14 +41,17 @@ std::wstring system_path(const std::string& path) {
   return full.starts_with(L"\\\\") ? L"\\\\?\\UNC" + full.substr(1) : L"\\\\?\\" + full;
 }
 
+std::string_view path_separators() { return "/\\:"; }
+
 std::FILE* open_file(const std::string& path, const char* mode) {
+  if (path == kStandardInput) return _fdopen(_dup(_fileno(stdin)), mode);
   return _wfopen(system_path(path).c_str(), to_wide(mode).c_str());
 }
 
 void remove_file(const std::string& path) { DeleteFileW(system_path(path).c_str()); }
 
 bool is_there(const std::string& path) {
-  if (attributes_of(path) != INVALID_FILE_ATTRIBUTES) return true;
+  if (path == kStandardInput || attributes_of(path) != INVALID_FILE_ATTRIBUTES) return true;
   const DWORD error = GetLastError();
   return error != ERROR_FILE_NOT_FOUND && error != ERROR_PATH_NOT_FOUND && error != ERROR_INVALID_NAME;
 }

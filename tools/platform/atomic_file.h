@@ -11,7 +11,8 @@ namespace hyrax {
 ///
 /// The part file is `.NAME.part`, or `.NAME.2.part` and so on while others write theirs. SIGINT, SIGTERM and
 /// SIGHUP remove it; one left by a killed writer is recognised by the lock that it lost, and is replaced. (On
-/// Windows its name has the process id, and the system removes it when the process ends.)
+/// Windows its name has the process id, and the system removes it when the process ends, until part_path()
+/// hands it over.)
 class AtomicFile {
  public:
   /// Creates the part file, empty. A symbolic link at `path` is followed: its target is replaced.
@@ -22,7 +23,8 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
 
-  [[nodiscard]] const std::string& part_path() const { return part_path_; }
+  /// For who opens the part file by its path: instead of write.
+  [[nodiscard]] const std::string& part_path();
   /// Writes the content of the part file. ERRORS: Failure(cannot_access).
   void write(std::string_view text) const;
   /// Replaces the target by the part file, which gets the target's mode. ERRORS: Failure(cannot_access).

@@ -1,4 +1,4 @@
-#include "tools/files/guarded_child.h"
+#include "tools/platform/guarded_child.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -94,6 +95,10 @@ bool WorkEnd::is_timed_out() const {
   return signal == SIGALRM || signal == SIGXCPU || signal == SIGKILL;  // The last follows SIGXCPU.
 }
 
+std::string WorkEnd::signal_text() const {
+  return signal == 0 ? "" : "signal " + std::to_string(signal) + " (SIG" + sigabbrev_np(signal) + ")";
+}
+
 void limit_wall_time(double limit_s) {
   constexpr double kTick_s = 1e-6;
   const double whole_s = std::floor(limit_s);
@@ -132,7 +137,21 @@ WorkEnd end_of_child(const std::string& what, const ChildLimits& limits,
   return {.result = result, .signal = 0};
 }
 
+// @param execute starts a program in the child process; if it returns, there is no such program.
+WorkEnd end_of_program(const std::string& what, const ChildLimits& limits, std::vector<std::string> arguments,
+                       const std::function<void(char** words)>& execute) {
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+  return end_of_child(what, limits, [&](int result_end) {
+    if (dup2(result_end, STDOUT_FILENO) >= 0) execute(words.data());
+    _exit(1);
+  });
+}
+
 }  // namespace
+
+bool guards_work() { return true; }
 
 WorkEnd in_child(const std::string& what, const ChildLimits& limits,
                  const std::function<std::string()>& work) {
@@ -141,15 +160,15 @@ WorkEnd in_child(const std::string& what, const ChildLimits& limits,
   return {.result = end.result->substr(1), .signal = 0};
 }
 
-WorkEnd in_new_process(const std::string& what, const ChildLimits& limits,
-                       std::vector<std::string> arguments) {
-  std::vector<char*> words;
-  for (std::string& argument : arguments) words.push_back(argument.data());
-  words.push_back(nullptr);
-  return end_of_child(what, limits, [&](int result_end) {
-    if (dup2(result_end, STDOUT_FILENO) >= 0) execv("/proc/self/exe", words.data());
-    _exit(1);
-  });
+WorkEnd in_new_process(const std::string& what, std::vector<std::string> arguments) {
+  return end_of_program(what, {.is_silent = false}, std::move(arguments),
+                        [](char** words) { execv("/proc/self/exe", words); });
+}
+
+std::optional<std::string> printed_by(std::vector<std::string> words) try {
+  return end_of_program(words.front(), {}, words, [](char** program) { execvp(program[0], program); }).result;
+} catch (const Failure&) {
+  return std::nullopt;
 }
 
 }  // namespace hyrax

@@ -1,4 +1,4 @@
-#include "tools/files/atomic_file.h"
+#include "tools/platform/atomic_file.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
-#include "tools/files/signal_cleanup.h"
+#include "tools/platform/path.h"
+#include "tools/platform/signal_cleanup.h"
 
 namespace hyrax {
 namespace {
@@ -121,6 +121,8 @@ AtomicFile::~AtomicFile() {
   keep_on_signal(part_path_);
   close(lock_);
 }
+
+const std::string& AtomicFile::part_path() { return part_path_; }
 
 void AtomicFile::write(std::string_view text) const {
   std::FILE* const file = std::fopen(part_path_.c_str(), "wb");

@@ -1,4 +1,4 @@
-#include "tools/files/atomic_file.h"
+#include "tools/platform/atomic_file.h"
 
 #include <cerrno>
 #include <system_error>
@@ -8,7 +8,8 @@
 #include <windows.h>
 
 #include "tools/files/failure.h"
-#include "tools/files/path.h"
+#include "tools/platform/path.h"
+#include "tools/platform/wide_text.h"
 
 namespace hyrax {
 namespace {
@@ -40,10 +41,15 @@ void rename_to(const std::string& from, const std::string& to, DWORD how) {
   }
 }
 
-// The part file is closed, and gets its name.
-void finish(HANDLE& file, std::string& part_path, const std::string& path, DWORD how) {
+// It stays when it is closed, which comes first: nobody else can write to it or rename it before.
+void close(HANDLE& file, const std::string& path) {
+  if (file == nullptr) return;
   if (!set_removal(file, false)) fail(path);
   CloseHandle(std::exchange(file, nullptr));
+}
+
+void finish(HANDLE& file, std::string& part_path, const std::string& path, DWORD how) {
+  close(file, path);
   rename_to(part_path, path, how);
   part_path.clear();
 }
@@ -64,6 +70,11 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path) {
 AtomicFile::~AtomicFile() {
   if (file_ != nullptr) CloseHandle(file_);
   if (!part_path_.empty()) remove_file(part_path_);
+}
+
+const std::string& AtomicFile::part_path() {
+  close(file_, path_);
+  return part_path_;
 }
 
 void AtomicFile::write(std::string_view text) const {

@@ -1,5 +1,5 @@
 // Atomic writing leaves the old file or the complete new one, and nothing else.
-#include "tools/files/atomic_file.h"
+#include "tools/platform/atomic_file.h"
 
 #include <gtest/gtest.h>
 
@@ -138,7 +138,7 @@ class PartFileTest : public AtomicFileTest {};
 TEST_F(PartFileTest, IsAHiddenFileNextToItsTargetAlsoWhereAWriterWasKilled) {
   for (const char* const name : {".a.h5.part", ".b.h5.part"}) write_bytes(path(name), "half of a file");
   {
-    const AtomicFile part(path("a.h5"));
+    AtomicFile part(path("a.h5"));
     EXPECT_EQ(part.part_path(), path(".a.h5.part"));
     EXPECT_EQ(fs::file_size(part.part_path()), 0u);
     EXPECT_TRUE(fs::exists(path(".b.h5.part"))) << "another output's";
