@@ -56,7 +56,7 @@ RUN = {"console", "json", "python"}
 NAMED_NOWHERE = set("""cost_lower_quartile cost_upper_quartile cost_low cost_high steps_astray u_i mpirun pre-commit-config
     python3-numpy my_physics-replay my_physics-sim data-core data-first-difference data-state-hash
     DCMAKE_PREFIX_PATH hyrax-figures hyrax-sim_ many-bounces fling-2 m_spin
-    toy-sim NAME-sim toy_core spin touches_rail mt19937""".split())
+    toy-sim NAME-sim toy_core NAME_posix NAME_windows LongPathsEnabled PROCESS spin touches_rail mt19937""".split())
 NOT_RUN = {"sh", "cmake", "cpp", "text", "yaml"}
 RUNS_LONG = "HYRAX_LONG_BLOCKS" in os.environ or "--update" in sys.argv
 
