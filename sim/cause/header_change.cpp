@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace hyrax {
 namespace {
@@ -254,6 +255,20 @@ std::vector<double> header_literals(std::string_view header) {
       if (const std::optional<double> literal = number_of(token)) literals.push_back(*literal);
   }
   return literals;
+}
+
+NumberNames shared_names(std::string_view accepted, std::string_view program) {
+  NumberNames names;
+  const std::vector<double> literals = header_literals(program);
+  std::set<double> ambiguous(literals.begin(), literals.end());
+  ambiguous.insert({0.0, 1.0});
+  const std::vector<HeaderConstant> others = header_constants(accepted);
+  for (const HeaderConstant& constant : header_constants(program))
+    if (std::ranges::find(others, constant) == others.end() ||
+        !names.try_emplace(constant.value, constant.name).second)
+      ambiguous.insert(constant.value);
+  for (const double value : ambiguous) names.erase(value);
+  return names;
 }
 
 std::vector<std::string> header_members(std::string_view header) {

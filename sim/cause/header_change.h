@@ -11,6 +11,7 @@
 
 #include "sim/core/core_record.h"
 #include "sim/result/table.h"
+#include "sim/trace/expression_text.h"
 #include "sim/trace/traced_step.h"
 
 namespace hyrax {
@@ -27,6 +28,10 @@ struct HeaderConstant {
 
 /// The numbers of its other statements.
 [[nodiscard]] std::vector<double> header_literals(std::string_view header);
+
+/// What both headers call a number. Those that only one of them has stay numbers, and those that the
+/// program's header writes as numbers, too; so do 0 and 1, which are in every step.
+[[nodiscard]] NumberNames shared_names(std::string_view accepted, std::string_view program);
 
 /// The names of the members of `class physics`: those that x(), y(), vx() and vy() return, then the others in
 /// their order. Nothing where they cannot be told, as of members of another type than a number's.
@@ -68,6 +73,9 @@ struct StepProof {
   bool is_equal = false;  ///< The same operations on every path: the same bits for every state, dt and size.
   std::string why = {};   ///< Not equal.
 };
+
+inline constexpr std::string_view kProvedEqualText =
+    "changed in text only: proved equal to the accepted core, the same operations on every path\n";
 
 /// @param base_name as "the accepted core".
 [[nodiscard]] StepProof prove_equal(const std::string& base_name, const CoreRecord& base,

@@ -9,7 +9,7 @@
 namespace hyrax {
 
 std::string CoreRecord::checksum() const {
-  const std::string_view text = step.empty() ? header : step;
+  const std::string_view text = step.empty() || is_named_by_header ? header : step;
   return text.empty() ? "" : hex(digest(std::as_bytes(std::span(text))));
 }
 

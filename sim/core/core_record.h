@@ -32,6 +32,9 @@ struct CoreRecord {
   /// is the paper's links nothing that reads steps.
   void (*complete)(Core& core) = nullptr;
 
+  /// Of a core that describes itself: its step has no defaults, outputs or properties.
+  bool is_named_by_header = false;
+
   std::string_view path = {};            ///< Of the header, as that of a file.
   std::span<const CoreFile> files = {};  ///< That it includes, in order of their paths.
 

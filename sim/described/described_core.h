@@ -67,7 +67,7 @@ class DescribedBody {
 
 struct DescribedCore {
   Description description = {};
-  /// Its header and the project's files that it includes; it has no traced step.
+  /// Its header, the project's files that it includes, and its step as recorded (described_step.h).
   CoreRecord record = {};
   /// A default constructed body.
   std::function<std::unique_ptr<DescribedBody>()> make = {};

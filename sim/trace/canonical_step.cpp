@@ -72,9 +72,11 @@ TracedStep unique_step(const TracedStep& step) {
   std::vector<StepIndex> comparisons;
   for (const StepComparison& raw : step.comparisons)
     comparisons.push_back(unique_comparisons.number_of(with_sides(raw, table.numbers())));
-  TracedStep unique{
-      .members = step.members, .expressions = table.expressions(), .comparisons = unique_comparisons.items()};
-  for (std::size_t function = 0; function < kCoreFunctions; ++function)
+  TracedStep unique = step;
+  unique.expressions = table.expressions();
+  unique.comparisons = unique_comparisons.items();
+  for (std::size_t function = 0; function < step.paths.size(); ++function) {
+    unique.paths[function].clear();
     for (const StepPath& raw : step.paths[function]) {
       std::map<StepIndex, bool> outcomes;
       bool is_possible = true;
@@ -85,6 +87,7 @@ TracedStep unique_step(const TracedStep& step) {
       for (const auto& [comparison, holds] : outcomes) path.outcomes.push_back({comparison, holds});
       for (const StepIndex member : raw.members) path.members.push_back(table.numbers()[member]);
     }
+  }
   return unique;
 }
 
@@ -178,10 +181,11 @@ TracedStep in_order(const TracedStep& step) {
       for (const StepOutcome& outcome : path.outcomes) decide[outcome.comparison] = true;
     }
   add_operands(unique, needed);
-  TracedStep numbered{.members = step.members};
+  TracedStep numbered = unique;
+  numbered.expressions.clear();
+  numbered.comparisons.clear();
   const std::vector<StepIndex> expressions = number_expressions(unique, needed, numbered);
   const std::vector<StepIndex> comparisons = number_comparisons(unique, decide, expressions, numbered);
-  numbered.paths = unique.paths;
   for (std::vector<StepPath>& paths : numbered.paths) {
     for (StepPath& path : paths) {
       for (StepOutcome& outcome : path.outcomes) outcome.comparison = comparisons[outcome.comparison];

@@ -14,11 +14,12 @@
 namespace hyrax {
 namespace {
 
-// With the paths of update alone, or with those of all other functions.
-TracedStep part_of(TracedStep step, bool is_update) {
-  for (std::size_t function = 0; function < kCoreFunctions; ++function)
-    if ((static_cast<CoreFunction>(function) == CoreFunction::update) != is_update)
-      step.paths[function].clear();
+constexpr auto kUpdate = static_cast<std::size_t>(CoreFunction::update);
+
+// With the paths of one function alone, or with those of all others.
+TracedStep part_of(TracedStep step, bool is_alone, std::size_t function = kUpdate) {
+  for (std::size_t other = 0; other < step.paths.size(); ++other)
+    if ((other == function) != is_alone) step.paths[other].clear();
   return canonical(step);
 }
 
@@ -64,7 +65,8 @@ bool agree(const PathOutcomes& a, const PathOutcomes& b) {
 
 // One of the two steps, with its numbers among both.
 struct Side {
-  Side(const TracedStep& traced, SharedNumbers& shared) : step(traced), numbers(shared.of(traced)) {
+  Side(const TracedStep& traced, std::size_t of_function, SharedNumbers& shared)
+      : step(traced), function(of_function), numbers(shared.of(traced)) {
     std::vector<bool> needed(step.expressions.size());
     for (const StepPath& path : paths()) {
       evaluated.push_back(evaluated_by(step, path));
@@ -77,7 +79,7 @@ struct Side {
       if (needed[index]) has_expressions.insert(numbers.expressions[index]);
   }
 
-  [[nodiscard]] const std::vector<StepPath>& paths() const { return step.paths_of(CoreFunction::update); }
+  [[nodiscard]] const std::vector<StepPath>& paths() const { return step.paths[function]; }
   // Numbers need no other step to have them.
   [[nodiscard]] bool is_number(StepIndex index) const {
     const Expression& expression = step.expressions[index];
@@ -91,8 +93,9 @@ struct Side {
   }
 
   const TracedStep& step;
+  const std::size_t function;
   SharedNumbers::OfStep numbers;
-  std::set<StepIndex> has_expressions;  // That update evaluates.
+  std::set<StepIndex> has_expressions;  // That the function evaluates.
   std::set<StepIndex> has_comparisons;
   std::vector<std::vector<bool>> evaluated;  // By path, by expression.
 };
@@ -102,7 +105,7 @@ constexpr std::size_t kExchangedPathsMax = 512;
 
 // The step with the outcomes of a comparison exchanged, in update.
 std::shared_ptr<const StepProgram> with_outcomes_exchanged(TracedStep step, StepIndex comparison) {
-  for (StepPath& path : step.paths[static_cast<std::size_t>(CoreFunction::update)])
+  for (StepPath& path : step.paths[kUpdate])
     for (StepOutcome& outcome : path.outcomes)
       if (outcome.comparison == comparison) outcome.holds = !outcome.holds;
   return make_step_program(canonical(step));
@@ -110,8 +113,9 @@ std::shared_ptr<const StepProgram> with_outcomes_exchanged(TracedStep step, Step
 
 class DifferenceFinder {
  public:
-  DifferenceFinder(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)
-      : names_(names), accepted_(accepted, shared_), current_(current, shared_) {}
+  DifferenceFinder(const TracedStep& accepted, const TracedStep& current, const NumberNames& names,
+                   std::size_t function = kUpdate)
+      : names_(names), accepted_(accepted, function, shared_), current_(current, function, shared_) {}
 
   std::vector<StepDifference> find() {
     for (const auto& [side, other] : {std::pair(&accepted_, &current_), std::pair(&current_, &accepted_)}) {
@@ -120,7 +124,11 @@ class DifferenceFinder {
     }
     find_paths();
     if (found_.empty())
-      add(accepted_, "the paths of update", std::vector<bool>(accepted_.paths().size(), true));
+      add(accepted_,
+          "the paths of " + (accepted_.step.describes_itself()
+                                 ? accepted_.step.function_names[accepted_.function]
+                                 : std::string(kCoreFunctionNames[kUpdate])),
+          std::vector<bool>(accepted_.paths().size(), true));
     return std::move(found_);
   }
 
@@ -147,6 +155,7 @@ class DifferenceFinder {
         if (is_part[side.paths()[path].members[member]]) difference.members[path] |= MemberBits{1} << member;
     }
     for (StepIndex index = 0; index < side.step.comparisons.size(); ++index) {
+      if (side.step.describes_itself()) break;  // It is not played.
       if (!is_compared[index] || !side.has_comparisons.contains(side.numbers.comparisons[index])) continue;
       auto& exchanged = exchanged_[&side == &accepted_ ? 0 : 1][index];
       if (!exchanged) exchanged = with_outcomes_exchanged(side.step, index);
@@ -273,6 +282,30 @@ bool DifferenceWatch::take(const StepDifference& difference, const StepInput& in
   }
   further_ = (further_ | decided) & differing & ~kRowMembers;
   return (decided & kRowMembers) != 0;
+}
+
+std::vector<ValueDifference> value_differences(const TracedStep& accepted, const TracedStep& current,
+                                               const NumberNames& names) {
+  std::vector<ValueDifference> differences;
+  for (std::size_t function = 0; function < accepted.paths.size(); ++function) {
+    if (part_of(accepted, true, function) == part_of(current, true, function)) continue;
+    std::map<MemberBits, ValueDifference> by_members;
+    for (const StepDifference& found : DifferenceFinder(accepted, current, names, function).find()) {
+      MemberBits members = 0;
+      for (std::size_t path = 0; path < found.members.size(); ++path)
+        if (found.is_on_path[path]) members |= found.members[path];
+      ValueDifference& difference = by_members[members];
+      (found.is_in_accepted ? difference.before : difference.after).push_back(found.text);
+    }
+    for (auto& [members, difference] : by_members) {
+      difference.function = accepted.function_names[function];
+      for (std::size_t member = 0; member < accepted.members.size(); ++member)
+        if (members != kAllMembers && (members >> member & 1u) != 0)
+          difference.values.push_back(accepted.member_names[member]);
+      differences.push_back(std::move(difference));
+    }
+  }
+  return differences;
 }
 
 StepPair::StepPair(const TracedStep& accepted, const TracedStep& current, const NumberNames& names)

@@ -15,8 +15,8 @@
 namespace hyrax {
 
 /// A bit a member of a step, in their order.
-using MemberBits = std::uint32_t;
-static_assert(kStepMembersMax <= 32);
+using MemberBits = std::uint64_t;
+static_assert(kStepMembersMax + kStepContactsMax <= 64);
 
 /// A condition or expression that only one of two complete steps has while both have its operands.
 struct StepDifference {
@@ -27,6 +27,15 @@ struct StepDifference {
   std::vector<MemberBits> members = {};  ///< By such a path: those whose end it is a part of.
   /// That step with the outcomes of one comparison exchanged, for each that it is a part of.
   std::vector<std::shared_ptr<const StepProgram>> exchanged = {};
+};
+
+/// What a function of two cores that describe themselves does otherwise.
+struct ValueDifference {
+  std::string function;             ///< As "step", "strike(vx_px_per_s)".
+  std::vector<std::string> values;  ///< Values and contacts that it makes otherwise; none: those that a
+                                    ///< condition decides.
+  std::vector<std::string> before;  ///< Expressions or conditions that only the accepted step has.
+  std::vector<std::string> after;   ///< Those of the current one.
 };
 
 /// Both bodies of a step, of the step that has a difference and of the other one.
@@ -63,6 +72,12 @@ struct DifferenceSearch {
 
 /// Members that no row depends on, in this step or a later one.
 [[nodiscard]] MemberBits unrecorded_members(const TracedStep& step);
+
+/// Function by function. REQUIRES: canonical steps of cores with the same names of values and functions.
+/// @param names as those of StepPair.
+[[nodiscard]] std::vector<ValueDifference> value_differences(const TracedStep& accepted,
+                                                             const TracedStep& current,
+                                                             const NumberNames& names);
 
 /// Two complete steps, made ready to be compared.
 class StepPair {

@@ -81,7 +81,8 @@ class Values {
 }  // namespace
 
 std::shared_ptr<const StepProgram> make_step_program(const TracedStep& step) {
-  if (step.members.size() < 4 || step.members.size() > kStepMembersMax) return nullptr;
+  if (step.members.size() < 4 || step.members.size() > kStepMembersMax || step.describes_itself())
+    return nullptr;
   StepProgram program(step);
   for (const Expression& expression : step.expressions)
     if (is_leaf(expression))  // They come first.

@@ -18,6 +18,7 @@ constexpr std::string_view kFirstLine = "hyrax-step/1\n";
 constexpr std::array<std::string_view, 3> kConversionNames = {"to_real", "to_single", "to_whole"};
 // A step of 4,096 paths has a tenth of it.
 constexpr std::size_t kTextBytesMax = 1 << 22;
+constexpr char kOfCore = '$';  // Before the names of a core that describes itself.
 constexpr double kSingleMax = static_cast<double>(std::numeric_limits<float>::max());
 
 // The last line, of all before it (FNV-1a, 64 bits): tells a text that was cut short or edited by hand.
@@ -65,7 +66,7 @@ class Writer {
     names_.reserve(step.expressions.size());
     std::size_t operations = 0;
     for (const Expression& expression : step.expressions)
-      names_.push_back(expression.op == Operator::argument ? expression.name
+      names_.push_back(expression.op == Operator::argument ? of_core(expression.name)
                        : expression.op == Operator::constant
                            ? constant_text(expression)
                            : std::string("e").append(std::to_string(operations++)));
@@ -74,7 +75,10 @@ class Writer {
   std::string text() {
     text_ = kFirstLine;
     text_ += "members:";
-    for (const NumberKind kind : step_.members) text_ += " " + std::string(name_of(kind));
+    for (std::size_t member = 0; member < step_.members.size(); ++member) {
+      text_ += " " + std::string(name_of(step_.members[member]));
+      if (step_.describes_itself()) text_ += "=" + step_.member_names[member];
+    }
     text_ += "\n";
     for (std::size_t index = 0; index < step_.expressions.size(); ++index) write_expression(index);
     for (std::size_t index = 0; index < step_.comparisons.size(); ++index) {
@@ -82,13 +86,20 @@ class Writer {
       text_ += std::string("c").append(std::to_string(index)) + ": " + name(comparison.left) + " " +
                std::string(sign_of(comparison.relation)) + " " + name(comparison.right) + "\n";
     }
-    for (std::size_t function = 0; function < kCoreFunctions; ++function)
-      for (const StepPath& path : step_.paths[function]) write_path(kCoreFunctionNames[function], path);
+    for (std::size_t function = 0; function < step_.paths.size(); ++function)
+      for (const StepPath& path : step_.paths[function])
+        write_path(step_.describes_itself() ? of_core(step_.function_names[function])
+                                            : std::string(kCoreFunctionNames[function]),
+                   path);
     return text_ + checksum_line(text_);
   }
 
  private:
   const std::string& name(StepIndex index) const { return names_[index]; }
+  // What a core names itself may be `e0` or `members`, too.
+  [[nodiscard]] std::string of_core(const std::string& name) const {
+    return step_.describes_itself() ? kOfCore + name : name;
+  }
 
   void write_expression(std::size_t index) {
     const Expression& expression = step_.expressions[index];
@@ -115,8 +126,8 @@ class Writer {
     return text + ")";
   }
 
-  void write_path(std::string_view function, const StepPath& path) {
-    text_ += std::string(function) + ":";
+  void write_path(const std::string& function, const StepPath& path) {
+    text_ += function + ":";
     for (const StepOutcome& outcome : path.outcomes)
       text_ += std::string(outcome.holds ? " c" : " !c") + std::to_string(outcome.comparison);
     text_ += " =";
@@ -191,28 +202,48 @@ class Reader {
       words.push_back(line.substr(at, end - at));
     }
     if (name == "members") return read_members(words);
-    if (const auto function = index_in(kCoreFunctionNames, name)) return read_path(words, *function);
+    const bool is_of_core = name.starts_with(kOfCore);
+    if (is_of_core && words.size() > 1) return read_path(words, function_of_core(name.substr(1)));
+    if (const auto function = index_in(kCoreFunctionNames, name))
+      return !step_.describes_itself() && read_path(words, *function);
     if (name.starts_with('c') && number_of<std::size_t>(name.substr(1)) == step_.comparisons.size())
       return read_comparison(words);
     return read_expression(name, words);
   }
 
   bool read_members(Words words) {
+    const bool is_of_core = !words.empty() && words[0].find('=') != std::string_view::npos;
     for (const std::string_view word : words) {
-      const auto kind = index_in(kNumberKindNames, word);
-      if (!kind || step_.members.size() == kStepMembersMax) return false;
+      const std::size_t end = is_of_core ? std::min(word.find('='), word.size() - 1) : word.size();
+      const auto kind = index_in(kNumberKindNames, word.substr(0, end));
+      if (!kind || step_.members.size() == kStepMembersMax + (is_of_core ? kStepContactsMax : 0))
+        return false;
       step_.members.push_back(static_cast<NumberKind>(*kind));
+      if (is_of_core) step_.member_names.emplace_back(word.substr(end + 1));
     }
-    return step_.members.size() >= 4;
+    if (is_of_core) step_.paths.clear();
+    return is_of_core || step_.members.size() >= 4;
+  }
+
+  // Functions come in their order.
+  std::size_t function_of_core(std::string_view name) {
+    if (step_.paths.empty() || step_.function_names.back() != name) {
+      step_.function_names.emplace_back(name);
+      step_.paths.emplace_back();
+    }
+    return step_.paths.size() - 1;
   }
 
   // "real", of an argument; "real = e1 + e2", "real = -e1", "real = fma(e1, e2, e3)".
   bool read_expression(std::string_view name, Words words) {
     const auto kind = words.empty() ? std::nullopt : index_in(kNumberKindNames, words[0]);
-    if (!kind || !is_name(name)) return false;
+    const bool is_of_core = name.starts_with(kOfCore);
+    if (!kind || is_of_core != (words.size() == 1 && step_.describes_itself()) ||
+        (!is_of_core && !is_name(name)))
+      return false;
     Expression expression{.op = Operator::argument, .kind = static_cast<NumberKind>(*kind)};
     if (words.size() == 1)
-      expression.name = name;
+      expression.name = name.substr(is_of_core ? 1 : 0);
     else if (words.size() < 3 || !read_operation(words.subspan(2), expression))
       return false;
     return names_.try_emplace(std::string(name), add(expression)).second;

@@ -116,14 +116,24 @@ inline constexpr std::array<std::array<std::string_view, kStepArgumentsMax>, kCo
 inline constexpr std::size_t kStepPathsMax = 4096;
 /// More members than this make a step incomplete.
 inline constexpr std::size_t kStepMembersMax = 32;
+/// More contacts than this make the step of a core that describes itself incomplete.
+inline constexpr std::size_t kStepContactsMax = 32;
 
 /// All paths of all functions of a core.
 struct TracedStep {
   std::vector<NumberKind> members;  ///< x, y, vx, vy, then further ones in the order of the object's memory.
   std::vector<Expression> expressions = {};
   std::vector<StepComparison> comparisons = {};
-  std::array<std::vector<StepPath>, kCoreFunctions> paths = {};  ///< By CoreFunction.
+  std::vector<std::vector<StepPath>> paths = std::vector<std::vector<StepPath>>(kCoreFunctions);
+  ///< By CoreFunction.
+  /// Of a core that describes itself, else empty: its values (parameters, inputs, state) and contacts, which
+  /// are its members, and its functions, as "step", "strike(vx_px_per_s)", in the order of `paths`. An
+  /// argument has the name of its value, of "dt", or of the function, as "strike(vx_px_per_s)".
+  std::vector<std::string> member_names = {};
+  std::vector<std::string> function_names = {};
   bool operator==(const TracedStep&) const = default;
+
+  [[nodiscard]] bool describes_itself() const { return !member_names.empty(); }
 
   [[nodiscard]] const std::vector<StepPath>& paths_of(CoreFunction function) const {
     return paths[static_cast<std::size_t>(function)];

@@ -49,6 +49,8 @@ struct hyrax_core {
   }
 };
 """
+# Which no run of the tests reaches.
+HIDDEN_TIMER = "if (++age > 100000) x = 0;\n    x += vx * dt;"
 
 
 def scenario(steps=200, **changes):
@@ -70,7 +72,8 @@ class OwnCoresFiles(InstalledPackage):
         cls.programs = {}
         for name, core, tuning in (("first", CORE, TUNING), ("default", CORE.replace("gravity = 900", "gravity = 950"), TUNING),
                                    ("included", CORE, TUNING.replace("0.5", "0.625")),
-                                   ("lively", CORE.replace("// MORE", "").replace("y <= 300);", 'y <= 300);\n    see.always("slow", vy < 600);'), TUNING),
+                                   ("lively", CORE.replace("// MORE", "").replace("hits = 0", "hits = 0, age = 0").replace("x += vx * dt;", HIDDEN_TIMER).replace("y <= 300);", 'y <= 300);\n    see.always("slow", vy < 600);'), TUNING),
+                                   ("rewritten", CORE.replace("gravity * dt", "dt * gravity").replace("y > 300", "300 < y"), TUNING),
                                    ("longer", CORE.replace("// MORE", 'see("spin", spin);').replace("hits = 0", "hits = 0, spin = 0"), TUNING)):
             (cls.source / "toy_core.h").write_text(core, encoding="utf-8")
             (cls.source / "tuning.h").write_text(tuning, encoding="utf-8")
@@ -146,7 +149,7 @@ class OwnCoresFiles(InstalledPackage):
         self.assertEqual((document["agreed"], document["cores"][0]["status"], document["never_shown"]), (2, "accepted", []))
         self.expect(AGREED, "check", "--core")
         accepted = sorted(path.name for path in (self.folder / "golden/core").rglob("*") if path.is_file())
-        self.assertEqual(accepted, ["accepted.txt", "description.json", "toy_core.h", "tuning.h"])
+        self.assertEqual(accepted, ["accepted.txt", "description.json", "step.txt", "toy_core.h", "tuning.h"])
         shutil.rmtree(self.source / "golden", ignore_errors=True)
         shutil.copytree(self.folder / "golden", self.source / "golden")
         shutil.copy(self.programs["first"], self.source / "build/toy-sim")
@@ -178,6 +181,37 @@ class OwnCoresFiles(InstalledPackage):
         self.assertEqual(text.count("  to accept it "), 1)  # The core with its scenarios.
         self.expect(AGREED, "bless", "scenarios/falls.json", "--accept", "contacts", "--reason", "bouncier")
         self.assertEqual(self.check(DISAGREED)["agreed"], 1)
+
+    def test_differences_of_two_steps_are_named_with_their_values(self):
+        self.expect(AGREED, "bless", "scenarios", "--reason", "first")
+        self.use("included")
+        core = self.check(DISAGREED)["cores"][0]
+        speed = "(vy_px_per_s + dt * gravity_px_per_s2) * "
+        self.assertEqual((core["status"], core["why"], core["paths"]), ("changed", None, 2))
+        self.assertEqual(core["differences"], [{"function": "step", "values": ["vy_px_per_s"], "before": [speed + "0.5"], "after": [speed + "0.625"]}])
+        self.assertEqual(core["changes"][0]["detail"], "bounce 0.5 -> 0.625")
+        self.assertIn(f"  step: vy_px_per_s: `{speed}0.5` -> `{speed}0.625`\n", self.expect(DISAGREED, "check").out)
+        self.use("default")  # In the start, not in the step.
+        self.assertEqual(self.check(DISAGREED)["cores"][0]["differences"], [])
+
+    def test_an_equal_rewrite_is_proved_equal(self):
+        self.expect(AGREED, "bless", "scenarios", "--reason", "first")
+        self.use("rewritten")
+        self.assertEqual(self.check(AGREED)["cores"][0]["status"], "proved_equal")
+        self.assertIn("changed in text only: proved equal to the accepted core", self.expect(AGREED, "check").out)
+        self.assertIn("proved equal", self.expect(AGREED, "check", "--core").out)
+        self.expect(AGREED, "bless", "--core", "--reason", "the same")
+        self.assertEqual(self.check(AGREED)["cores"][0]["status"], "accepted")
+
+    def test_a_hidden_timer_that_no_run_reaches_is_not_proved_equal(self):
+        self.use("lively")
+        self.assertEqual(self.expect(AGREED, "info", "--json").json["step"],
+                         "not complete: a member that is not declared changes, and decides what the step does")
+        self.use("first")
+        self.expect(AGREED, "bless", "scenarios", "--reason", "first")
+        self.use("lively")
+        core = self.check(DISAGREED)["cores"][0]
+        self.assertEqual((core["status"], core["paths"], core["differences"]), ("changed", None, []))
 
     def test_another_description_is_another_shape(self):
         self.expect(AGREED, "bless", "scenarios", "--reason", "first")

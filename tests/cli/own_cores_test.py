@@ -209,6 +209,22 @@ FAULTS = {
     "nan": "x_px",
 }
 
+# What is known of the step of each, traced.
+NO_NUMBER = "is no double, float, int or bool, and has no limits or names of at most 16 values"
+STEPS = {
+    "platform": "complete, 6 paths",
+    "balls": "not complete: more than 4,096 paths",
+    "pet": f"not complete: bounces {NO_NUMBER}",
+    "car": "not complete: does not compile when traced: car_core.h:15: ",
+    "fixed": f"not complete: x {NO_NUMBER}",
+    "sand": "not complete: memory outside the body: struct hyrax_core is not trivially copyable",
+    "clockwork": "not complete: more than 4,096 paths",
+    "linked": "not complete: the step calls engine::game::tick",
+    "wide": "not complete: more than 32 values",
+    "random": "not complete: generator is not declared",
+    "faulty": "not complete: memory outside the body: ",
+}
+
 # Members of struct hyrax_core, and the sentence of what does not compile in it.
 STEP = "void step(double) {}"
 STATE = "template <class See> void state(See&& see) { see(\"x\", x); }"
@@ -317,6 +333,13 @@ class OwnCores(OwnCoresProject):
                 self.write("fault.json", scenario(400, parameters={"fault": fault}))
                 outcome = self.expect(DISAGREED, "run", "fault.json", "-o", "fault.h5")
                 self.assertIn(sentence, outcome.out + outcome.err)
+
+    def test_info_says_which_steps_are_complete_and_why_others_are_not(self):
+        for core, step in STEPS.items():
+            self.use(core)
+            info = self.expect(AGREED, "info", "--json").json
+            self.assertEqual(info["step"][:len(step)], step)
+            self.assertEqual(info["beyond_library"], "not for cores that describe themselves yet")
 
     def test_a_range_whose_length_changes_is_refused_with_its_row(self):
         self.use("sand")

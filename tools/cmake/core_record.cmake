@@ -1,6 +1,6 @@
-# hyrax_core_record(TARGET CORE HEADER [WHY_NOT]): the library TARGET, which has built_core_record() (sim/core/core_record.h) of
+# hyrax_core_record(TARGET CORE HEADER [DESCRIBED]): the library TARGET, which has built_core_record() (sim/core/core_record.h) of
 # the header that the target CORE compiles. Its step is traced when it is built; whatever becomes of that, the build goes on.
-# With WHY_NOT, the reason, it is not traced.
+# DESCRIBED: the core describes itself.
 #
 # hyrax_trace_root: the folder of sim/trace; hyrax_trace_libraries: what the host programs link.
 set(hyrax_record_script ${CMAKE_CURRENT_LIST_DIR}/record_core.cmake)
@@ -29,10 +29,11 @@ set(flags [==[-std=c++20;${flags};$<TARGET_PROPERTY:${core},COMPILE_OPTIONS>]==]
 set(definitions [==[$<TARGET_PROPERTY:${core},COMPILE_DEFINITIONS>]==])
 set(folders [==[$<TARGET_PROPERTY:${core},INCLUDE_DIRECTORIES>]==])
 set(libraries [==[${hyrax_trace_libraries}]==])
-set(why_not [==[${ARGN}]==])
+set(described [==[${ARGN}]==])
 ")
   file(GLOB sources CONFIGURE_DEPENDS ${hyrax_trace_root}/sim/trace/*.* ${hyrax_trace_root}/sim/trace/host/*.*
-       ${hyrax_trace_root}/sim/trace/host/programs/*.*)
+       ${hyrax_trace_root}/sim/trace/host/programs/*.* ${hyrax_trace_root}/sim/described/see_forms.h
+       ${hyrax_trace_root}/sim/described/traced_description.h)
   add_custom_command(
     OUTPUT ${folder}/core_record.cpp
     COMMAND ${CMAKE_COMMAND} -D settings=${folder}/settings.cmake -P ${hyrax_record_script}

@@ -2,8 +2,8 @@
 # (sim/core/core_record.h).
 #
 # The settings are those of hyrax_core_record (core_record.cmake). Two host programs are built: one compiles the header
-# with numbers that record and writes its step; the other compiles it as it is, and holds it to that step. Where `why_not` is
-# set, there is no step to trace.
+# with numbers that record and writes its step; the other compiles it as it is, and holds it to that step. A core that
+# describes itself (`described`) is held to it by its own program (sim/described/described_step.h).
 cmake_minimum_required(VERSION 3.25)
 include(${settings})
 set(ENV{LC_ALL} C) # The compiler's messages are read.
@@ -95,6 +95,30 @@ function(build_host_programs)
   endif()
 endfunction()
 
+# The same of a core that describes itself: only the traced program is built. Functions in a library do not have its numbers.
+function(build_described_program)
+  file(WRITE ${folder}/core.cpp "#include \"${header}\"\n")
+  set(traced ${compile} -O0 -g0 -DHYRAX_CORE_PRELUDE="${folder}/prelude.h" ${root}/sim/trace/host/programs/record_step.cpp)
+  set(object -fno-lto -c -o ${folder}/traced.o)
+  execute_process(COMMAND ${compile} -E ${folder}/core.cpp -o ${folder}/compiled.txt
+                  COMMAND ${traced} -DHYRAX_TRACES_BOOL -E -o ${folder}/traced.txt OUTPUT_QUIET ERROR_QUIET ${compile_limit})
+  execute_process(COMMAND ${compile} -O0 -g0 ${object} -x c++-cpp-output ${folder}/traced.txt RESULT_VARIABLE result
+                  OUTPUT_QUIET ERROR_QUIET ${compile_limit})
+  if(NOT result EQUAL 0)
+    execute_process(COMMAND ${traced} ${object} RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE messages ${compile_limit})
+  endif()
+  if(result EQUAL 0)
+    execute_process(COMMAND ${compile} ${folder}/traced.o ${libraries} -o ${folder}/record_step
+                    RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE messages ${compile_limit})
+  endif()
+  if(messages MATCHES "undefined (reference to|symbol:) [`']?([^(\n'`]+)")
+    set(why_not "the step calls ${CMAKE_MATCH_2}" PARENT_SCOPE)
+  elseif(NOT result EQUAL 0)
+    first_error(error "${messages}" "${result}")
+    set(why_not "does not compile when traced: ${error}" PARENT_SCOPE)
+  endif()
+endfunction()
+
 # What another person's header prints is nobody's.
 macro(run program)
   execute_process(COMMAND ${folder}/${program} ${step} ${why} ${ARGN} WORKING_DIRECTORY ${folder} INPUT_FILE ${nowhere} OUTPUT_QUIET
@@ -108,13 +132,19 @@ function(trace)
   if(NOT why_not)
     find_own_files(own_files)
     write_prelude("${own_files}")
-    build_host_programs()
+    set(object check_core.o)
+    if(described)
+      build_described_program()
+      set(object traced.o)
+    else()
+      build_host_programs()
+    endif()
   endif()
   if(NOT why_not)
     find_program(nm NAMES nm llvm-nm)
-    execute_process(COMMAND ${nm} -C --format=sysv ${folder}/check_core.o OUTPUT_FILE ${folder}/symbols.txt ERROR_QUIET)
+    execute_process(COMMAND ${nm} -C --format=sysv ${folder}/${object} OUTPUT_FILE ${folder}/symbols.txt ERROR_QUIET)
     run(record_step ${header} ${folder}/compiled.txt ${folder}/traced.txt ${folder}/symbols.txt)
-    if(EXISTS ${step})
+    if(EXISTS ${step} AND NOT described)
       run(check_core ${listing})
     endif()
     if(result EQUAL 0 OR EXISTS ${why})
@@ -186,8 +216,8 @@ literal(header_bytes ${header})
 literal(step_bytes ${step})
 literal(why_bytes ${why})
 set(kind ".complete = complete_by_step")
-if(why_not)
-  set(kind ".complete = nullptr")
+if(described)
+  set(kind ".is_named_by_header = true")
 elseif(EXISTS ${listing})
   set(kind ".is_listing = true")
 endif()

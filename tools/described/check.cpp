@@ -27,6 +27,8 @@ Cause cause_of(const std::vector<DescribedCoreVerdict>& cores, const DescribedRu
   if (run.comparison->has_other_scenario)
     return {CauseKind::scenario, run.comparison->shape.substr(run.comparison->shape.find(": ") + 2)};
   const auto core = std::ranges::find(cores, run.golden_folder, &DescribedCoreVerdict::golden_folder);
+  if (core != cores.end() && core->status == "proved_equal")
+    return {CauseKind::unknown, "the core's step is proved equal to the accepted one"};
   if (core != cores.end() && !core->changes.empty()) return {CauseKind::core, core->sentence()};
   if (!run.comparison->shape.empty()) return {CauseKind::core, run.comparison->shape};
   return {CauseKind::unknown, core == cores.end() || core->status == "none"

@@ -1,12 +1,15 @@
 #include "tools/described/core_verdict.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "sim/described/described_step.h"
 #include "sim/described/scripted_body.h"
+#include "sim/trace/step_text.h"
 #include "tools/described/value_json.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/table_text.h"
@@ -49,7 +52,35 @@ DescribedScenario with_default(DescribedScenario scenario, const DefaultChange& 
   return scenario;
 }
 
+// As the build recorded it.
+AcceptedCore recorded_core(const DescribedCore& core) {
+  AcceptedCore accepted = core_of(kDescribedModel, core.record);
+  accepted.header_name = header_name(core);
+  accepted.description = to_text(description_json(core.description), 3) + "\n";
+  return accepted;
+}
+
+// REQUIRES: the same names and types.
+void compare_steps(const AcceptedCore& accepted, const AcceptedCore& program, DescribedCoreVerdict& verdict) {
+  const StepProof proof = prove_equal("the accepted core", accepted.record(), program.record());
+  if (proof.is_complete && !proof.is_equal) {
+    verdict.status = "changed";
+    verdict.differences = value_differences(*read_step(accepted.step), *read_step(program.step),
+                                            shared_names(accepted.text(), program.text()));
+  } else if (verdict.status == "changed" && !proof.is_complete) {
+    verdict.why = program.step.empty() ? "the step is not complete: " + proof.why : proof.why;
+  } else if (verdict.status == "changed" && accepted.description == program.description) {
+    verdict.status = "proved_equal";
+  }
+}
+
 void compare(const DescribedCore& core, const AcceptedCore& accepted, DescribedCoreVerdict& verdict) {
+  const AcceptedCore recorded = recorded_core(core);
+  if (accepted.has_same_files(recorded) && accepted.description == recorded.description &&
+      accepted.step == recorded.step) {
+    verdict.status = "accepted";
+    return;
+  }
   const AcceptedCore program = program_core(core);
   if (accepted.model != program.model) {
     verdict.why = fmt::format("the accepted core does not describe itself (found {})", accepted.model);
@@ -60,12 +91,15 @@ void compare(const DescribedCore& core, const AcceptedCore& accepted, DescribedC
   verdict.status = accepted.has_same_files(program) && is_same_description ? "accepted" : "changed";
   for (HeaderChange& change : core_changes(accepted, program, verdict.header_path))
     verdict.changes.push_back({std::move(change)});
-  if (is_same_description) return;
+  if (is_same_description) return compare_steps(accepted, program, verdict);
   const Description before =
       parse_description(accepted.description, core.description.core,
                         accepted_core_folder(verdict.golden_folder) + "/description.json");
   const std::string difference = description_difference(before, core.description);
-  if (difference.empty()) return add_defaults(before, core.description, verdict);
+  if (difference.empty()) {
+    compare_steps(accepted, program, verdict);
+    return add_defaults(before, core.description, verdict);
+  }
   HeaderChange& change = verdict.changes.emplace_back();
   change.detail = difference;
   change.file = "description.json";
@@ -74,10 +108,9 @@ void compare(const DescribedCore& core, const AcceptedCore& accepted, DescribedC
 }  // namespace
 
 AcceptedCore program_core(const DescribedCore& core) {
-  AcceptedCore accepted = core_of(kDescribedModel, core.record);
-  accepted.header_name = header_name(core);
-  accepted.description = to_text(description_json(core.description), 3) + "\n";
-  if (accepted.why_incomplete.empty()) accepted.why_incomplete = "the core describes itself";
+  AcceptedCore accepted = recorded_core(core);
+  accepted.why_incomplete = described_step(core).why_incomplete;
+  if (!accepted.why_incomplete.empty()) accepted.step.clear();
   return accepted;
 }
 
@@ -92,25 +125,48 @@ std::string DescribedCoreVerdict::sentence() const {
 std::string DescribedCoreVerdict::text(bool scenarios_agree) const {
   if (status == "accepted") return "";
   if (status == "none") return fmt::format("core: {}\n", why);
+  if (status == "proved_equal") return fmt::format("core: {}", kProvedEqualText);
   std::string text = "core: changed\n";
-  if (changes.empty()) text += "  comments or layout only\n";
+  if (changes.empty())
+    text += differences.empty() ? "  comments or layout only\n"
+                                : "  the step changed, its files did not: a compiler option\n";
   for (const DescribedChange& change : changes)
     text +=
         change.line > 0
             ? fmt::format("  {}\n", change_text(change, header_path))
             : fmt::format("  {}: {}{}\n", change.of_default ? "default" : "description", change.detail,
                           change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
+  const auto texts = [](const std::vector<std::string>& expressions) {
+    return expressions.empty() ? "none" : fmt::format("`{}`", fmt::join(expressions, "`, `"));
+  };
+  for (const ValueDifference& each : differences)
+    text += fmt::format("  {}: {}{} -> {}\n", each.function,
+                        each.values.empty() ? "" : fmt::format("{}: ", fmt::join(each.values, ", ")),
+                        texts(each.before), texts(each.after));
+  if (!why.empty()) text += fmt::format("  not compared: {}\n", why);
   return text + (scenarios_agree ? fmt::format("  to accept it    {}\n", accept) : "");
 }
 
 Json DescribedCoreVerdict::json() const {
-  return Json::Object{{"golden", golden_folder},
-                      {"status", status},
-                      {"why", why.empty() ? Json() : Json(why)},
-                      {"paths", Json()},
-                      {"paths_taken", 0},
-                      {"changes", json_of(changes_table({changes.begin(), changes.end()}))},
-                      {"unnoticed", Json::Array()}};
+  const auto texts = [](const std::vector<std::string>& list) {
+    return Json::Array(list.begin(), list.end());
+  };
+  Json::Object document{{"golden", golden_folder},
+                        {"status", status},
+                        {"why", why.empty() ? Json() : Json(why)},
+                        {"paths", or_null(paths)},
+                        {"paths_taken", 0},
+                        {"changes", json_of(changes_table({changes.begin(), changes.end()}))},
+                        {"differences", list_of(differences,
+                                                [&](const ValueDifference& each) {
+                                                  return Json::Object{{"function", each.function},
+                                                                      {"values", texts(each.values)},
+                                                                      {"before", texts(each.before)},
+                                                                      {"after", texts(each.after)}};
+                                                })},
+                        {"unnoticed", Json::Array()}};
+  if (status == "changed") document.emplace_back("beyond", Json::Object{{"why", kNotDescribedYet}});
+  return document;
 }
 
 void count_reproduced(const DescribedCore& core, const std::vector<const DescribedRun*>& runs,
@@ -131,6 +187,7 @@ DescribedCoreVerdict verdict_on_core(const DescribedCore& core, const std::strin
                                      const std::string& golden_option) {
   DescribedCoreVerdict verdict{.golden_folder = golden_folder, .status = "none"};
   verdict.header_path = std::string(core.record.path);
+  if (const auto step = read_step(core.record.step)) verdict.paths = std::ssize(step->paths.front());
   verdict.accept = core_commands(scenarios, golden_option).accept;
   try {
     if (const auto accepted = read_accepted_core(golden_folder))

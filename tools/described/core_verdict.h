@@ -8,6 +8,7 @@
 
 #include "sim/cause/header_change.h"
 #include "sim/described/described_core.h"
+#include "sim/trace/step_difference.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/described/judged_run.h"
 #include "tools/files/failure.h"
@@ -15,7 +16,11 @@
 
 namespace hyrax {
 
-/// This program's core, without a reason.
+/// Said of what needs the paper's interface: random flings beyond the library, and the search for changes
+/// that no scenario notices.
+inline constexpr std::string_view kNotDescribedYet = "not for cores that describe themselves yet";
+
+/// This program's core, without a reason. Its step is held to the core.
 [[nodiscard]] AcceptedCore program_core(const DescribedCore& core);
 
 /// Another default of a parameter or of the state.
@@ -31,10 +36,12 @@ struct DescribedChange : HeaderChange {
 
 struct DescribedCoreVerdict {
   std::string golden_folder;
-  std::string status;       ///< "none", "accepted" or "changed".
-  std::string why = {};     ///< Of none.
+  std::string status;       ///< "none", "accepted", "proved_equal" or "changed".
+  std::string why = {};     ///< Of none; of changed, why the steps cannot be compared.
   std::string accept = {};  ///< The command that accepts this program's core.
   std::vector<DescribedChange> changes = {};
+  std::vector<ValueDifference> differences = {};  ///< Of both steps, where both are complete.
+  std::optional<std::int64_t> paths = {};         ///< Of the step; nothing: it is not complete.
   std::string header_path = {};
   ExitCode exit_code = ExitCode::agreed;
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 
 #include "sim/described/described_run.h"
+#include "sim/described/described_step.h"
 #include "tools/described/commands.h"
+#include "tools/described/core_verdict.h"
 #include "tools/described/value_json.h"
 #include "tools/store/build_facts.h"
 
@@ -72,10 +74,20 @@ std::string distance_fact(const Description& description) {
   });
 }
 
+// As that of a core of the paper's interface.
+std::string step_fact(const DescribedCore& core) {
+  const DescribedStep traced = described_step(core);
+  return traced.step ? fmt::format("complete, {} paths", traced.step->paths.front().size())
+                     : "not complete: " + traced.why_incomplete;
+}
+
 ExitCode described_info(const DescribedCore& core, const Printing& printing) {
   Json::Object all = build_facts();
   all.emplace_back("core", core.description.core);
   all.emplace_back("physics", kDescribedModel);
+  all.emplace_back("step", step_fact(core));
+  all.emplace_back("beyond_library", kNotDescribedYet);
+  all.emplace_back("unnoticed", kNotDescribedYet);
   for (auto& fact : library_facts()) all.push_back(std::move(fact));
   const std::string check = check_finding(core);
   const std::string positions = distance_fact(core.description);

@@ -35,10 +35,10 @@ bool begins_as(std::string_view word, std::string_view list) {
 // containers hold; and, by what their names begin with, allocation, exceptions, assertions, the arithmetic of
 // wide integers.
 constexpr std::string_view kFunctions = HYRAX_TRACE_FUNCTIONS(
-    HYRAX_TRACE_NAME, HYRAX_TRACE_NAME) "fma|sincos|ldexp|memcpy|memmove|memset|memcmp|abort";
+    HYRAX_TRACE_NAME, HYRAX_TRACE_NAME) "fma|sincos|ldexp|memcpy|memmove|memset|memcmp|strlen|abort";
 #undef HYRAX_TRACE_NAME
 constexpr std::string_view kSymbols =
-    "hyrax::trace::check_main(|operator new|operator delete|std::__throw_|std::__glibcxx_assert_fail|"
+    "hyrax::trace::|operator new|operator delete|std::__throw_|std::__glibcxx_assert_fail|"
     "std::__cxx11::basic_string<|std::ios_base::Init::|std::exception::|std::logic_error::|"
     "std::runtime_error::|std::out_of_range::|std::invalid_argument::|std::domain_error::|std::range_error::|"
     "std::length_error::|std::terminate()|typeinfo for |vtable for std::|vtable for __cxxabiv1::|__cxa_|"

@@ -9,22 +9,6 @@
 namespace hyrax::trace {
 namespace {
 
-// What all numbers have in common, in the memory of a body.
-struct Slot {
-  double value;
-  Index expression;
-  std::uint32_t tag;
-};
-static_assert(sizeof(Slot) == sizeof(Real));
-
-NumberKind kind_of(const Slot& slot) {
-  return slot.tag == kTruthTag ? NumberKind::whole : static_cast<NumberKind>(slot.tag - kNumberTag);
-}
-
-Index index_of(const Slot& slot) {
-  return slot.expression == kConstant ? record_constant(kind_of(slot), slot.value) : slot.expression;
-}
-
 class Explorer {
  public:
   explicit Explorer(const TracedCore& core) : core_(core), slots_(core.size_bytes / sizeof(Slot)) {
@@ -34,39 +18,26 @@ class Explorer {
     start_path({}, false);
     call(CoreFunction::construct);
     for (const Slot& slot : slots_)
-      if (slot.tag < kNumberTag || slot.tag > kTruthTag) stop(kOtherMember);
+      if (!slot.is_number()) stop(kOtherMember);
     find_members();
   }
 
   // In the order of TracedStep::members.
   [[nodiscard]] std::vector<NumberKind> members() const {
     std::vector<NumberKind> kinds;
-    for (const std::size_t slot : order_) kinds.push_back(kind_of(before_[slot]));
+    for (const std::size_t slot : order_) kinds.push_back(before_[slot].kind());
     return kinds;
   }
 
   std::vector<StepPath> paths_of(CoreFunction function) {
-    std::vector<StepPath> paths;
-    std::vector<std::vector<StepOutcome>> to_do = {{}};
-    while (!to_do.empty()) {
-      if (++paths_ > kStepPathsMax) stop(kTooManyPaths);
-      const std::size_t planned = to_do.back().size();
-      // A loop that time ends has a path of any length: one of both ways finds it at once.
-      start_path(std::move(to_do.back()), paths_ % 2 == 0);
-      to_do.pop_back();
+    const auto run = [&] {
       if (function != CoreFunction::construct) slots_ = before_;
       call(function);
-      const std::vector<StepOutcome>& outcomes = path_outcomes();
-      if (outcomes.size() < planned) stop(kMemoryOutside);
-      StepPath& path = paths.emplace_back();
-      path.outcomes = outcomes;
-      for (const std::size_t slot : order_) path.members.push_back(index_of(slots_[slot]));
-      for (std::size_t other = planned; other < outcomes.size(); ++other) {
-        to_do.emplace_back(outcomes.begin(), outcomes.begin() + static_cast<std::ptrdiff_t>(other) + 1);
-        to_do.back().back().holds = !outcomes[other].holds;
-      }
-    }
-    return paths;
+      std::vector<Index> members;
+      for (const std::size_t slot : order_) members.push_back(slots_[slot].index());
+      return members;
+    };
+    return trace::paths_of(run, paths_);
   }
 
  private:
@@ -112,7 +83,7 @@ class Explorer {
   template <class Name>
   void name_members(const Name& name) {
     for (std::size_t slot = 0; slot < before_.size(); ++slot)
-      before_[slot].expression = record_argument(kind_of(before_[slot]), name(slot));
+      before_[slot].expression = record_argument(before_[slot].kind(), name(slot));
   }
 
   const TracedCore& core_;

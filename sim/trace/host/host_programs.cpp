@@ -4,6 +4,7 @@
 
 #include "sim/trace/host/allowed.h"
 #include "sim/trace/host/compiled_core.h"
+#include "sim/trace/host/described_explorer.h"
 #include "sim/trace/host/explorer.h"
 #include "sim/trace/host/limits.h"
 #include "sim/trace/listing_step.h"
@@ -18,9 +19,7 @@ std::string text_of(const char* path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-}  // namespace
-
-int record_main(const TracedCore& core, int argument_count, char** arguments) {
+int record_main(const auto& trace, int argument_count, char** arguments) {
   if (argument_count != 3 && argument_count != 7) return 2;
   limit_process(arguments[2]);
   if (argument_count == 7) {
@@ -28,9 +27,19 @@ int record_main(const TracedCore& core, int argument_count, char** arguments) {
                       symbols = text_of(arguments[6]);
     if (const auto why = why_not_allowed({arguments[3], compiled, traced, symbols})) stop(why->c_str());
   }
-  const std::string text = step_text(canonical(trace_core(core)));
+  const std::string text = step_text(canonical(trace()));
   std::ofstream(arguments[1], std::ios::binary) << text;
   return 0;
+}
+
+}  // namespace
+
+int record_main(const TracedCore& core, int argument_count, char** arguments) {
+  return record_main([&core] { return trace_core(core); }, argument_count, arguments);
+}
+
+int record_main(const DescribedCalls& core, int argument_count, char** arguments) {
+  return record_main([&core] { return trace_described(core); }, argument_count, arguments);
 }
 
 int check_main(const CompiledCore& core, const std::optional<Constants>& constants, int argument_count,

@@ -83,6 +83,27 @@ void start_path(std::vector<StepOutcome> planned, bool others_hold) {
 
 const std::vector<StepOutcome>& path_outcomes() { return recorder.outcomes; }
 
+std::vector<StepPath> paths_of(const std::function<std::vector<Index>()>& run, std::size_t& count) {
+  std::vector<StepPath> paths;
+  std::vector<std::vector<StepOutcome>> to_do = {{}};
+  while (!to_do.empty()) {
+    if (++count > kStepPathsMax) stop(kTooManyPaths);
+    const std::size_t planned = to_do.back().size();
+    // A loop that time ends has a path of any length: one of both ways finds it at once.
+    start_path(std::move(to_do.back()), count % 2 == 0);
+    to_do.pop_back();
+    std::vector<Index> members = run();
+    const std::vector<StepOutcome>& outcomes = path_outcomes();
+    if (outcomes.size() < planned) stop(kMemoryOutside);
+    paths.push_back({outcomes, std::move(members)});
+    for (std::size_t other = planned; other < outcomes.size(); ++other) {
+      to_do.emplace_back(outcomes.begin(), outcomes.begin() + static_cast<std::ptrdiff_t>(other) + 1);
+      to_do.back().back().holds = !outcomes[other].holds;
+    }
+  }
+  return paths;
+}
+
 Index record_argument(NumberKind kind, const std::string& name) {
   return index_of({.op = Operator::argument, .kind = kind, .name = name});
 }

@@ -1,6 +1,7 @@
 // What the numbers of number.h record.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,27 @@ void start_recording();
 void start_path(std::vector<StepOutcome> planned, bool others_hold);
 /// Outcomes of the path so far.
 [[nodiscard]] const std::vector<StepOutcome>& path_outcomes();
+
+/// What all numbers have in common, in the memory of a body.
+struct Slot {
+  double value;
+  Index expression;
+  std::uint32_t tag;
+
+  [[nodiscard]] bool is_number() const { return tag >= kNumberTag && tag <= kTruthTag; }
+  [[nodiscard]] NumberKind kind() const {
+    return tag == kTruthTag ? NumberKind::whole : static_cast<NumberKind>(tag - kNumberTag);
+  }
+  [[nodiscard]] Index index() const {
+    return expression == kConstant ? record_constant(kind(), value) : expression;
+  }
+};
+static_assert(sizeof(Slot) == sizeof(Real));
+
+/// All paths through what `run` does, which returns what it makes of every member.
+/// @param count goes up by each; more than kStepPathsMax end in stop().
+[[nodiscard]] std::vector<StepPath> paths_of(const std::function<std::vector<Index>()>& run,
+                                             std::size_t& count);
 
 /// What stop() calls first; it may throw. Where it returns, or is none, the process ends.
 using StopHandler = void (*)(const char* why_incomplete);

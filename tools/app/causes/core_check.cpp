@@ -32,22 +32,6 @@ bool depends_on_library(const Expression& expression) {
   return expression.op == Operator::call && std::ranges::find(kExact, expression.name) == kExact.end();
 }
 
-// What both headers call a number. Those that only one of them has stay numbers, and those that the program's
-// header writes as numbers, too; so do 0 and 1, which are in every step.
-NumberNames shared_names(std::string_view accepted, std::string_view program) {
-  NumberNames names;
-  const std::vector<double> literals = header_literals(program);
-  std::set<double> ambiguous(literals.begin(), literals.end());
-  ambiguous.insert({0.0, 1.0});
-  const std::vector<HeaderConstant> others = header_constants(accepted);
-  for (const HeaderConstant& constant : header_constants(program))
-    if (std::ranges::find(others, constant) == others.end() ||
-        !names.try_emplace(constant.value, constant.name).second)
-      ambiguous.insert(constant.value);
-  for (const double value : ambiguous) names.erase(value);
-  return names;
-}
-
 }  // namespace
 
 CoreCheck::CoreCheck(const Core& core, const std::string& golden_folder, CoreCommands commands)
@@ -223,9 +207,7 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
   if (verdict.status == CoreStatus::accepted) return "";
   std::string text = is_alone ? "core: " : fmt::format("core of {}: ", printable(verdict.golden_folder));
   if (verdict.status == CoreStatus::none) return text + verdict.why + "\n";
-  if (verdict.status == CoreStatus::proved_equal)
-    return text +
-           "changed in text only: proved equal to the accepted core, the same operations on every path\n";
+  if (verdict.status == CoreStatus::proved_equal) return text + std::string(kProvedEqualText);
   text += verdict.status == CoreStatus::changed
               ? "changed\n"
               : fmt::format("not proved equal to the accepted one: {}\n", verdict.why);

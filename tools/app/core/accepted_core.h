@@ -44,7 +44,12 @@ struct AcceptedCore {
   std::vector<AcceptedFile> files = {};
 
   /// Refers to this.
-  [[nodiscard]] CoreRecord record() const { return {header, step, why_incomplete}; }
+  [[nodiscard]] CoreRecord record() const {
+    return {.header = header,
+            .step = step,
+            .why_incomplete = why_incomplete,
+            .is_named_by_header = !header_name.empty()};
+  }
   /// The header and the project's files that it includes.
   [[nodiscard]] std::string text() const;
   /// Whether all bytes are those of another one, as far as both list files.

@@ -1,21 +1,30 @@
 // Compiles the header HYRAX_CORE_HEADER with numbers that record, and writes its step: see record_core.cmake.
+// HYRAX_DESCRIBED_NAME: it is that of a core that describes itself.
 //
 // HYRAX_CORE_PRELUDE includes the standard headers that it includes: they are compiled with usual numbers.
 // From the header on no name is used that its macros might have, too.
 #include HYRAX_CORE_PRELUDE
 
-#include "sim/trace/host/explorer.h"
 #include "sim/trace/host/number_functions.h"
+#ifdef HYRAX_DESCRIBED_NAME
+#include "sim/described/traced_description.h"
+#else
+#include "sim/trace/host/explorer.h"
+#endif
 
 using hyrax_traced_double = hyrax::trace::Real;
 using hyrax_traced_float = hyrax::trace::Single;
 using hyrax_traced_int = hyrax::trace::Whole;
 using hyrax_traced_bool = hyrax::trace::Truth;
 
-template <class Physics>
+template <class Core>
 int hyrax_record_step(int argument_count, char** arguments) {
   using namespace hyrax::trace;
-  return record_main(calls_of<Physics, Real, Whole>(), argument_count, arguments);
+#ifdef HYRAX_DESCRIBED_NAME
+  return record_main(hyrax::see::traced_calls_of<Core>(), argument_count, arguments);
+#else
+  return record_main(calls_of<Core, Real, Whole>(), argument_count, arguments);
+#endif
 }
 
 #define double hyrax_traced_double
@@ -30,6 +39,11 @@ int hyrax_record_step(int argument_count, char** arguments) {
 #undef int
 #undef bool
 
+#ifdef HYRAX_DESCRIBED_NAME
+#define HYRAX_CORE hyrax_core
+#else
+#define HYRAX_CORE physics
+#endif
 int main(int argument_count, char** arguments) {
-  return hyrax_record_step<physics>(argument_count, arguments);
+  return hyrax_record_step<HYRAX_CORE>(argument_count, arguments);
 }
