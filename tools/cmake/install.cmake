@@ -21,7 +21,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # hyrax-sim without its `main` and core, and with the libraries that it needs, as one object: who builds a program with
 # another core compiles two sources and needs no library but the compiler's own.
-set(hyrax_rooms app_expect physics trace replay compare expectations rate_ladder cause reference reference_gsl search study ensemble trajectory
+set(hyrax_rooms app_expect physics trace described_step replay compare expectations rate_ladder cause reference reference_gsl search study ensemble trajectory
                 scenario store golden report page_record pages page run_core files process platform fmt)
 list(TRANSFORM hyrax_rooms PREPEND hyrax_)
 get_target_property(hyrax_app hyrax_commands LINK_LIBRARIES)
