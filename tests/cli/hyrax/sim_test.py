@@ -28,7 +28,7 @@ class SimExe(HyraxTest):
 
     def setUp(self):
         super().setUp()
-        self.folder = self.folder / "Übung mit Leerzeichen" / ("lang" * 40) / ("länger" * 20)
+        self.folder = self.folder / "Übung mit Leerzeichen"
         self.folder.mkdir(parents=True)
         for name in ("scenarios", "golden"):
             shutil.copytree(SOURCE / name, self.folder / name)
