@@ -14,6 +14,7 @@ namespace hyrax {
 /// a golden file; here only its summary is read, of that only the state hash.
 /// @param files scenarios and folders; none: the default ones. @param golden_folder empty if none was given.
 /// ERRORS: those of list_scenarios.
-[[nodiscard]] ExitCode check(const Core& core, std::vector<std::string> files, const std::string& golden_folder);
+[[nodiscard]] ExitCode check(const Core& core, std::vector<std::string> files,
+                             const std::string& golden_folder);
 
 }  // namespace hyrax
