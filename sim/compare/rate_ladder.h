@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -48,12 +47,13 @@ struct RateLadder {
   [[nodiscard]] double gain() const;
   /// Whether doublings change it less and less, beyond the chance of where impacts fall in a frame.
   [[nodiscard]] bool converges() const { return gain() >= 1.4 && is_falling(); }
-  /// Whether that is not decided: less on the whole, but not each less than the one before.
+  /// Whether that is not decided: less overall, but not at every doubling.
   [[nodiscard]] bool is_undecided() const { return gain() >= 1.4 && !is_falling(); }
 
  private:
   [[nodiscard]] bool is_falling() const {
-    return std::ranges::adjacent_find(doubling_px, std::less_equal()) == doubling_px.end();
+    const auto is_not_less = [](double coarse, double fine) { return fine > 0.0 && coarse <= fine; };
+    return std::ranges::adjacent_find(doubling_px, is_not_less) == doubling_px.end();
   }
 };
 

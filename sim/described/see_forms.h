@@ -34,7 +34,7 @@ concept Range = requires(T& range) {
 template <class T>
 concept Text = std::is_convertible_v<const T&, std::string_view>;
 
-// What stands in a braced list has to convert to these types.
+// What is in a braced list has to convert to these types.
 // NOLINTBEGIN(google-explicit-constructor)
 
 /// A name in a list {"calm", "wild"}; no number converts to it, 0 neither.
@@ -162,7 +162,7 @@ class SeeValues {
                                                                 Parts&& parts) {
     static_assert(
         std::is_class_v<std::remove_cvref_t<Parts>>,
-        "hyrax: after an object stands a function of it, after a value {LOW, HIGH} or {\"name\", ...}");
+        "hyrax: after an object give a function of it, after a value {LOW, HIGH} or {\"name\", ...}");
     visitor().enter(name);
     objects(object, parts);
     visitor().leave();

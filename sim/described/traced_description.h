@@ -128,6 +128,7 @@ constexpr bool reads_alone() {
 template <class Core>
 trace::DescribedCalls traced_calls_of() {
   return {.size_bytes = sizeof(Core),
+          .align_bytes = alignof(Core),
           .is_trivially_copyable = std::is_trivially_copyable_v<Core>,
           .reads_alone = reads_alone<Core>(),
           .construct = [](void* body) { new (body) Core(); },

@@ -82,6 +82,7 @@ void compare(const DescribedCore& core, const AcceptedCore& accepted, DescribedC
     return;
   }
   const AcceptedCore program = program_core(core);
+  if (program.step.empty()) verdict.paths.reset();
   if (accepted.model != program.model) {
     verdict.why = fmt::format("the accepted core does not describe itself (found {})", accepted.model);
     verdict.exit_code = ExitCode::bad_input;

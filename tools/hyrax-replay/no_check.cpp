@@ -3,7 +3,7 @@
 
 namespace hyrax {
 
-ExitCode check(const Core&, std::vector<std::string>, std::string) {
+ExitCode check(const Core&, std::vector<std::string>, const std::string&) {
   refuse_input("hyrax-replay check: this build has no check; use hyrax-sim check");
 }
 

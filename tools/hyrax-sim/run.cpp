@@ -64,8 +64,6 @@ void write_page(const Core& core, const PaperRunRequest& request, const Scenario
 // The runs of several scenarios, with a sheet of them and of those that failed.
 void write_sheet(const Core& core, const PaperRunRequest& request, const ReportRequest& runs,
                  const std::vector<RunPanel>& panels) {
-  if (runs.files.empty())
-    refuse_input("hyrax-sim run: --report: no scenario was run; " + request.page + " is not written");
   ReportRequest page = runs;
   page.output = request.page;
   page.command = page_command(request, request.files);
@@ -93,14 +91,14 @@ RunPanel run_one(const Core& own_core, const PaperRunRequest& request,
   if (run.drift) results.add(drift_exit_code(*run.drift));
   if (!run.is_as_expected()) results.add(ExitCode::disagreed);
   report(core, request, run, results);
-  if (run.drift) results.attempt_after([&] { require_reached(*run.drift); });
+  if (run.drift) results.attempt_after([&] { require_reached(*run.drift); }, path);
   if (request.shows_sheet) {
     const std::string link = "#run=" + std::to_string(runs.files.size());
     runs.files.push_back(run.output);
     runs.goldens.push_back(run.comparison ? run.golden_path : "");
     return {.name = scenario.name, .status = run.status(), .picture = picture->panel(scenario), .link = link};
   }
-  if (!request.page.empty()) results.attempt_after([&] { write_page(core, request, run); });
+  if (!request.page.empty()) results.attempt_after([&] { write_page(core, request, run); }, path);
   if (picture)
     results.attempt_after([&] {
       picture->draw(request.figure, run);

@@ -1,5 +1,6 @@
 #include "tools/platform/process.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

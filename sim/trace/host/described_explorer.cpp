@@ -49,6 +49,8 @@ class DescribedExplorer final : public DescribedPass {
   explicit DescribedExplorer(const DescribedCalls& core) : core_(core) {
     if (!core.is_trivially_copyable)
       stop("memory outside the body: struct hyrax_core is not trivially copyable");
+    if (core.align_bytes > __STDCPP_DEFAULT_NEW_ALIGNMENT__)
+      stop("struct hyrax_core has a larger alignment than memory from new");
     if (!core.reads_alone) stop("contacts, outputs or properties may change the core: they are not const");
     body_.resize(core.size_bytes);
     construct(initial_);

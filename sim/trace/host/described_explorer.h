@@ -51,6 +51,7 @@ class DescribedPass {
 /// A core, its type forgotten. It is made, copied and destroyed as bytes.
 struct DescribedCalls {
   std::size_t size_bytes = 0;
+  std::size_t align_bytes = 1;
   bool is_trivially_copyable = false;
   bool reads_alone = false;  ///< The lists of contacts, outputs and properties are const.
   void (*construct)(void* body) = nullptr;

@@ -26,8 +26,8 @@ class CommandResults {
 
   /// Does work that follows on the last entry; a failure is added to that entry.
   template <class Work>
-  void attempt_after(const Work& work) {
-    const auto failure = failure_of("hyrax-sim", work);
+  void attempt_after(const Work& work, const std::string& path = "hyrax-sim") {
+    const auto failure = failure_of(path, work);
     if (!failure) return;
     add_failure(*failure);
     if (entries_.empty()) return;

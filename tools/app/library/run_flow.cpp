@@ -93,6 +93,8 @@ ExitCode run_scenarios(
     });
   if (request.shows_sheet && !request.page.empty())
     of_sheet.attempt_after([&] {
+      if (std::ranges::all_of(panels, [](const RunPanel& panel) { return panel.status == "failed"; }))
+        refuse_input("hyrax-sim run: --report: no scenario was run; " + request.page + " is not written");
       steps.write_page(panels);
       print_written(request, request.page);
     });

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 
 #include "sim/core/core.h"
 #include "sim/core/traced_core.h"
@@ -162,7 +161,8 @@ Json contacts_json(const std::vector<Contact>& contacts) {
 }
 
 // With rows where it differs.
-Json golden_json(const Core& core, const TrajectoryFile& golden, const TrajectoryFile& file) {
+Json golden_json(const Core& core, const TrajectoryFile& golden, const TrajectoryFile& file,
+                 std::int64_t rows_max) {
   const TrajectoryDiff difference = diff_trajectories(core, golden, file, {}, nullptr);
   const Comparison& comparison = difference.comparison;
   Json::Object object = comparison_json(comparison);
@@ -175,7 +175,7 @@ Json golden_json(const Core& core, const TrajectoryFile& golden, const Trajector
     object.emplace_back(
         "rows",
         rows_json(
-            evidence_of(run_core(core, golden.path(), golden.head().scenario), golden, kPageRowsMax).rows));
+            evidence_of(run_core(core, golden.path(), golden.head().scenario), golden, rows_max).rows));
   return object;
 }
 
@@ -281,18 +281,19 @@ Json report_data(const Core& core, const ReportRequest& request) {
       why_not.empty()
           ? std::min<std::int64_t>(kPageRowsMax, static_cast<std::int64_t>(kAllRows / request.files.size()))
           : kPageRowsMax;
-  std::map<std::string, TrajectoryFile> goldens;
+  std::optional<TrajectoryFile> golden;
   for (std::size_t index = 0; index < request.files.size(); ++index) {
     const std::string& against = request.goldens.empty() ? request.against : request.goldens[index];
-    if (!against.empty() && !goldens.contains(against))
-      require_own_core(core, against,
-                       goldens.emplace(against, TrajectoryFile::open(against)).first->second.head().physics);
+    if (!against.empty() && !(golden && golden->path() == against)) {
+      golden.emplace(TrajectoryFile::open(against));
+      require_own_core(core, against, golden->head().physics);
+    }
     const std::string& path = request.files[index];
     const TrajectoryFile file = TrajectoryFile::open(path);
     require_own_core(core, path, file.head().physics);
     Json run = run_data(core, file, rows_max);
     if (!against.empty())
-      run.get<Json::Object>()->emplace_back("golden", golden_json(core, goldens.at(against), file));
+      run.get<Json::Object>()->emplace_back("golden", golden_json(core, *golden, file, rows_max));
     runs.push_back(std::move(run));
   }
   return Json::Object{

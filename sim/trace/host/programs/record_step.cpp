@@ -8,8 +8,12 @@
 #include "sim/trace/host/number_functions.h"
 #ifdef HYRAX_DESCRIBED_NAME
 #include "sim/described/traced_description.h"
+#define HYRAX_CORE hyrax_core
+#define HYRAX_CALLS(Core) hyrax::see::traced_calls_of<Core>()
 #else
 #include "sim/trace/host/explorer.h"
+#define HYRAX_CORE physics
+#define HYRAX_CALLS(Core) hyrax::trace::calls_of<Core, hyrax::trace::Real, hyrax::trace::Whole>()
 #endif
 
 using hyrax_traced_double = hyrax::trace::Real;
@@ -19,12 +23,7 @@ using hyrax_traced_bool = hyrax::trace::Truth;
 
 template <class Core>
 int hyrax_record_step(int argument_count, char** arguments) {
-  using namespace hyrax::trace;
-#ifdef HYRAX_DESCRIBED_NAME
-  return record_main(hyrax::see::traced_calls_of<Core>(), argument_count, arguments);
-#else
-  return record_main(calls_of<Core, Real, Whole>(), argument_count, arguments);
-#endif
+  return hyrax::trace::record_main(HYRAX_CALLS(Core), argument_count, arguments);
 }
 
 #define double hyrax_traced_double
@@ -39,11 +38,6 @@ int hyrax_record_step(int argument_count, char** arguments) {
 #undef int
 #undef bool
 
-#ifdef HYRAX_DESCRIBED_NAME
-#define HYRAX_CORE hyrax_core
-#else
-#define HYRAX_CORE physics
-#endif
 int main(int argument_count, char** arguments) {
   return hyrax_record_step<HYRAX_CORE>(argument_count, arguments);
 }

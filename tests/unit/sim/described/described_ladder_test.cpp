@@ -62,6 +62,7 @@ TEST(RateLadder, DoublingsThatDoNotEachChangeLessThanTheOneBeforeDecideNothing) 
   };
   EXPECT_TRUE(ladder_of({8.0, 4.0, 2.0, 1.0}).converges());
   EXPECT_FALSE(ladder_of({8.0, 4.0, 2.0, 1.0}).is_undecided());
+  EXPECT_TRUE(ladder_of({3.0, 0.0, 0.0, 0.0}).converges());
   EXPECT_FALSE(ladder_of({8.0, 2.0, 3.0, 1.0}).converges());
   EXPECT_TRUE(ladder_of({8.0, 2.0, 3.0, 1.0}).is_undecided());
   EXPECT_FALSE(ladder_of({8.0, 8.1, 8.2, 7.9}).is_undecided());
