@@ -32,7 +32,7 @@ class Reused {
   static Values& spare() {
 #ifdef __wasm__  // Has one thread, and no way to end a variable of it.
     static Values values;
-#elif defined(__MINGW32__)  // Frees a thread's variables before it destroys them: this one is never destroyed.
+#elif defined(__MINGW32__)  // Frees a thread's variables before their ends: this one has none.
     thread_local Values& values = *new Values;
 #else
     thread_local Values values;

@@ -174,8 +174,7 @@ Json golden_json(const Core& core, const TrajectoryFile& golden, const Trajector
   if (!comparison.agrees)
     object.emplace_back(
         "rows",
-        rows_json(
-            evidence_of(run_core(core, golden.path(), golden.head().scenario), golden, rows_max).rows));
+        rows_json(evidence_of(run_core(core, golden.path(), golden.head().scenario), golden, rows_max).rows));
   return object;
 }
 
