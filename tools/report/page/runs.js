@@ -293,24 +293,22 @@ export async function showRuns() {
     const itsCore = kept.result.run.no_replay ? null : core;
     panels.forEach(panel => panel.toggleAttribute('aria-current', panel === panelOf(index)));
     opened = index;
-    const next = new View(itsCore, painter, kept.result, () => queue(() => open(index))), isLong = kept.result.rows.step.length >= overviewRowsMin;
+    const next = new View(itsCore, painter, kept.result, () => open(index)), isLong = kept.result.rows.step.length >= overviewRowsMin;
     for (const _ of next.draw()) if (isLong) await pause();
     view = next;
     element('mode-fling').disabled = !itsCore;
   };
-  let opening = Promise.resolve(); // One after another: they share the core.
-  const queue = work => (opening = opening.then(work).catch(error => setTimeout(() => { throw error; })));
   const wanted = () => report.runs[/^#run=(\d+)/.exec(location.hash)?.[1]] && Number(/\d+/.exec(location.hash)[0]);
   element('all-runs').hidden = panels.length === 0;
-  element('mode-replay').addEventListener('click', () => root.dataset.mode === 'fling' && queue(() => open(opened)));
+  element('mode-replay').addEventListener('click', () => root.dataset.mode === 'fling' && open(opened));
   element('mode-fling').addEventListener('click', () => view?.setMode('fling'));
-  opening = open(wanted() ?? kept.index);
+  let opening = open(wanted() ?? kept.index); // One after another: they share the core.
   const toRun = () => wanted() !== undefined && element('name').scrollIntoView();
-  addEventListener('hashchange', () => queue(async () => {
+  addEventListener('hashchange', () => (opening = opening.catch(() => {}).then(async () => {
     if (wanted() === undefined || wanted() === opened) view?.openLink();
     else await open(wanted());
     toRun();
-  }));
+  })));
   await opening;
   toRun();
   const columns = document.querySelector('.columns'), room = () => `${columns.clientWidth} ${innerHeight}`;
