@@ -51,7 +51,7 @@ void draw_bold(Svg& svg, SvgPoint at, const std::string& text, double size, doub
   svg.text(at, text, {.size = fitting, .tone = Tone::ink, .is_bold = true});
 }
 
-constexpr double kWide = 960.0, kNarrow = 420.0, kBetween = 12.0, kPanel = 218.0;
+constexpr double kWide = 960.0, kNarrow = 420.0, kPanelGap = 12.0, kPanel = 218.0;
 constexpr int kColumns = 4;
 
 void draw_panel(Svg& svg, const RunPanel& panel, const Box& box, bool is_narrow) {
@@ -76,12 +76,12 @@ Sheet sheet_of(const std::vector<RunPanel>& panels, double width) {
   const double scale = width / kWide;
   const bool is_narrow = width < kWide;
   const auto rows = static_cast<double>((panels.size() + kColumns - 1) / kColumns);
-  Sheet sheet{width, scale * (kHead + rows * (kPanelSide + kBetween) + kSheetMargin - kBetween)};
+  Sheet sheet{width, scale * (kHead + rows * (kPanelSide + kPanelGap) + kSheetMargin - kPanelGap)};
   draw_bold(sheet.svg, {scale * kSheetMargin, scale * 34}, sheet_title(panels), is_narrow ? 15.0 : 20.0,
             width - 2 * scale * kSheetMargin);
   for (std::size_t index = 0; index < panels.size(); ++index) {
-    const double left = kSheetMargin + static_cast<double>(index % kColumns) * (kPanel + kBetween);
-    const double top = kHead + static_cast<double>(index / kColumns) * (kPanelSide + kBetween);
+    const double left = kSheetMargin + static_cast<double>(index % kColumns) * (kPanel + kPanelGap);
+    const double top = kHead + static_cast<double>(index / kColumns) * (kPanelSide + kPanelGap);
     draw_panel(sheet.svg, panels[index],
                {scale * left, scale * top, scale * (left + kPanel), scale * (top + kPanelSide)}, is_narrow);
   }
