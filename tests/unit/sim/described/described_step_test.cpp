@@ -30,7 +30,7 @@ struct Sled {
   }
 };
 
-// As recorded, but for what `alter` does.
+// As recorded, then changed by `alter`.
 DescribedStep step_of_sled(const std::function<void(TracedStep&)>& alter = [](TracedStep&) {}) {
   constexpr NumberKind kReal = NumberKind::real, kWhole = NumberKind::whole;
   const auto argument = [](const char* name) {

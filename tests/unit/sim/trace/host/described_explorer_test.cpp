@@ -46,7 +46,7 @@ struct Core {
   Real x = 10.0, v = 3.0, gravity = 900.0, wind = 0.0;
   Whole hits = 0;
   Mood mood = Mood::calm;
-  Truth floor = false;  // Made anew by every step: it need not be declared.
+  Truth floor = false;  // Every step sets it before it reads it: it need not be declared.
   Change change = {};
 
   void step(const Real& dt) {
