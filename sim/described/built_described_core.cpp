@@ -1,6 +1,4 @@
 // The core of one's own header: HYRAX_DESCRIBED_HEADER is its path, HYRAX_DESCRIBED_NAME the core's name.
-#include "sim/described/built_described_core.h"
-
 #include "sim/described/see.h"
 #include "sim/physics/strict_arithmetic.h"  // Refuses flags that change its bits.
 

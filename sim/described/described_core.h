@@ -73,4 +73,8 @@ struct DescribedCore {
   std::function<std::unique_ptr<DescribedBody>()> make = {};
 };
 
+/// Named by the program; only its `main` asks for it. Defined by the one source that includes the core's
+/// header.
+[[nodiscard]] DescribedCore built_described_core();
+
 }  // namespace hyrax

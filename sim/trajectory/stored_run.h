@@ -39,14 +39,23 @@ struct StoredBlock {
 /// Whether all bits of two keyframes are the same.
 [[nodiscard]] bool is_same_keyframe(const Keyframe& a, const Keyframe& b);
 
-struct StoredRun {
-  Scenario scenario;
-  std::string physics;  ///< Physics model.
-  std::optional<Constants>
-      constants;          ///< Of the core that played it; nothing where it is not the paper's model.
-  std::string core = {};  ///< That core's checksum; empty: unknown. No comparison looks at it.
+/// What is known of a run as a whole, whatever core played it.
+struct RunHead {
   std::int64_t steps = 0;
-  std::string state_hash;           ///< 32 hex digits.
+  std::string physics = {};     ///< Physics model.
+  std::string state_hash = {};  ///< 32 hex digits.
+  /// Of the core that played it; nothing where it is not the paper's model.
+  std::optional<Constants> constants = {};
+  std::string core = {};           ///< That core's checksum; empty: unknown. No comparison looks at it.
+  std::uint8_t walls_of_rows = 0;  ///< Core::walls_of_rows of that core.
+};
+
+/// The same with the scenario, of a core of the paper's interface.
+struct FileHead : RunHead {
+  Scenario scenario = {};
+};
+
+struct StoredRun : FileHead {
   Columns rows;                     ///< Every row of a short run; else empty.
   std::vector<StoredBlock> blocks;  ///< Of a long run; else empty.
   Row final;
@@ -54,7 +63,6 @@ struct StoredRun {
   /// Set for a run of too many contacts to hold them: passes all of them on; `contacts` is then empty.
   std::function<void(const std::function<void(const Contact&)>& take)> replay_contacts;
   std::int64_t contacts_total = 0;
-  std::uint8_t walls_of_rows = 0;  ///< Core::walls_of_rows of the core that played it.
   std::vector<Input> inputs;
 
   /// Every contact in order, held or not.

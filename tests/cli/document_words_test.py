@@ -95,7 +95,7 @@ WORDS = {
         (WALLS, r"(`before` is the velocity before the step), `overshoot` is (NaN)\."),
         (CMAKE, r"\(`(bless --prune)` removes it\)", r"(bless --prune) --dry-run"),
         ("sim/trajectory/stored_run.h", "`constants` is there for a core of the same shape only",
-         "constants; Of the core that played it; nothing where it is not the paper's model"),
+         "Of the core that played it; nothing where it is not the paper's model. std::optional<Constants> constants"),
         ("sim/ensemble/ensemble.h", r"repeatable, in pieces; .*; `sweep` (step by step) \|",
          "Plays one scenario by the replay, (step by step)"), (CMAKE, "else the header's, without suffix", "STEM LAST_ONLY arg_NAME"),
         ("tests/cli/own_shapes_test.py", r"`study`, `sweep` \(by the fast (kernels)\), `fuzz`", "The (kernels) leave steps at rest out"),

@@ -27,11 +27,11 @@ Cause cause_of(const std::vector<DescribedCoreVerdict>& cores, const DescribedRu
   if (run.comparison->has_other_scenario)
     return {CauseKind::scenario, run.comparison->shape.substr(run.comparison->shape.find(": ") + 2)};
   const auto core = std::ranges::find(cores, run.golden_folder, &DescribedCoreVerdict::golden_folder);
-  if (core != cores.end() && core->status == "proved_equal")
+  if (core != cores.end() && core->status == CoreStatus::proved_equal)
     return {CauseKind::unknown, "the core's step is proved equal to the accepted one"};
   if (core != cores.end() && !core->changes.empty()) return {CauseKind::core, core->sentence()};
   if (!run.comparison->shape.empty()) return {CauseKind::core, run.comparison->shape};
-  return {CauseKind::unknown, core == cores.end() || core->status == "none"
+  return {CauseKind::unknown, core == cores.end() || core->status == CoreStatus::none
                                   ? "no accepted core to compare with"
                                   : "the core's files are the accepted ones"};
 }
@@ -113,9 +113,7 @@ ExitCode check_core(const DescribedCore& core, const CheckRequest& request, cons
   CommandResults results;
   judge_cores(core, selection, request.files, found);
   if (found.cores.empty()) results.add(ExitCode::golden_missing);
-  for (const DescribedCoreVerdict& verdict : found.cores)
-    results.add(verdict.status == "none" && verdict.exit_code == ExitCode::agreed ? ExitCode::golden_missing
-                                                                                  : verdict.exit_code);
+  for (const DescribedCoreVerdict& verdict : found.cores) results.add(verdict.exit_code_alone());
   Json::Array faults;
   for (const Library& library : libraries)
     for (const std::string& path : list_scenarios({library.scenarios_folder}))
@@ -142,7 +140,8 @@ ExitCode check_core(const DescribedCore& core, const CheckRequest& request, cons
   }
   if (found.cores.empty()) print_text("core: no golden folder {}\n", libraries.front().golden_folder);
   for (const DescribedCoreVerdict& verdict : found.cores)
-    print_text("{}", verdict.status == "accepted" ? "core: the accepted one\n" : verdict.text(true));
+    print_text("{}",
+               verdict.status == CoreStatus::accepted ? "core: the accepted one\n" : verdict.text(true));
   for (const std::string& name : found.never_shown)
     print_text("property \"{}\": no scenario shows it\n", name);
   return results.exit_code();

@@ -1,9 +1,8 @@
-#include "tools/described/controlled_body.h"
-
 #include <stdexcept>
 #include <utility>
 
 #include "tools/app/core/control_bits.h"
+#include "tools/described/program.h"
 
 namespace hyrax {
 namespace {

@@ -12,7 +12,6 @@
 #include "sim/trace/step_text.h"
 #include "tools/described/value_json.h"
 #include "tools/files/summary_text.h"
-#include "tools/files/table_text.h"
 #include "tools/files/text_file.h"
 #include "tools/platform/path.h"
 
@@ -64,13 +63,13 @@ AcceptedCore recorded_core(const DescribedCore& core) {
 void compare_steps(const AcceptedCore& accepted, const AcceptedCore& program, DescribedCoreVerdict& verdict) {
   const StepProof proof = prove_equal("the accepted core", accepted.record(), program.record());
   if (proof.is_complete && !proof.is_equal) {
-    verdict.status = "changed";
+    verdict.status = CoreStatus::changed;
     verdict.differences = value_differences(*read_step(accepted.step), *read_step(program.step),
                                             shared_names(accepted.text(), program.text()));
-  } else if (verdict.status == "changed" && !proof.is_complete) {
+  } else if (verdict.status == CoreStatus::changed && !proof.is_complete) {
     verdict.why = program.step.empty() ? "the step is not complete: " + proof.why : proof.why;
-  } else if (verdict.status == "changed" && accepted.description == program.description) {
-    verdict.status = "proved_equal";
+  } else if (verdict.status == CoreStatus::changed && accepted.description == program.description) {
+    verdict.status = CoreStatus::proved_equal;
   }
 }
 
@@ -78,7 +77,7 @@ void compare(const DescribedCore& core, const AcceptedCore& accepted, DescribedC
   const AcceptedCore recorded = recorded_core(core);
   if (accepted.has_same_files(recorded) && accepted.description == recorded.description &&
       accepted.step == recorded.step) {
-    verdict.status = "accepted";
+    verdict.status = CoreStatus::accepted;
     return;
   }
   const AcceptedCore program = program_core(core);
@@ -89,7 +88,8 @@ void compare(const DescribedCore& core, const AcceptedCore& accepted, DescribedC
     return;
   }
   const bool is_same_description = accepted.description == program.description;
-  verdict.status = accepted.has_same_files(program) && is_same_description ? "accepted" : "changed";
+  verdict.status =
+      accepted.has_same_files(program) && is_same_description ? CoreStatus::accepted : CoreStatus::changed;
   for (HeaderChange& change : core_changes(accepted, program, verdict.header_path))
     verdict.changes.push_back({std::move(change)});
   if (is_same_description) return compare_steps(accepted, program, verdict);
@@ -124,9 +124,9 @@ std::string DescribedCoreVerdict::sentence() const {
 }
 
 std::string DescribedCoreVerdict::text(bool scenarios_agree) const {
-  if (status == "accepted") return "";
-  if (status == "none") return fmt::format("core: {}\n", why);
-  if (status == "proved_equal") return fmt::format("core: {}", kProvedEqualText);
+  if (status == CoreStatus::accepted) return "";
+  if (status == CoreStatus::none) return fmt::format("core: {}\n", why);
+  if (status == CoreStatus::proved_equal) return fmt::format("core: {}", kProvedEqualText);
   std::string text = "core: changed\n";
   if (changes.empty())
     text += differences.empty() ? "  comments or layout only\n"
@@ -145,28 +145,22 @@ std::string DescribedCoreVerdict::text(bool scenarios_agree) const {
                         each.values.empty() ? "" : fmt::format("{}: ", fmt::join(each.values, ", ")),
                         texts(each.before), texts(each.after));
   if (!why.empty()) text += fmt::format("  not compared: {}\n", why);
-  return text + (scenarios_agree ? fmt::format("  to accept it    {}\n", accept) : "");
+  return text + (scenarios_agree ? fmt::format("  to accept it    {}\n", commands.accept) : "");
 }
 
 Json DescribedCoreVerdict::json() const {
   const auto texts = [](const std::vector<std::string>& list) {
     return Json::Array(list.begin(), list.end());
   };
-  Json::Object document{{"golden", golden_folder},
-                        {"status", status},
-                        {"why", why.empty() ? Json() : Json(why)},
-                        {"paths", or_null(paths)},
-                        {"paths_taken", 0},
-                        {"changes", json_of(changes_table({changes.begin(), changes.end()}))},
-                        {"differences", list_of(differences,
-                                                [&](const ValueDifference& each) {
-                                                  return Json::Object{{"function", each.function},
-                                                                      {"values", texts(each.values)},
-                                                                      {"before", texts(each.before)},
-                                                                      {"after", texts(each.after)}};
-                                                })},
-                        {"unnoticed", Json::Array()}};
-  if (status == "changed") document.emplace_back("beyond", Json::Object{{"why", kNotDescribedYet}});
+  Json::Object document = CoreFinding::json(0, {changes.begin(), changes.end()});
+  document.emplace_back("differences", list_of(differences, [&](const ValueDifference& each) {
+                          return Json::Object{{"function", each.function},
+                                              {"values", texts(each.values)},
+                                              {"before", texts(each.before)},
+                                              {"after", texts(each.after)}};
+                        }));
+  document.emplace_back("unnoticed", Json::Array());
+  if (status == CoreStatus::changed) document.emplace_back("beyond", Json::Object{{"why", kNotDescribedYet}});
   return document;
 }
 
@@ -186,22 +180,15 @@ void count_reproduced(const DescribedCore& core, const std::vector<const Describ
 DescribedCoreVerdict verdict_on_core(const DescribedCore& core, const std::string& golden_folder,
                                      const std::vector<std::string>& scenarios,
                                      const std::string& golden_option) {
-  DescribedCoreVerdict verdict{.golden_folder = golden_folder, .status = "none"};
+  DescribedCoreVerdict verdict;
+  verdict.golden_folder = golden_folder;
   verdict.header_path = std::string(core.record.path);
   if (const auto step = read_step(core.record.step)) verdict.paths = std::ssize(step->paths.front());
-  verdict.accept = core_commands(scenarios, golden_option).accept;
+  verdict.commands = core_commands(scenarios, golden_option);
   try {
-    if (const auto accepted = read_accepted_core(golden_folder))
-      compare(core, *accepted, verdict);
-    else
-      verdict.why = "no accepted core in " + accepted_core_folder(golden_folder) +
-                    "; to accept this program's: " + verdict.accept;
+    if (const auto accepted = verdict.read_accepted()) compare(core, *accepted, verdict);
   } catch (const Failure& failure) {
-    verdict.status = "none";
-    verdict.why = failure.what();
-    verdict.exit_code = failure.exit_code();
-    if (verdict.exit_code == ExitCode::disagreed)
-      verdict.why += ", or accept this program's core: " + verdict.accept;
+    verdict.take(failure);
   }
   return verdict;
 }

@@ -1,7 +1,6 @@
 // A core that describes itself against the accepted one of a golden folder.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +10,6 @@
 #include "sim/trace/step_difference.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/described/judged_run.h"
-#include "tools/files/failure.h"
-#include "tools/files/json.h"
 
 namespace hyrax {
 
@@ -34,16 +31,9 @@ struct DescribedChange : HeaderChange {
   std::optional<DefaultChange> of_default = {};
 };
 
-struct DescribedCoreVerdict {
-  std::string golden_folder;
-  std::string status;       ///< "none", "accepted", "proved_equal" or "changed".
-  std::string why = {};     ///< Of none; of changed, why the steps cannot be compared.
-  std::string accept = {};  ///< The command that accepts this program's core.
+struct DescribedCoreVerdict : CoreFinding {
   std::vector<DescribedChange> changes = {};
   std::vector<ValueDifference> differences = {};  ///< Of both steps, where both are complete.
-  std::optional<std::int64_t> paths = {};         ///< Of the step; nothing: it is not complete.
-  std::string header_path = {};
-  ExitCode exit_code = ExitCode::agreed;
 
   /// "gravity 980 -> 1000"; empty: nothing changed.
   [[nodiscard]] std::string sentence() const;

@@ -22,8 +22,6 @@ ComparedSide side_of(const DescribedFile& file) {
   return {file.rows(), jump_frames(file.head().scenario, file.head().steps), file.contacts()};
 }
 
-bool holds_every_row(const DescribedFile& file) { return file.row_count() == file.head().steps + 1; }
-
 std::string difference_in_shape(const DescribedFile& a, const DescribedFile& b) {
   const std::string description = description_difference(a.head().description, b.head().description);
   if (!description.empty()) return "the descriptions differ: " + description;
@@ -39,7 +37,7 @@ std::string difference_in_shape(const DescribedFile& a, const DescribedFile& b) 
 DescribedComparison compare_files(const DescribedCore& core, const DescribedFile& a, const DescribedFile& b,
                                   const Tolerance& tolerance) {
   const std::string shape = difference_in_shape(a, b);
-  const bool are_all_held = holds_every_row(a) && holds_every_row(b);
+  const bool are_all_held = a.holds_every_row() && b.holds_every_row();
   DescribedComparison result =
       compare_common(a.head().description, side_of(a), b.head().description, side_of(b), tolerance);
   result.distance.has_unknown_rows = !are_all_held;
@@ -48,7 +46,7 @@ DescribedComparison compare_files(const DescribedCore& core, const DescribedFile
     std::vector<std::optional<ComparedSide>> played;
     for (const DescribedFile* const file : {&a, &b})
       if (!are_all_held)
-        played.push_back(holds_every_row(*file) ? side_of(*file) : played_side(core, file->head()));
+        played.push_back(file->holds_every_row() ? side_of(*file) : played_side(core, file->head()));
     const bool are_known = are_all_held || (played[0] && played[1]);
     if (!are_all_held && are_known) {
       DescribedComparison of_all = compare_runs(a.head().description, *played[0], *played[1], tolerance);

@@ -117,7 +117,7 @@ DescribedComparison compare_with_rows(const DescribedCore& core, const Described
                                       const GoldenContents& run, const DescribedFile& file) {
   const DescribedHead& kept = file.head();
   const std::vector<DescribedBlock> blocks = file.blocks();
-  const bool are_all_kept = file.row_count() == kept.steps + 1;
+  const bool are_all_kept = file.holds_every_row();
   const bool is_same_scenario = plays_the_same(kept.scenario, scenario);
   const std::vector<DescribedContact> contacts = file.contacts();
   DescribedComparison result;
@@ -147,7 +147,7 @@ DescribedComparison compare_with_rows(const DescribedCore& core, const Described
 DescribedComparison compare_with_other_shape(const DescribedCore& core, const DescribedScenario& scenario,
                                              const GoldenContents& run, const DescribedFile& file) {
   const DescribedHead& kept = file.head();
-  const bool are_known = file.row_count() == kept.steps + 1 && fits_in_memory(core, step_count(scenario));
+  const bool are_known = file.holds_every_row() && fits_in_memory(core, step_count(scenario));
   const auto unknown = batches_of(DescribedRows());
   ComparedSide before{are_known ? file.rows() : unknown, jump_frames(kept.scenario, kept.steps),
                       file.contacts()};
@@ -272,7 +272,7 @@ GoldenComparison compare_with_golden(const DescribedCore& core, const DescribedS
 
 bool is_golden_h5(const DescribedCore& core, const std::string& path) try {
   const DescribedFile file = DescribedFile::open(path, core.description.core);
-  return file.row_count() == file.head().steps + 1 || !file.blocks().empty();
+  return file.holds_every_row() || !file.blocks().empty();
 } catch (const Failure&) {
   return false;
 }
@@ -288,11 +288,12 @@ void write_golden_pair(const DescribedCore& core, const DescribedScenario& scena
   DescribedWriter writer(rows.part_path(), place.h5_path, core.description, steps,
                          are_rows_kept ? 1 : static_cast<std::int64_t>(kBlockRows));
   const GoldenContents run = play_for_golden(core, scenario, {&writer});
-  writer.finish({.description = core.description,
-                 .scenario = scenario,
-                 .steps = steps,
-                 .state_hash = run.state_hash(),
-                 .core = core.record.checksum()},
+  writer.finish({{.steps = steps,
+                  .physics = std::string(kDescribedModel),
+                  .state_hash = run.state_hash(),
+                  .core = core.record.checksum()},
+                 core.description,
+                 scenario},
                 run.contacts_total(), run.blocks);
   summary.write(with_checksums(summary_text(core, scenario, run), reason,
                                contents_checksum(core.description, scenario, run),

@@ -1,6 +1,4 @@
 // `hyrax-sim study hard-cases` of a core that describes itself: what every run must hold, however hard.
-#include "tools/described/hard_cases.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "tools/described/broken_rule.h"
+#include "tools/described/commands.h"
 
 namespace hyrax {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/library/check_flow.h"
-#include "tools/described/run_page.h"
 #include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 

@@ -1,4 +1,3 @@
-#include "sim/described/built_described_core.h"
 #include "tools/described/program.h"
 #include "tools/files/build_info.h"
 

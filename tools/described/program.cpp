@@ -5,7 +5,6 @@
 #include "sim/core/core.h"
 #include "tools/app/command_line/command_program.h"
 #include "tools/described/commands.h"
-#include "tools/described/controlled_body.h"
 
 namespace hyrax {
 namespace {

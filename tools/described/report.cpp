@@ -4,7 +4,6 @@
 #include "sim/result/number_text.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/described/commands.h"
-#include "tools/described/run_page.h"
 #include "tools/described/run_text.h"
 #include "tools/described/trajectory_file.h"
 #include "tools/store/output_guard.h"
@@ -42,15 +41,17 @@ class FileRun final : public DescribedSink {
 ShownResult shown_file(const DescribedCore& core, const ReportRequest& request, const std::string& path,
                        std::vector<RunPanel>& panels) {
   const DescribedFile file = DescribedFile::open(path, core.description.core);
-  const auto& [description, scenario, steps, state_hash, checksum] = file.head();
+  const DescribedHead& head = file.head();
+  const Description& description = head.description;
+  const DescribedScenario& scenario = head.scenario;
   DescribedPicture picture(description, scenario);
   FileRun run(file, picture);
   file.show(run);
   const DescribedSummary& summary = run.summary();
   ShownResult shown =
       shown_run(description, scenario, summary, picture,
-                fmt::format("{}, {:.6g} s", plain_counted(steps, "step"), summary.simulated_s),
-                {{"core", description.core}, {"file", path}, {"state hash", state_hash}});
+                fmt::format("{}, {:.6g} s", plain_counted(head.steps, "step"), summary.simulated_s),
+                {{"core", description.core}, {"file", path}, {"state hash", head.state_hash}});
   panels.push_back({.name = scenario.name, .status = "played", .picture = panel_picture(picture)});
   if (!request.against.empty()) {
     const DescribedComparison comparison =

@@ -9,7 +9,6 @@
 #include "tools/app/library/run_flow.h"
 #include "tools/described/commands.h"
 #include "tools/described/judged_run.h"
-#include "tools/described/run_page.h"
 #include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 #include "tools/described/trajectory_file.h"
@@ -60,11 +59,12 @@ DescribedRun play_into(const DescribedCore& core, const RunRequest& request, con
   require_rows(run);
   if (run.contents.summary.steps != steps)
     return play_into(core, request, path, scenario, output, run.contents.summary.steps, picture);
-  writer.finish({.description = core.description,
-                 .scenario = scenario,
-                 .steps = steps,
-                 .state_hash = run.contents.state_hash(),
-                 .core = core.record.checksum()},
+  writer.finish({{.steps = steps,
+                  .physics = std::string(kDescribedModel),
+                  .state_hash = run.contents.state_hash(),
+                  .core = core.record.checksum()},
+                 core.description,
+                 scenario},
                 run.contents.contacts_total());
   target.commit();
   return run;

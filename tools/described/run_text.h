@@ -1,11 +1,14 @@
-// Runs of a core that describes itself, and how two differ, as text and as JSON.
+// Runs of a core that describes itself, and how two differ, as text, as JSON and on pages.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/described/described_comparison.h"
+#include "sim/described/described_figure.h"
 #include "tools/files/json.h"
+#include "tools/report/result_page.h"
 
 namespace hyrax {
 
@@ -29,5 +32,18 @@ namespace hyrax {
 [[nodiscard]] std::string comparison_text(const DescribedComparison& comparison);
 /// {"class", "max_px", "max", "contacts_moved", "first_divergence"}
 [[nodiscard]] Json::Object comparison_json(const DescribedComparison& comparison);
+
+/// Its picture, rows, contacts and end. @param found what the picture says of it.
+[[nodiscard]] ShownResult shown_run(const Description& description, const DescribedScenario& scenario,
+                                    const DescribedSummary& summary, const DescribedPicture& picture,
+                                    const std::string& found,
+                                    std::vector<std::pair<std::string, std::string>> origin);
+
+/// Its paths, or its first values over time, for a sheet.
+[[nodiscard]] Sheet panel_picture(const DescribedPicture& picture);
+
+/// Writes the page of several runs, with a sheet of them first.
+void write_run_pages(const std::string& path, const std::string& command, const std::vector<RunPanel>& panels,
+                     std::vector<ShownResult> runs);
 
 }  // namespace hyrax

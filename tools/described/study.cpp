@@ -9,7 +9,6 @@
 #include "sim/study/frame_rate/ladder_result.h"
 #include "tools/app/study/study_command.h"
 #include "tools/described/commands.h"
-#include "tools/described/hard_cases.h"
 #include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 #include "tools/files/failure.h"

@@ -1,7 +1,6 @@
 #include "tools/described/trajectory_file.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <limits>
 #include <span>
@@ -23,14 +22,6 @@ const ValueInfo kLastStep{.name = "last_step", .type = ValueType::int64};
 const ValueInfo kTime{.name = "t", .unit = "s"};
 const ValueInfo kFrameTime{.name = "dt", .unit = "s"};
 const ValueInfo kIsHeld{.name = "is_held", .type = ValueType::boolean};
-
-// The numbers of a keyframe's time, by the names of their datasets.
-void visit_timeline(auto& timeline, const auto& visit) {
-  visit("time_base", timeline.base_s);
-  visit("time_comp", timeline.comp_s);
-  visit("time_dt", timeline.dt_s);
-  visit("time_frames", timeline.frames);
-}
 
 ValueInfo contact_codes(const Description& description) {
   const bool are_bytes = description.contacts.size() <= std::numeric_limits<std::uint8_t>::max();
@@ -203,7 +194,7 @@ DescribedWriter::DescribedWriter(const std::string& part_path, const std::string
   for (const auto& [value, long_name] : columns) row_bytes += bytes_of(value);
   const std::int64_t rows = TrajectoryWriter::row_count(steps, every);
   file_ = h5::create_file(part_path, require_disk_space(path, rows, row_bytes));
-  require(file_.is_open());
+  require_written(file_.is_open(), path_);
   rows_ = std::make_unique<ValueTable>(file_, "trajectory", rows);
   for (const auto& [value, long_name] : columns) rows_->add(value, long_name);
 }
@@ -218,7 +209,7 @@ void DescribedWriter::row(const DescribedRow& row) {
   rows_->put_all(row.state);
   for (const std::uint8_t flag : row.contacts) rows_->put(flag);
   rows_->put_all(row.outputs);
-  require(rows_->is_written());
+  require_written(rows_->is_written(), path_);
 }
 
 void DescribedWriter::finish(const DescribedHead& head, std::int64_t contacts_total,
@@ -227,24 +218,15 @@ void DescribedWriter::finish(const DescribedHead& head, std::int64_t contacts_to
   h5::write_attribute(group, "NX_class", "NXdata");
   h5::write_attribute(group, "signal", signal_of(description_));
   h5::write_attribute(group, "axes", "t");
-  require(rows_->finish("t"));
-  require(write_contacts(file_, description_, std::move(contacts_), contacts_total));
-  require(blocks.empty() || write_blocks(file_, description_, blocks));
-  write_root(file_, {.name = head.scenario.name,
-                     .scenario = to_text(to_json(description_, head.scenario)),
-                     .steps = head.steps,
-                     .physics = std::string(kDescribedModel),
-                     .state_hash = head.state_hash,
-                     .core = head.core});
+  require_written(rows_->finish("t"), path_);
+  require_written(write_contacts(file_, description_, std::move(contacts_), contacts_total), path_);
+  require_written(blocks.empty() || write_blocks(file_, description_, blocks), path_);
+  write_root(file_, head, head.scenario.name, to_text(to_json(description_, head.scenario)));
   h5::write_attribute(file_, "core_name", description_.core);
   h5::write_attribute(file_, "description", to_text(description_json(description_)));
-  require(write_events(file_, head));
+  require_written(write_events(file_, head), path_);
   rows_.reset();
-  require(file_.close() >= 0);
-}
-
-void DescribedWriter::require(bool is_written) const {
-  if (!is_written) fail_to_write(path_, errno == 0 ? EIO : errno);
+  require_written(file_.close() >= 0, path_);
 }
 
 DescribedCsv::DescribedCsv(const std::string& path, const Description& description, std::int64_t steps,
@@ -284,22 +266,15 @@ void DescribedCsv::row(const DescribedRow& row) {
 }
 
 DescribedFile::DescribedFile(const std::string& path, const std::string& core, Parsing parsing)
-    : path_(path),
-      file_(open_readable(path)),
+    : RunFile(path),
       head_(read_head(core, parsing)),
-      step_(file_, path, "/trajectory/step"),
       t_(file_, path, "/trajectory/t"),
       dt_(file_, path, "/trajectory/dt") {
-  const auto require = [&](std::int64_t length, const std::string& name) {
-    if (length != row_count())
-      refuse("/trajectory/" + name + ": has the wrong length (found " + std::to_string(length) +
-             "); /trajectory/step has " + std::to_string(row_count()));
-  };
-  require(t_.length(), "t");
-  require(dt_.length(), "dt");
+  require_rows(t_.length(), "t");
+  require_rows(dt_.length(), "dt");
   const auto add = [&](std::vector<ValueColumn>& columns, const ValueInfo& value) {
-    columns.push_back(column("/trajectory/" + value.name, value));
-    require(columns.back().length, value.name);
+    columns.push_back(value_column("/trajectory/" + value.name, value));
+    require_rows(columns.back().length, value.name);
   };
   for (const ValueInfo& value : head_.description.state.values) add(state_, value);
   for (const ValueInfo& value : head_.description.outputs.values) add(outputs_, value);
@@ -313,43 +288,28 @@ DescribedFile DescribedFile::open(const std::string& path, const std::string& co
 }
 
 DescribedHead DescribedFile::read_head(const std::string& core, Parsing parsing) const {
-  const auto format = h5::read_text_attribute(file_, "format");
-  if (format != kTrajectoryFormat)
-    refuse("attribute format: unknown format (found " + format.value_or("none") +
-           "); allowed: " + std::string(kTrajectoryFormat));
-  if (const std::string physics = text("physics"); physics != kDescribedModel)
-    refuse("is of a core of the paper's interface (" + physics +
+  if (root_.physics != kDescribedModel)
+    refuse("is of a core of the paper's interface (" + root_.physics +
            "): read it with hyrax-sim, or with the program of that core");
   if (const std::string name = text("core_name"); name != core)
     refuse("is of the core " + name + ": read it with " + name + "-sim");
-  DescribedHead head;
-  head.description = parse_description(text("description"), core, path_ + ": attribute description");
+  DescribedHead head{root_, {}, {}};
+  head.description = parse_description(text("description"), core, path() + ": attribute description");
   if (head.description.state.values.empty()) refuse("attribute description: has no state");
   if (parsing == Parsing::on)
     head.scenario =
-        parse_described_scenario(head.description, text("scenario"), path_ + ": attribute scenario");
-  head.state_hash = text("state_hash");
-  head.core = read_core_name(file_);
-  const auto steps = h5::read_integer_attribute(file_, "steps");
-  if (!steps || *steps < 0 || *steps > kStepsMax)
-    refuse("attribute steps: is missing or not an integer 0 .. 1e12");
-  head.steps = *steps;
+        parse_described_scenario(head.description, text("scenario"), path() + ": attribute scenario");
   return head;
 }
 
-std::string DescribedFile::text(const char* attribute) const {
-  const auto text = h5::read_text_attribute(file_, attribute);
-  if (!text) refuse(std::string("attribute ") + attribute + ": is missing or not text");
-  return *text;
-}
-
-DescribedFile::ValueColumn DescribedFile::column(const std::string& dataset, const ValueInfo& value) const {
+DescribedFile::ValueColumn DescribedFile::value_column(const std::string& dataset,
+                                                       const ValueInfo& value) const {
   return visit_stored(value.type, [&](auto number) -> ValueColumn {
     using Number = decltype(number);
     const H5T_class_t type_class = !value.names.empty()               ? H5T_ENUM
                                    : std::is_floating_point_v<Number> ? H5T_FLOAT
                                                                       : H5T_INTEGER;
-    const auto numbers = std::make_shared<NumberColumn<Number>>(file_, path_, dataset, type_class);
+    const auto numbers = std::make_shared<NumberColumn<Number>>(file_, path(), dataset, type_class);
     return {numbers->length(), [numbers](std::int64_t first, std::int64_t count, std::vector<Word>& words) {
               std::vector<Number> values;
               numbers->read(first, count, values);
@@ -361,7 +321,7 @@ DescribedFile::ValueColumn DescribedFile::column(const std::string& dataset, con
 
 std::vector<Word> DescribedFile::words(const std::string& dataset, const ValueInfo& value,
                                        std::size_t length) const {
-  const ValueColumn values = column(dataset, value);
+  const ValueColumn values = value_column(dataset, value);
   if (values.length != static_cast<std::int64_t>(length)) refuse(dataset + ": has the wrong length");
   std::vector<Word> words;
   values.read(0, values.length, words);
@@ -413,7 +373,7 @@ void DescribedFile::show(DescribedSink& sink) const {
 
 std::vector<DescribedContact> DescribedFile::contacts() const {
   std::vector<DescribedContact> contacts(
-      static_cast<std::size_t>(NumberColumn<std::int64_t>(file_, path_, "/contacts/step").length()));
+      static_cast<std::size_t>(NumberColumn<std::int64_t>(file_, path(), "/contacts/step").length()));
   const auto read = [&](const ValueInfo& value) {
     return words("/contacts/" + value.name, value, contacts.size());
   };
@@ -428,18 +388,9 @@ std::vector<DescribedContact> DescribedFile::contacts() const {
   return contacts;
 }
 
-std::int64_t DescribedFile::contacts_total() const {
-  const h5::Handle group(H5Gopen2(file_, "contacts", H5P_DEFAULT), H5Gclose);
-  const auto total = h5::read_integer_attribute(group, "total");
-  if (!total) refuse("/contacts: attribute total: is missing or not an integer");
-  return *total;
-}
-
 std::vector<DescribedBlock> DescribedFile::blocks() const {
-  if (H5Lexists(file_, "blocks", H5P_DEFAULT) <= 0) return {};
-  const NumberColumn<std::uint8_t> digest_column(file_, path_, "/blocks/digest");
-  std::vector<std::uint8_t> digests;
-  digest_column.read(0, digest_column.length(), digests);
+  if (!has("blocks")) return {};
+  const auto digests = column<std::uint8_t>("/blocks/digest");
   std::vector<DescribedBlock> blocks(digests.size() / sizeof(Digest));
   const auto read = [&](const ValueInfo& value, const std::string& folder = "") {
     return words("/blocks/" + folder + value.name, value, blocks.size());
@@ -479,7 +430,5 @@ void DescribedFile::read_all() const {
   static_cast<void>(contacts_total());
   static_cast<void>(blocks());
 }
-
-void DescribedFile::refuse(const std::string& sentence) const { refuse_input(path_ + ": " + sentence); }
 
 }  // namespace hyrax

@@ -17,12 +17,9 @@ namespace hyrax {
 class ValueTable;
 
 /// The attributes of `/`.
-struct DescribedHead {
+struct DescribedHead : RunHead {
   Description description = {};
   DescribedScenario scenario = {};
-  std::int64_t steps = 0;
-  std::string state_hash = {};  ///< 32 hex digits.
-  std::string core = {};        ///< CoreRecord::checksum of the core; empty: the file does not say.
 };
 
 /// Writes every K-th row and the last one, and all contacts. ERRORS: every call may throw
@@ -44,8 +41,6 @@ class DescribedWriter : public DescribedSink {
               const std::vector<DescribedBlock>& blocks = {});
 
  private:
-  void require(bool is_written) const;
-
   std::string path_;
   const Description& description_;
   std::int64_t steps_;
@@ -74,20 +69,17 @@ class DescribedCsv : public DescribedSink {
 
 /// ERRORS: as TrajectoryFile's; Failure(bad_input), too, for a file of another core, with the program that
 /// reads it.
-class DescribedFile {
+class DescribedFile : public RunFile {
  public:
   /// Opens a file of any origin, after reading it in a child process. REQUIRES: as read_isolated.
   [[nodiscard]] static DescribedFile open(const std::string& path, const std::string& core);
 
   [[nodiscard]] const DescribedHead& head() const { return head_; }
-  /// The number of recorded rows.
-  [[nodiscard]] std::int64_t row_count() const { return step_.length(); }
   /// From the first; refers to this.
   [[nodiscard]] DescribedRowBatches rows() const;
   /// Passes them on as a run does, with outputs.
   void show(DescribedSink& sink) const;
   [[nodiscard]] std::vector<DescribedContact> contacts() const;
-  [[nodiscard]] std::int64_t contacts_total() const;
   /// Of a golden file that does not hold every row; else none.
   [[nodiscard]] std::vector<DescribedBlock> blocks() const;
 
@@ -97,22 +89,16 @@ class DescribedFile {
     std::int64_t length = 0;
     std::function<void(std::int64_t first, std::int64_t count, std::vector<Word>& words)> read;
   };
-  enum class Parsing { off, on };
   DescribedFile(const std::string& path, const std::string& core, Parsing parsing);
 
   [[nodiscard]] DescribedHead read_head(const std::string& core, Parsing parsing) const;
-  [[nodiscard]] std::string text(const char* attribute) const;
-  [[nodiscard]] ValueColumn column(const std::string& dataset, const ValueInfo& value) const;
+  [[nodiscard]] ValueColumn value_column(const std::string& dataset, const ValueInfo& value) const;
   /// All of it. @param length that it must have.
   [[nodiscard]] std::vector<Word> words(const std::string& dataset, const ValueInfo& value,
                                         std::size_t length) const;
   void read_all() const;
-  [[noreturn]] void refuse(const std::string& sentence) const;
 
-  std::string path_;
-  h5::Handle file_;
   DescribedHead head_;
-  NumberColumn<std::int64_t> step_;
   NumberColumn<double> t_;
   NumberColumn<double> dt_;
   std::vector<ValueColumn> state_;

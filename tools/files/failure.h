@@ -1,6 +1,7 @@
 // How a command ends: the exit codes, and the one exception that carries them.
 #pragma once
 
+#include <cerrno>
 #include <cstring>
 #include <initializer_list>
 #include <new>
@@ -77,6 +78,10 @@ template <class Work>
 /// As fail_to_read, "PATH: cannot be written: REASON".
 [[noreturn]] inline void fail_to_write(const std::string& path, int error_number) {
   throw Failure(ExitCode::cannot_access, path + ": cannot be written: " + std::strerror(error_number));
+}
+/// Behind calls of which one may have failed to write.
+inline void require_written(bool is_written, const std::string& path) {
+  if (!is_written) fail_to_write(path, errno == 0 ? EIO : errno);
 }
 
 }  // namespace hyrax

@@ -53,8 +53,7 @@ ExitCode check_core(const CheckRequest& request, CoreChecks cores) {
   CommandResults results;
   for (const CoreVerdict* const verdict : cores.verdicts()) {
     documents.push_back(core_json(*verdict));
-    const bool is_missing = verdict->status == CoreStatus::none && verdict->exit_code == ExitCode::agreed;
-    results.add(is_missing ? ExitCode::golden_missing : verdict->exit_code);
+    results.add(verdict->exit_code_alone());
     if (request.printing.is_json) continue;
     const bool is_alone = libraries.size() == 1;
     if (verdict->status == CoreStatus::accepted)

@@ -242,29 +242,25 @@ EnsembleWriter::EnsembleWriter(const std::string& path, const EnsembleHead& head
   constexpr std::uint64_t kNotInMemory = 1 << 30;
   errno = 0;
   file_ = h5::create_file(target_.part_path(), kNotInMemory);
-  require(file_.is_open());
+  require_written(file_.is_open(), path_);
   write_head(file_, head);
   groups_ = create_groups(file_, head, tables);
-  require(!groups_.empty());
+  require_written(!groups_.empty(), path_);
 }
 
 void EnsembleWriter::write(const std::vector<Table>& rows, std::int64_t count) {
   assert(rows.size() == groups_.size());
   errno = 0;
   for (std::size_t table = 0; table < rows.size(); ++table)
-    require(groups_[table].append(rows[table].columns));
+    require_written(groups_[table].append(rows[table].columns), path_);
   rows_done_ += count;
 }
 
 void EnsembleWriter::finish() {
   errno = 0;
   groups_.clear();
-  require(file_.close() >= 0);
+  require_written(file_.close() >= 0, path_);
   target_.commit();
-}
-
-void EnsembleWriter::require(bool is_written) const {
-  if (!is_written) fail_to_write(path_, errno == 0 ? EIO : errno);
 }
 
 EnsembleReader::EnsembleReader(const std::string& path, const ReadContents& read_contents) : path_(path) {

@@ -71,8 +71,6 @@ class EnsembleWriter {
   void finish();
 
  private:
-  void require(bool is_written) const;
-
   std::string path_;
   AtomicFile target_;
   h5::Handle file_;

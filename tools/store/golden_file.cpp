@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cerrno>
 #include <cstring>
 #include <new>
 #include <span>
@@ -149,19 +148,12 @@ bool write_rows(hid_t file, const Columns& rows) {
 
 bool write_run(hid_t file, const StoredRun& run) {
   return write_rows(file, stored_rows(run)) && write_contacts(file, run) &&
-         (run.blocks.empty() || write_blocks(file, run.blocks)) &&
-         write_head(file, {run.scenario, run.steps, run.physics, run.state_hash, run.constants, run.core},
-                    run.inputs);
+         (run.blocks.empty() || write_blocks(file, run.blocks)) && write_head(file, run, run.inputs);
 }
 
 StoredRun read_run(const TrajectoryFile& file) {
   StoredRun run;
-  run.scenario = file.head().scenario;
-  run.physics = file.head().physics;
-  run.constants = file.head().constants;
-  run.core = file.head().core;
-  run.steps = file.head().steps;
-  run.state_hash = file.head().state_hash;
+  static_cast<FileHead&>(run) = file.head();
   run.contacts = file.contacts();
   run.contacts_total = file.contacts_total();
   run.walls_of_rows = file.walls_of_rows();
@@ -170,7 +162,7 @@ StoredRun read_run(const TrajectoryFile& file) {
     read_blocks(file, run);
     return run;
   }
-  if (file.row_count() != run.steps + 1)
+  if (!file.holds_every_row())
     file.refuse("not written by bless: has no blocks, and " + std::to_string(file.row_count()) + " rows of " +
                 std::to_string(run.steps + 1));
   run.rows = file.rows(0, file.row_count());
@@ -238,8 +230,7 @@ std::vector<std::string> expected_attributes(StoredRun run) {
 void write_golden(AtomicFile& target, const std::string& path, const StoredRun& run) {
   const bool has_many_contacts = static_cast<bool>(run.replay_contacts);
   h5::Handle file = h5::create_file(target.part_path(), has_many_contacts ? kBytesOfMany : 0);
-  const bool is_written = file.is_open() && write_run(file, run) && file.close() >= 0;
-  if (!is_written) fail_to_write(path, errno == 0 ? EIO : errno);
+  require_written(file.is_open() && write_run(file, run) && file.close() >= 0, path);
 }
 
 StoredRun read_golden(const std::string& path) {

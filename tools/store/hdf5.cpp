@@ -116,6 +116,8 @@ Handle create_dataset(hid_t parent, const char* name, hid_t type, const std::vec
   return create_with(dataset_list(), parent, name, type, extent);
 }
 
+namespace {
+
 std::vector<hsize_t> extent_of(hid_t dataset) {
   const Handle space(H5Dget_space(dataset), H5Sclose);
   const int dimensions = H5Sget_simple_extent_ndims(space);
@@ -123,8 +125,6 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
   return extent;
 }
-
-namespace {
 
 // What transfer(memory space, file space) returns for rows of a dataset; negative if it has no such rows.
 herr_t transfer_rows(hid_t dataset, hsize_t first, hsize_t count, const auto& transfer) {

@@ -66,8 +66,6 @@ class Handle {
 /// Reads rows as values of the type that the column has: numbers, or codes. Returns a negative value on
 /// failure.
 [[nodiscard]] herr_t read_rows(hid_t dataset, hsize_t first, hsize_t count, Column& column);
-/// Sizes of a dataset's dimensions.
-[[nodiscard]] std::vector<hsize_t> extent_of(hid_t dataset);
 
 /// Makes dataset `scale` of a group the axis (dimension scale) of the group's other datasets; those of
 /// another length become axes themselves. netCDF readers such as xarray need this to open the group.

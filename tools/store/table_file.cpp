@@ -1,7 +1,6 @@
 #include "tools/store/table_file.h"
 
 #include <algorithm>
-#include <cerrno>
 
 #include "tools/files/failure.h"
 #include "tools/platform/atomic_file.h"
@@ -53,7 +52,7 @@ void write_study_file(const std::string& path, const StudyHead& head, const std:
   constexpr std::uint64_t kExpectedBytes = 1 << 20;
   h5::Handle file = h5::create_file(target.part_path(), kExpectedBytes);
   const bool is_written = file.is_open() && write_all(file, head, tables);
-  if (file.close() < 0 || !is_written) fail_to_write(path, errno == 0 ? EIO : errno);
+  require_written(file.close() >= 0 && is_written, path);
   target.commit();
 }
 

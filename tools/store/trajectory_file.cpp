@@ -38,8 +38,6 @@ std::vector<NumberColumn<double>> row_columns(hid_t file, const std::string& pat
   return columns;
 }
 
-}  // namespace
-
 h5::Handle open_readable(const std::string& path) {
   if (const int error = error_of_reading(path)) fail_to_read(path, error);
   if (!is_regular_file(path)) refuse_input(path + ": is not a regular file");
@@ -53,6 +51,8 @@ h5::Handle open_readable(const std::string& path) {
   if (!file.is_open()) refuse_input(path + ": is not an HDF5 file, or is truncated");
   return file;
 }
+
+}  // namespace
 
 template <class Value>
 NumberColumn<Value>::NumberColumn(hid_t file, const std::string& path, const std::string& dataset,
@@ -99,11 +99,48 @@ template class NumberColumn<std::uint16_t>;
 template class NumberColumn<std::uint32_t>;
 template class NumberColumn<std::uint64_t>;
 
+RunFile::RunFile(const std::string& path)
+    : path_(path), file_(open_readable(path)), root_(read_root()), step_(file_, path, "/trajectory/step") {}
+
+RunHead RunFile::read_root() const {
+  const auto format = h5::read_text_attribute(file_, "format");
+  if (format != kTrajectoryFormat)
+    refuse("attribute format: unknown format (found " + format.value_or("none") +
+           "); allowed: " + std::string(kTrajectoryFormat));
+  RunHead root{.physics = text("physics"), .state_hash = text("state_hash"), .core = read_core_name(file_)};
+  const auto steps = h5::read_integer_attribute(file_, "steps");
+  if (!steps || *steps < 0 || *steps > kStepsMax)
+    refuse("attribute steps: is missing or not an integer 0 .. 1e12");
+  root.steps = *steps;
+  return root;
+}
+
+std::string RunFile::text(const char* attribute) const {
+  const auto text = h5::read_text_attribute(file_, attribute);
+  if (!text) refuse(std::string("attribute ") + attribute + ": is missing or not text");
+  return *text;
+}
+
+void RunFile::require_rows(std::int64_t length, const std::string& name) const {
+  if (length != row_count())
+    refuse("/trajectory/" + name + ": has the wrong length (found " + std::to_string(length) +
+           "); /trajectory/step has " + std::to_string(row_count()));
+}
+
+std::int64_t RunFile::contacts_total() const {
+  const h5::Handle group(H5Gopen2(file_, "contacts", H5P_DEFAULT), H5Gclose);
+  const auto total = h5::read_integer_attribute(group, "total");
+  if (!total) refuse("/contacts: attribute total: is missing or not an integer");
+  return *total;
+}
+
+bool RunFile::has(const char* group) const { return H5Lexists(file_, group, H5P_DEFAULT) > 0; }
+
+void RunFile::refuse(const std::string& sentence) const { refuse_input(path_ + ": " + sentence); }
+
 TrajectoryFile::TrajectoryFile(const std::string& path, Parsing parsing)
-    : path_(path),
-      file_(open_readable(path)),
+    : RunFile(path),
       head_(read_head(parsing)),
-      step_(file_, path, "/trajectory/step"),
       columns_(row_columns(file_, path)),
       contact_(file_, path, "/trajectory/contact") {
   check_lengths();
@@ -131,22 +168,11 @@ void TrajectoryFile::read_all() const {
 }
 
 FileHead TrajectoryFile::read_head(Parsing parsing) const {
-  const auto format = h5::read_text_attribute(file_, "format");
-  if (format != kTrajectoryFormat)
-    refuse("attribute format: unknown format (found " + format.value_or("none") +
-           "); allowed: " + std::string(kTrajectoryFormat));
   if (const auto core = h5::read_text_attribute(file_, "core_name"))
     refuse("is of the core " + *core + ", which describes itself: read it with " + *core + "-sim");
-  FileHead head;
+  FileHead head{root_, {}};
   const std::string scenario = text("scenario");
-  if (parsing == Parsing::on) head.scenario = parse_scenario(scenario, path_ + ": attribute scenario");
-  head.physics = text("physics");
-  head.state_hash = text("state_hash");
-  head.core = read_core_name(file_);
-  const auto steps = h5::read_integer_attribute(file_, "steps");
-  if (!steps || *steps < 0 || *steps > kStepsMax)
-    refuse("attribute steps: is missing or not an integer 0 .. 1e12");
-  head.steps = *steps;
+  if (parsing == Parsing::on) head.scenario = parse_scenario(scenario, path() + ": attribute scenario");
   if (h5::has_attribute(file_, "constants")) {
     ConstantNumbers numbers{};
     const auto values = h5::read_numbers_attribute(file_, "constants", numbers.size());
@@ -159,21 +185,10 @@ FileHead TrajectoryFile::read_head(Parsing parsing) const {
   return head;
 }
 
-std::string TrajectoryFile::text(const char* attribute) const {
-  const auto text = h5::read_text_attribute(file_, attribute);
-  if (!text) refuse(std::string("attribute ") + attribute + ": is missing or not text");
-  return *text;
-}
-
 void TrajectoryFile::check_lengths() const {
-  const auto require = [&](std::int64_t length, const char* name) {
-    if (length != row_count())
-      refuse(std::string("/trajectory/") + name + ": has the wrong length (found " + std::to_string(length) +
-             "); /trajectory/step has " + std::to_string(row_count()));
-  };
   for (std::size_t column = 0; column < columns_.size(); ++column)
-    require(columns_[column].length(), kRowColumns[column].name);
-  require(contact_.length(), "contact");
+    require_rows(columns_[column].length(), kRowColumns[column].name);
+  require_rows(contact_.length(), "contact");
   if (row_count() == 0) refuse("/trajectory: has no rows");
   std::vector<std::int64_t> last;
   step_.read(row_count() - 1, 1, last);
@@ -218,13 +233,6 @@ std::vector<Contact> TrajectoryFile::contacts() const {
   return contacts;
 }
 
-std::int64_t TrajectoryFile::contacts_total() const {
-  const h5::Handle group(H5Gopen2(file_, "contacts", H5P_DEFAULT), H5Gclose);
-  const auto total = h5::read_integer_attribute(group, "total");
-  if (!total) refuse("/contacts: attribute total: is missing or not an integer");
-  return *total;
-}
-
 std::uint8_t TrajectoryFile::walls_of_rows() const {
   const h5::Handle group(H5Gopen2(file_, "contacts", H5P_DEFAULT), H5Gclose);
   return read_sources(group);
@@ -250,9 +258,5 @@ std::vector<Input> TrajectoryFile::inputs() const {
   }
   return inputs;
 }
-
-bool TrajectoryFile::has(const char* group) const { return H5Lexists(file_, group, H5P_DEFAULT) > 0; }
-
-void TrajectoryFile::refuse(const std::string& sentence) const { refuse_input(path_ + ": " + sentence); }
 
 }  // namespace hyrax

@@ -16,10 +16,6 @@
 
 namespace hyrax {
 
-/// Opens a file for reading.
-/// ERRORS: Failure(cannot_access) if it cannot be read, Failure(bad_input) if it is no HDF5 file.
-[[nodiscard]] h5::Handle open_readable(const std::string& path);
-
 /// One dataset of numbers, checked: of the type class (the class of Value, or an enumeration) and size of
 /// Value, one axis, completely stored. Value: any number of up to 64 bits, no bool.
 template <class Value>
@@ -43,10 +39,49 @@ class NumberColumn {
   bool is_plain_ = false;
 };
 
-/// ERRORS: opening and reading throw Failure(cannot_access) if the file cannot be read, and
-/// Failure(bad_input) "PATH: ..." if it is truncated or of another format, or if a dataset is missing, of the
-/// wrong type, or of another length than its neighbours.
-class TrajectoryFile {
+/// What the files of all cores have. ERRORS: opening and reading throw Failure(cannot_access) if the file
+/// cannot be read, and Failure(bad_input) "PATH: ..." if it is truncated or of another format, or if a
+/// dataset is missing, of the wrong type, or of another length than its neighbours.
+class RunFile {
+ public:
+  [[nodiscard]] const std::string& path() const { return path_; }
+  /// The number of recorded rows.
+  [[nodiscard]] std::int64_t row_count() const { return step_.length(); }
+  [[nodiscard]] bool holds_every_row() const { return row_count() == root_.steps + 1; }
+  /// The number of contacts, with those that are not recorded.
+  [[nodiscard]] std::int64_t contacts_total() const;
+  [[nodiscard]] bool has(const char* group) const;
+  /// All of a dataset; see NumberColumn.
+  template <class Value, class... TypeClass>
+  [[nodiscard]] std::vector<Value> column(const std::string& dataset, TypeClass... type_class) const {
+    const NumberColumn<Value> numbers(file_, path_, dataset, type_class...);
+    std::vector<Value> values;
+    numbers.read(0, numbers.length(), values);
+    return values;
+  }
+  /// Throws Failure(bad_input) "PATH: SENTENCE".
+  [[noreturn]] void refuse(const std::string& sentence) const;
+
+ protected:
+  enum class Parsing { off, on };  // Of the scenario.
+  explicit RunFile(const std::string& path);
+
+  [[nodiscard]] std::string text(const char* attribute) const;
+  /// REQUIRES: a dataset of /trajectory.
+  void require_rows(std::int64_t length, const std::string& name) const;
+
+ private:
+  [[nodiscard]] RunHead read_root() const;
+
+  std::string path_;
+
+ protected:
+  h5::Handle file_;
+  RunHead root_;  // What all have of it.
+  NumberColumn<std::int64_t> step_;
+};
+
+class TrajectoryFile : public RunFile {
  public:
   using Read = std::function<void(const TrajectoryFile&)>;
 
@@ -60,46 +95,25 @@ class TrajectoryFile {
   /// Opens a file in this process only: a damaged one may crash the HDF5 library.
   explicit TrajectoryFile(const std::string& path) : TrajectoryFile(path, Parsing::on) {}
 
-  [[nodiscard]] const std::string& path() const { return path_; }
+  /// The constants are the paper's where the file of a paper's model does not have them.
   [[nodiscard]] const FileHead& head() const { return head_; }
-  /// The number of recorded rows.
-  [[nodiscard]] std::int64_t row_count() const { return step_.length(); }
   /// Recorded rows `first` .. `first + count - 1`. REQUIRES: first + count <= row_count().
   [[nodiscard]] Columns rows(std::int64_t first, std::int64_t count) const;
   /// The same in place of other rows, whose memory is used again.
   void read_rows(std::int64_t first, std::int64_t count, Columns& rows) const;
   [[nodiscard]] std::vector<Contact> contacts() const;
-  /// The number of contacts, with those that are not recorded.
-  [[nodiscard]] std::int64_t contacts_total() const;
   [[nodiscard]] std::uint8_t walls_of_rows() const;  ///< As StoredRun's.
   [[nodiscard]] std::vector<Input> inputs() const;
   [[nodiscard]] Provenance provenance() const { return read_provenance(file_); }
 
-  [[nodiscard]] bool has(const char* group) const;
-  /// All of a dataset; see NumberColumn.
-  template <class Value, class... TypeClass>
-  [[nodiscard]] std::vector<Value> column(const std::string& dataset, TypeClass... type_class) const {
-    const NumberColumn<Value> numbers(file_, path_, dataset, type_class...);
-    std::vector<Value> values;
-    numbers.read(0, numbers.length(), values);
-    return values;
-  }
-  /// Throws Failure(bad_input) "PATH: SENTENCE".
-  [[noreturn]] void refuse(const std::string& sentence) const;
-
  private:
-  enum class Parsing { off, on };
   TrajectoryFile(const std::string& path, Parsing parsing);
 
   void read_all() const;
   [[nodiscard]] FileHead read_head(Parsing parsing) const;
-  [[nodiscard]] std::string text(const char* attribute) const;
   void check_lengths() const;
 
-  std::string path_;
-  h5::Handle file_;
   FileHead head_;
-  NumberColumn<std::int64_t> step_;
   std::vector<NumberColumn<double>> columns_;
   NumberColumn<std::uint8_t> contact_;
 };

@@ -129,28 +129,22 @@ std::uint8_t read_sources(hid_t contacts) {
   return static_cast<std::uint8_t>(walls);
 }
 
-void write_root(hid_t file, const RootAttributes& root) {
+void write_root(hid_t file, const RunHead& head, const std::string& name, const std::string& scenario) {
   h5::write_attribute(file, "format", kTrajectoryFormat);
-  h5::write_attribute(file, "name", root.name);
-  h5::write_attribute(file, "scenario", root.scenario);
-  h5::write_attribute(file, "steps", root.steps);
-  h5::write_attribute(file, "physics", root.physics);
-  h5::write_attribute(file, "state_hash", root.state_hash);
-  if (root.constants) h5::write_attribute(file, "constants", *root.constants);
-  write_core_name(file, root.core);
+  h5::write_attribute(file, "name", name);
+  h5::write_attribute(file, "scenario", scenario);
+  h5::write_attribute(file, "steps", head.steps);
+  h5::write_attribute(file, "physics", head.physics);
+  h5::write_attribute(file, "state_hash", head.state_hash);
+  if (head.constants) h5::write_attribute(file, "constants", numbers_of(*head.constants));
+  write_core_name(file, head.core);
   h5::write_attribute(file, "NX_class", "NXroot");
   h5::write_attribute(file, "default", "trajectory");
   write_provenance(file);
 }
 
 bool write_head(hid_t file, const FileHead& head, const std::vector<Input>& inputs) {
-  write_root(file, {.name = head.scenario.name,
-                    .scenario = to_text(to_json(head.scenario)),
-                    .steps = head.steps,
-                    .physics = head.physics,
-                    .state_hash = head.state_hash,
-                    .constants = head.constants ? std::optional(numbers_of(*head.constants)) : std::nullopt,
-                    .core = head.core});
+  write_root(file, head, head.scenario.name, to_text(to_json(head.scenario)));
   std::vector<InputRecord> records;
   for (const Input& input : inputs) records.push_back(record_of(input));
   return write_inputs(file, records);

@@ -68,18 +68,8 @@ class ContactTable {
 void write_sources(hid_t contacts, std::uint8_t walls_of_rows);
 [[nodiscard]] std::uint8_t read_sources(hid_t contacts);
 
-/// The attributes of `/`, for any core.
-struct RootAttributes {
-  std::string name;
-  std::string scenario;  ///< As JSON text.
-  std::int64_t steps = 0;
-  std::string physics;
-  std::string state_hash;
-  std::optional<ConstantNumbers> constants = {};
-  std::string core = {};
-};
-/// With the group /provenance.
-void write_root(hid_t file, const RootAttributes& root);
+/// The attributes of `/`, with the group /provenance. @param name, scenario of the run, as JSON text.
+void write_root(hid_t file, const RunHead& head, const std::string& name, const std::string& scenario);
 
 /// Writes the attributes of `/`, the group /events and the group /provenance.
 /// Returns false if the file could not be written.

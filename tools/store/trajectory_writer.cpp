@@ -1,7 +1,6 @@
 #include "tools/store/trajectory_writer.h"
 
 #include <algorithm>
-#include <cerrno>
 
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
@@ -31,36 +30,34 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scenario& scen
       contacts_(h5::create_group(file_, "contacts")),
       row_table_(trajectory_, row_count(steps, rows_every_)),
       contact_table_(contacts_) {
-  require(file_.is_open());
+  require_written(file_.is_open(), path_);
 }
 
-void TrajectoryWriter::row(const Row& row) { require(row_table_.append(row)); }
+void TrajectoryWriter::row(const Row& row) { require_written(row_table_.append(row), path_); }
 
-void TrajectoryWriter::contact_began(const Contact& contact) { require(contact_table_.append(contact)); }
+void TrajectoryWriter::contact_began(const Contact& contact) {
+  require_written(contact_table_.append(contact), path_);
+}
 
 void TrajectoryWriter::contact_ended(std::int64_t index, std::int64_t last_step) {
-  require(contact_table_.set_last_step(index, last_step));
+  require_written(contact_table_.set_last_step(index, last_step), path_);
 }
 
 void TrajectoryWriter::finish(const FileHead& head, const std::vector<Input>& inputs,
                               std::int64_t contacts_total,
                               const std::function<bool(hid_t file)>& write_more) {
-  require(row_table_.finish());
-  require(contact_table_.finish());
+  require_written(row_table_.finish(), path_);
+  require_written(contact_table_.finish(), path_);
   h5::write_attribute(contacts_, "total", contacts_total);
   write_sources(contacts_, head.walls_of_rows);
-  require(write_head(file_, head, inputs));
-  if (write_more) require(write_more(file_));
+  require_written(write_head(file_, head, inputs), path_);
+  if (write_more) require_written(write_more(file_), path_);
   row_table_.close();
   contact_table_.close();
   trajectory_ = {};
   contacts_ = {};
-  require(file_.close() >= 0);
+  require_written(file_.close() >= 0, path_);
   target_.commit();
-}
-
-void TrajectoryWriter::require(bool is_written) const {
-  if (!is_written) fail_to_write(path_, errno == 0 ? EIO : errno);
 }
 
 TrajectoryCsv::TrajectoryCsv(const std::string& path, const Scenario& scenario, std::int64_t steps)

@@ -42,8 +42,6 @@ class TrajectoryWriter : public RowSink {
   }
 
  private:
-  void require(bool is_written) const;
-
   std::string path_;
   std::int64_t rows_every_;
   AtomicFile target_;

@@ -1,4 +1,4 @@
-#include "sim/study/frame_rate/core_ladder.h"
+#include "sim/study/frame_rate/frame_rate.h"
 
 #include <algorithm>
 

@@ -1,7 +1,5 @@
 #include "sim/study/frame_rate/frame_rate.h"
 
-#include "sim/study/frame_rate/core_ladder.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

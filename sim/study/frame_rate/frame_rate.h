@@ -15,6 +15,7 @@
 #include "sim/result/estimate.h"
 #include "sim/result/figure.h"
 #include "sim/result/result.h"
+#include "sim/scenario/scenario.h"
 #include "sim/study/methods/many_flings.h"
 #include "sim/trace/step_player.h"
 
@@ -145,5 +146,10 @@ inline constexpr State kDrawnFling{100.0, 100.0, 900.0, -1200.0};
 /// not settled on even frames though they were played for long enough, or drag and friction by time spread
 /// less in no more than half of the flings, beyond the interval.
 [[nodiscard]] Result frame_rate_result(const FrameRateStudy& study);
+
+/// Plays it at each rate with even frames; events keep their times. At most 60 s. REQUIRES: of the scenario
+/// the parameters are the core's.
+[[nodiscard]] RateLadder climb(const Core& core, const Scenario& scenario,
+                               const std::vector<double>& rates_hz);
 
 }  // namespace hyrax

@@ -10,7 +10,6 @@
 #include "sim/core/listing_core.h"
 #include "sim/result/display_rates.h"
 #include "sim/result/number_text.h"
-#include "sim/study/frame_rate/core_ladder.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/frame_rate/ladder_result.h"
 #include "sim/study/study.h"

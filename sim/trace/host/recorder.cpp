@@ -81,8 +81,6 @@ void start_path(std::vector<StepOutcome> planned, bool others_hold) {
   recorder.known.clear();
 }
 
-const std::vector<StepOutcome>& path_outcomes() { return recorder.outcomes; }
-
 std::vector<StepPath> paths_of(const std::function<std::vector<Index>()>& run, std::size_t& count) {
   std::vector<StepPath> paths;
   std::vector<std::vector<StepOutcome>> to_do = {{}};
@@ -93,7 +91,7 @@ std::vector<StepPath> paths_of(const std::function<std::vector<Index>()>& run, s
     start_path(std::move(to_do.back()), count % 2 == 0);
     to_do.pop_back();
     std::vector<Index> members = run();
-    const std::vector<StepOutcome>& outcomes = path_outcomes();
+    const std::vector<StepOutcome>& outcomes = recorder.outcomes;
     if (outcomes.size() < planned) stop(kMemoryOutside);
     paths.push_back({outcomes, std::move(members)});
     for (std::size_t other = planned; other < outcomes.size(); ++other) {

@@ -21,8 +21,6 @@ void start_recording();
 
 /// Takes a path that begins with these outcomes; comparisons after them hold or not, as said.
 void start_path(std::vector<StepOutcome> planned, bool others_hold);
-/// Outcomes of the path so far.
-[[nodiscard]] const std::vector<StepOutcome>& path_outcomes();
 
 /// What all numbers have in common, in the memory of a body.
 struct Slot {

@@ -42,22 +42,8 @@ CoreCheck::CoreCheck(const Core& core, const std::string& golden_folder, CoreCom
   program_step_ = read_step(core.record.step);
   if (program_step_)
     verdict_.paths = static_cast<std::int64_t>(program_step_->paths_of(CoreFunction::update).size());
-  try {
-    accepted_ = read_accepted_core(golden_folder);
-  } catch (const Failure& failure) {
-    verdict_.why = failure.what();
-    verdict_.exit_code = failure.exit_code();
-    if (verdict_.exit_code == ExitCode::disagreed && !verdict_.commands.accept.empty())
-      verdict_.why += ", or accept this program's core: " + verdict_.commands.accept;
-    return;
-  }
-  if (!accepted_) {
-    verdict_.why = "no accepted core in " + accepted_core_folder(golden_folder);
-    if (!verdict_.commands.accept.empty())
-      verdict_.why += "; to accept this program's: " + verdict_.commands.accept;
-    return;
-  }
-  compare();
+  accepted_ = verdict_.read_accepted();
+  if (accepted_) compare();
 }
 
 void CoreCheck::compare() {
@@ -249,13 +235,8 @@ Json core_json(const CoreVerdict& verdict) {
     unnoticed.push_back(Json::Object{{"difference", one.text},
                                      {"scenario", one.scenario ? to_json(*one.scenario) : Json()},
                                      {"steps_tried", one.steps_tried}});
-  Json::Object document{{"golden", verdict.golden_folder},
-                        {"status", kCoreStatusNames[static_cast<std::size_t>(verdict.status)]},
-                        {"why", verdict.why.empty() ? Json() : Json(verdict.why)},
-                        {"paths", or_null(verdict.paths)},
-                        {"paths_taken", std::ssize(verdict.paths_taken)},
-                        {"changes", json_of(changes_table(verdict.changes))},
-                        {"unnoticed", std::move(unnoticed)}};
+  Json::Object document = verdict.json(std::ssize(verdict.paths_taken), verdict.changes);
+  document.emplace_back("unnoticed", std::move(unnoticed));
   if (verdict.status == CoreStatus::changed || verdict.status == CoreStatus::not_proved)
     document.emplace_back("beyond", verdict.beyond ? beyond_json(*verdict.beyond)
                                                    : Json::Object{{"why", verdict.why_not_beyond}});

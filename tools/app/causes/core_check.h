@@ -1,13 +1,11 @@
 // This program's core against the accepted one of a golden folder.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/cause/cause_groups.h"
@@ -17,8 +15,6 @@
 #include "sim/search/beyond_library.h"
 #include "sim/trace/step_difference.h"
 #include "tools/app/core/accepted_core.h"
-#include "tools/files/failure.h"
-#include "tools/files/json.h"
 
 namespace hyrax {
 
@@ -44,28 +40,11 @@ struct LibraryNotice {
 [[nodiscard]] LibraryNotice notice(const StepPair& steps, const Core& accepted, const Core& program,
                                    const std::vector<std::string>& scenarios_folders);
 
-enum class CoreStatus : std::uint8_t {
-  none,          ///< No accepted core, or a damaged one.
-  accepted,      ///< The same header and step.
-  proved_equal,  ///< Another header, the same step: the same bits for every state, dt and size.
-  changed,       ///< Steps of other bits are known.
-  not_proved
-};
-inline constexpr std::array<std::string_view, 5> kCoreStatusNames = {"none", "accepted", "proved_equal",
-                                                                     "changed", "not_proved"};
-
-struct CoreVerdict : LibraryNotice {
-  std::string golden_folder;
-  CoreStatus status = CoreStatus::none;
-  std::string why;          ///< Of none and not_proved.
-  std::string header_path;  ///< CoreRecord::path.
+struct CoreVerdict : CoreFinding, LibraryNotice {
   std::vector<HeaderChange> changes;
-  std::optional<std::int64_t> paths;    ///< Of update; nothing where the program's step is not complete.
   std::set<std::uint32_t> paths_taken;  ///< By the scenarios checked; only where asked for.
   std::optional<BeyondLibrary> beyond;  ///< Of changed and not_proved.
   std::string why_not_beyond = "the library was not played whole";  ///< Else.
-  CoreCommands commands;
-  ExitCode exit_code = ExitCode::agreed;
 };
 
 class CoreCheck {

@@ -15,9 +15,9 @@
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/state_hash.h"
 #include "tools/app/command_line/shell_command.h"
-#include "tools/files/failure.h"
 #include "tools/files/golden_place.h"
 #include "tools/files/summary_text.h"
+#include "tools/files/table_text.h"
 #include "tools/files/text_file.h"
 #include "tools/platform/path.h"
 
@@ -241,6 +241,34 @@ std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder)
   if (has_step && !read_step(core.step)) refuse_core(files.step, "is not the canonical text of a step");
   if (accepted_text(core) != accepted) refuse_core(files.accepted, "was changed after it was written");
   return core;
+}
+
+std::optional<AcceptedCore> CoreFinding::read_accepted() try {
+  std::optional<AcceptedCore> accepted = read_accepted_core(golden_folder);
+  if (accepted) return accepted;
+  why = "no accepted core in " + accepted_core_folder(golden_folder);
+  if (!commands.accept.empty()) why += "; to accept this program's: " + commands.accept;
+  return std::nullopt;
+} catch (const Failure& failure) {
+  take(failure);
+  return std::nullopt;
+}
+
+void CoreFinding::take(const Failure& failure) {
+  status = CoreStatus::none;
+  why = failure.what();
+  exit_code = failure.exit_code();
+  if (exit_code == ExitCode::disagreed && !commands.accept.empty())
+    why += ", or accept this program's core: " + commands.accept;
+}
+
+Json::Object CoreFinding::json(std::int64_t paths_taken, const std::vector<HeaderChange>& changes) const {
+  return {{"golden", golden_folder},
+          {"status", kCoreStatusNames[static_cast<std::size_t>(status)]},
+          {"why", why.empty() ? Json() : Json(why)},
+          {"paths", or_null(paths)},
+          {"paths_taken", paths_taken},
+          {"changes", json_of(changes_table(changes))}};
 }
 
 std::optional<Core> playable_step(const TracedStep& step, const Core& program) {

@@ -6,6 +6,8 @@
 // compiled.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +18,8 @@
 #include "sim/core/core.h"
 #include "sim/core/core_record.h"
 #include "sim/trace/step_player.h"
+#include "tools/files/failure.h"
+#include "tools/files/json.h"
 
 namespace hyrax {
 
@@ -101,6 +105,37 @@ struct CoreCommands {
 /// ERRORS: Failure(disagreed) "FILE: ...; take the folder from version control" where it is damaged, half
 /// written or edited by hand; Failure(cannot_access) where a file cannot be read.
 [[nodiscard]] std::optional<AcceptedCore> read_accepted_core(const std::string& golden_folder);
+
+enum class CoreStatus : std::uint8_t {
+  none,          ///< No accepted core, or a damaged one.
+  accepted,      ///< The same header and step.
+  proved_equal,  ///< Another header, the same step: the same bits for every state, dt and size.
+  changed,       ///< Steps of other bits are known.
+  not_proved
+};
+inline constexpr std::array<std::string_view, 5> kCoreStatusNames = {"none", "accepted", "proved_equal",
+                                                                     "changed", "not_proved"};
+
+/// A program's core against the accepted one of a golden folder.
+struct CoreFinding {
+  std::string golden_folder;
+  CoreStatus status = CoreStatus::none;
+  std::string why;                    ///< Of none and not_proved; why steps are not compared.
+  std::string header_path;            ///< CoreRecord::path.
+  std::optional<std::int64_t> paths;  ///< Of the step; nothing where the program's is not complete.
+  CoreCommands commands;              ///< Empty ones are left out.
+  ExitCode exit_code = ExitCode::agreed;
+
+  /// The accepted core; that it is missing or damaged becomes part of this.
+  [[nodiscard]] std::optional<AcceptedCore> read_accepted();
+  void take(const Failure& failure);
+  /// Where nothing else is judged.
+  [[nodiscard]] ExitCode exit_code_alone() const {
+    return status == CoreStatus::none && exit_code == ExitCode::agreed ? ExitCode::golden_missing : exit_code;
+  }
+  /// {"golden", "status", "why", "paths", "paths_taken", "changes"}
+  [[nodiscard]] Json::Object json(std::int64_t paths_taken, const std::vector<HeaderChange>& changes) const;
+};
 
 /// Plays the step, with parameters by the names of the program's core; nothing if it cannot be played.
 [[nodiscard]] std::optional<Core> playable_step(const TracedStep& step, const Core& program);

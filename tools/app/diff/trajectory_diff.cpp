@@ -23,8 +23,6 @@ RowBatches batches_of(const TrajectoryFile& file) {
   };
 }
 
-bool holds_every_row(const TrajectoryFile& file) { return file.row_count() == file.head().steps + 1; }
-
 // A file's rows for a distance: all of them, or where neither it holds them nor the core gives them, those
 // that it holds.
 struct FileRows {
@@ -34,7 +32,7 @@ struct FileRows {
 };
 FileRows rows_of(const Core& own_core, const TrajectoryFile& file) {
   FileRows rows{{batches_of(file), file.inputs()}};
-  if (holds_every_row(file)) return rows;
+  if (file.holds_every_row()) return rows;
   const Scenario& scenario = file.head().scenario;
   const std::optional<Core> core = with_parameters(own_core, scenario.parameters);
   rows.are_all = rows.are_played = core && step_count(scenario) <= kRowsPlayedMax &&
@@ -44,7 +42,7 @@ FileRows rows_of(const Core& own_core, const TrajectoryFile& file) {
 }
 
 RunEnd end_of(const TrajectoryFile& file) {
-  RunEnd end{.is_rest_known = holds_every_row(file)};
+  RunEnd end{.is_rest_known = file.holds_every_row()};
   std::optional<RestAnchor> anchor;
   for (RowCursor cursor(batches_of(file)); !cursor.is_done(); cursor.next()) {
     end.row = cursor.row();

@@ -11,7 +11,6 @@
 
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/library/expect_update.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"

@@ -2,19 +2,39 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/compare/comparison.h"
+#include "sim/compare/expectations.h"
 #include "tools/app/command_line/options.h"
 #include "tools/app/core/accepted_core.h"
-#include "tools/app/library/pruning.h"
 #include "tools/app/library/report_documents.h"
 #include "tools/app/library/scenario_verdict.h"
 
 namespace hyrax {
+
+/// What --prune finds of the golden files that `check` reports for the same arguments as unreferenced.
+struct Pruning {
+  std::vector<std::string> removed;  ///< Files that bless wrote, .h5 and .txt each; of a link, the link.
+  std::vector<std::string> left;     ///< Others, which stay.
+};
+
+/// Removes nothing yet.
+/// @param is_golden_h5 whether bless wrote a .h5 file.
+/// @param folders named `scenarios`, or below one.
+/// ERRORS: Failure(bad_input) for another argument, for a folder without any scenario, and if the way to its
+/// golden files is a link; Failure(cannot_access) if a folder cannot be changed. Failure of any kind if a
+/// folder, a link or a scenario cannot be read: there may be scenarios that are not seen.
+/// REQUIRES: as read_isolated.
+[[nodiscard]] Pruning find_prunable(const std::vector<std::string>& folders, const std::string& golden_folder,
+                                    const std::function<bool(const std::string& path)>& is_golden_h5);
+
+/// ERRORS: Failure(cannot_access) "PATH: cannot be removed: REASON"; those before it are removed.
+void remove_files(const std::vector<std::string>& files);
 
 struct BlessRequest {
   std::vector<std::string> files;
@@ -138,5 +158,14 @@ void write(const Blesser& blesser, Blessing& blessing, const std::string& reason
 
 /// All checks come before the first write: if one fails, no golden file is changed.
 [[nodiscard]] ExitCode bless(const Blesser& blesser, BlessRequest& request);
+
+// New values of `expect` in the text of a scenario; nothing else in it changes.
+
+/// With new values for ranges that do not hold: they keep their width; counts become the new ones.
+/// REQUIRES: is_updatable_range of each.
+[[nodiscard]] std::string with_updated_ranges(std::string text, const std::vector<Expectation>& ranges);
+
+/// REQUIRES: `expect` has a state hash.
+[[nodiscard]] std::string with_updated_hash(const std::string& text, const std::string& state_hash);
 
 }  // namespace hyrax

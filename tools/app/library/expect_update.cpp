@@ -1,4 +1,4 @@
-#include "tools/app/library/expect_update.h"
+#include "tools/app/library/blessing.h"
 
 #include <fmt/format.h>
 

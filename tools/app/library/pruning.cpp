@@ -1,4 +1,4 @@
-#include "tools/app/library/pruning.h"
+#include "tools/app/library/blessing.h"
 
 #include <cerrno>
 #include <cstring>

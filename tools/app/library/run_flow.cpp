@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tools/app/command_line/overrides.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/scenario_list.h"
@@ -17,6 +16,18 @@
 
 namespace hyrax {
 namespace {
+
+// Values that --set replaces in a scenario.
+std::vector<Override> overrides_of(const std::vector<std::string>& texts) {
+  std::vector<Override> overrides;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || !text.starts_with('/'))
+      refuse_input("hyrax-sim run: --set: not POINTER=VALUE (found " + text + "); as in /clock/rate_hz=144");
+    overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return overrides;
+}
 
 // A scenario that was read, or why it was not.
 struct Candidate {
@@ -55,7 +66,7 @@ ExitCode run_scenarios(
     RunRequest& request,
     const std::function<LoadedScenario(const std::string& path, const std::vector<Override>&)>& load,
     const RunSteps& steps) {
-  const std::vector<Override> overrides = overrides_of("hyrax-sim run", request.overrides);
+  const std::vector<Override> overrides = overrides_of(request.overrides);
   const std::vector<std::string> paths = list_scenarios(request.files);
   constexpr std::size_t kPrintedInFullMax = 3;
   if (paths.size() > kPrintedInFullMax && !request.printing.is_verbose())

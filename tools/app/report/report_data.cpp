@@ -89,7 +89,7 @@ Evidence evidence_of(const Core& core, const TrajectoryFile& file, std::int64_t 
     evidence.rows = file.rows(0, file.row_count());
     return evidence;
   }
-  if (file.row_count() != file.head().steps + 1) return evidence;
+  if (!file.holds_every_row()) return evidence;
   evidence.blocks = block_digests(file);
   BlockList played;
   static_cast<void>(replay(core, file.head().scenario, played));

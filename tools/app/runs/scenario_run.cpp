@@ -53,8 +53,9 @@ WrittenRun write_trajectory(const Core& core, const std::string& output, const S
     drift = {};
     return has_rows && has_arcs;
   };
-  writer.finish({scenario, steps, std::string(core.name), hex(run.summary.state_hash), core.constants,
-                 core.record.checksum(), core.walls_of_rows},
+  writer.finish({{steps, std::string(core.name), hex(run.summary.state_hash), core.constants,
+                  core.record.checksum(), core.walls_of_rows},
+                 scenario},
                 inputs_of(scenario, steps), run.summary.contacts.total(), write_errors);
   return run;
 }

@@ -1,5 +1,4 @@
 // One scenario at many frame rates, by cores whose step converges and whose does not.
-#include "sim/study/frame_rate/core_ladder.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -117,7 +117,10 @@ std::string damages() {
 }
 
 std::string verdicts() {
-  CoreVerdict verdict{.golden_folder = "golden", .why = "a reason", .commands = {"accept it", "write them"}};
+  CoreVerdict verdict;
+  verdict.golden_folder = "golden";
+  verdict.why = "a reason";
+  verdict.commands = {"accept it", "write them"};
   verdict.paths_taken = {3, 5};
   std::string text;
   for (const CoreStatus status : {CoreStatus::none, CoreStatus::accepted, CoreStatus::proved_equal,

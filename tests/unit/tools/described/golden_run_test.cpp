@@ -90,7 +90,13 @@ class DescribedFiles : public ::testing::Test {
     DescribedWriter writer(path, path, marble().description, steps, every);
     const DescribedScenario scenario = scenario_of(steps);
     const GoldenContents run = play_for_golden(marble(), scenario, {&writer});
-    writer.finish({marble().description, scenario, steps, run.state_hash(), "abc"}, run.contacts_total());
+    writer.finish({{.steps = steps,
+                    .physics = std::string(kDescribedModel),
+                    .state_hash = run.state_hash(),
+                    .core = "abc"},
+                   marble().description,
+                   scenario},
+                  run.contacts_total());
     return run.rows;
   }
   [[nodiscard]] GoldenPlace place() const {

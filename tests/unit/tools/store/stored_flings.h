@@ -25,7 +25,7 @@ inline RunSummary write_run(const std::string& path, const Scenario& scenario) {
   TrajectoryWriter writer(path, scenario, steps);
   const RunSummary summary = replay(shipped_core(), scenario, writer);
   writer.finish(
-      {scenario, steps, std::string(kPhysicsModel), hex(summary.state_hash), *shipped_core().constants},
+      {{steps, std::string(kPhysicsModel), hex(summary.state_hash), *shipped_core().constants}, scenario},
       inputs_of(scenario, steps), summary.contacts.total());
   return summary;
 }

@@ -29,7 +29,7 @@ TEST_F(StoredRunFile, HoldsRowsInTheirOrderWhateverBatchesTheyAreWrittenIn) {
     TrajectoryWriter writer(path_, scenario, steps);
     for (std::int64_t step = 0; step <= steps; ++step)
       writer.row({.step = step, .x_px = static_cast<double>(step)});
-    writer.finish({scenario, steps, "hyrax-physics/1", std::string(32, '0'), {}}, {}, 0);
+    writer.finish({{steps, "hyrax-physics/1", std::string(32, '0')}, scenario}, {}, 0);
     std::int64_t in_place = 0;
     for (const Row& row : rows_of(TrajectoryFile(path_)))
       in_place += static_cast<double>(row.step) == row.x_px && row.step == in_place;
@@ -94,7 +94,7 @@ class Contacts : public StoredRunFile {
       contacts[static_cast<std::size_t>(index)].last_step += 1'000'000;
       writer.contact_ended(index, contacts[static_cast<std::size_t>(index)].last_step);
     }
-    writer.finish({fling_at(60.0, 0), 0, "hyrax-physics/1", std::string(32, '0')}, {}, count);
+    writer.finish({{0, "hyrax-physics/1", std::string(32, '0')}, fling_at(60.0, 0)}, {}, count);
     return contacts;
   }
 };
