@@ -48,7 +48,10 @@ inline constexpr std::array<std::string_view, std::variant_size_v<DescribedActio
     "set", "hitch", "hold", "go"};
 
 /// The key of an action in a scenario's event.
-[[nodiscard]] std::string event_name(const Description& description, const DescribedAction& action);
+[[nodiscard]] inline std::string event_name(const Description& description, const DescribedAction& action) {
+  const auto* const act = std::get_if<Act>(&action);
+  return act != nullptr ? description.actions[act->action].name : std::string(kOwnEventNames[action.index()]);
+}
 
 struct DescribedEvent {
   std::variant<std::int64_t, double> when;  ///< Frame number, or a time in s.
@@ -80,6 +83,15 @@ struct DescribedScenario : ScenarioHead {
 };
 
 /// Whether two scenarios play the same run: without name, description, schema and expect they are the same.
-[[nodiscard]] bool plays_the_same(DescribedScenario a, DescribedScenario b);
+[[nodiscard]] inline bool plays_the_same(DescribedScenario a, DescribedScenario b) {
+  for (DescribedScenario* const scenario : {&a, &b}) {
+    scenario->name.clear();
+    scenario->description.reset();
+    scenario->schema.reset();
+    scenario->core.reset();
+    scenario->expect.reset();
+  }
+  return a == b;
+}
 
 }  // namespace hyrax

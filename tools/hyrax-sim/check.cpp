@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tools/app/check/check_report.h"
+#include "tools/app/check/check_verdict.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/text_file.h"
 #include "tools/platform/path.h"

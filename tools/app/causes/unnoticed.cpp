@@ -12,7 +12,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/shrink.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/play/played_rows.h"
+#include "tools/app/play/play.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"

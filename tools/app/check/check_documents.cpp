@@ -3,7 +3,7 @@
 
 #include "sim/compare/equal_times.h"
 #include "sim/compare/overlay.h"
-#include "tools/app/check/check_report.h"
+#include "tools/app/check/check_verdict.h"
 #include "tools/app/expect/judged_run.h"
 
 namespace hyrax {

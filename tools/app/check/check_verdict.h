@@ -9,7 +9,9 @@
 
 #include "sim/core/core.h"
 #include "sim/trace/step_player.h"
+#include "tools/app/causes/difference_group.h"
 #include "tools/app/golden/golden_pair.h"
+#include "tools/app/library/check_flow.h"
 #include "tools/files/unreferenced_golden.h"
 
 namespace hyrax {
@@ -32,5 +34,11 @@ struct CheckOptions {
 
 /// Of a golden file without a scenario, or a golden folder that cannot be read.
 [[nodiscard]] CheckVerdict unreferenced_verdict(const UnreferencedGolden& golden);
+
+// What is reported of them besides words.
+
+[[nodiscard]] Json check_json(const CheckReport& report, const CoreChecks& cores);
+/// The paths of the worst scenario of each of the first causes.
+[[nodiscard]] std::vector<Figure> check_figures(const CheckReport& report);
 
 }  // namespace hyrax

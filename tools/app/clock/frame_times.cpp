@@ -1,4 +1,4 @@
-#include "tools/app/clock/frame_times.h"
+#include "tools/app/clock/new_scenario.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -8,7 +8,7 @@
 #include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/trajectory/run_summary.h"
-#include "tools/app/play/played_rows.h"
+#include "tools/app/play/play.h"
 #include "tools/files/scenario_changes.h"
 
 namespace hyrax {

@@ -11,11 +11,12 @@
 #include "sim/reference/drift_meter.h"
 #include "sim/reference/drift_run.h"
 #include "sim/reference/gsl_flight.h"
+#include "sim/reference/margin.h"
 #include "sim/result/result.h"
+#include "sim/result/table.h"
 #include "sim/study/reference_model.h"
 #include "tools/app/command_line/options.h"
-#include "tools/app/drift/start_dependence.h"
-#include "tools/app/play/play_with_progress.h"
+#include "tools/app/play/play.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {
@@ -137,5 +138,21 @@ struct DriftReport {
 /// computed, what half the error costs), and the members of an entry of "runs", all except "scenario".
 /// @param lists_all all arcs and contacts, and how the end moves with the start, instead of the first 20.
 [[nodiscard]] Result drift_result(const DriftReport& report, bool lists_all);
+
+// How a run depends on its start: the margin, and how far its end moves.
+
+/// Whether rounding alone can change a contact.
+[[nodiscard]] bool is_knife_edge(const Margin& margin);
+
+/// "any start within ±0.27 px and px/s keeps all contacts; nearest decision: right wall, step 135".
+[[nodiscard]] std::string margin_text(const Margin& margin);
+
+/// The line of the text. @param all the table of d(end) / d(start), too.
+[[nodiscard]] std::string start_text(const Margin& margin, bool all);
+
+/// d(end) / d(start) as rows of numbers.
+[[nodiscard]] Table sensitivity_table(const Sensitivity& sensitivity);
+/// The member "margin" of a document.
+[[nodiscard]] Table margin_table(const Margin& margin);
 
 }  // namespace hyrax

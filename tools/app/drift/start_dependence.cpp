@@ -1,4 +1,4 @@
-#include "tools/app/drift/start_dependence.h"
+#include "tools/app/drift/drift.h"
 
 #include <fmt/format.h>
 

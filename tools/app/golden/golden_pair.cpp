@@ -12,7 +12,7 @@
 #include "tools/app/comparison/comparison_text.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/core_requirements.h"
-#include "tools/app/drift/start_dependence.h"
+#include "tools/app/drift/drift.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"

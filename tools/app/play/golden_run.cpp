@@ -12,7 +12,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/play/played_rows.h"
+#include "tools/app/play/play.h"
 #include "tools/files/scenario_changes.h"
 
 namespace hyrax {

@@ -13,7 +13,7 @@
 #include "tools/app/diff/trajectory_diff.h"
 #include "tools/app/drift/drift.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/play/play_with_progress.h"
+#include "tools/app/play/play.h"
 #include "tools/app/report/report_page.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/build_info.h"

@@ -9,7 +9,7 @@
 #include "tools/app/comparison/comparison_text.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/library/run_flow.h"
-#include "tools/app/play/play_with_progress.h"
+#include "tools/app/play/play.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/summary_text.h"

@@ -8,7 +8,7 @@
 #include "sim/study/reference_model.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/golden/golden_pair.h"
-#include "tools/app/play/play_with_progress.h"
+#include "tools/app/play/play.h"
 #include "tools/files/text_file.h"
 #include "tools/platform/path.h"
 #include "tools/store/drift_tables.h"

@@ -12,7 +12,7 @@
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/app/command_line/progress.h"
-#include "tools/app/play/play_with_progress.h"
+#include "tools/app/play/play.h"
 #include "tools/app/report/report_page.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/app/sweep/sweep_run.h"

@@ -1,9 +1,10 @@
-// What `run` and `drift` share.
+// Plays a scenario for a command: with progress, or its rows as they are asked for.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
+#include "sim/compare/equal_times.h"
 #include "sim/core/core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/scenario.h"
@@ -16,5 +17,11 @@ namespace hyrax {
 
 /// "first-fling: 600 steps, 10 s at 60 Hz".
 [[nodiscard]] std::string title_of(const Scenario& scenario, std::int64_t steps, double simulated_s);
+
+/// So many rows are played where no file holds them: a file of any origin may be of a far longer run.
+inline constexpr std::int64_t kRowsPlayedMax = 20'000'000;
+
+/// The first kRowsPlayedMax rows of a scenario's run.
+[[nodiscard]] RowBatches played_rows(const Core& core, const Scenario& scenario);
 
 }  // namespace hyrax
