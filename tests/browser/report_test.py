@@ -192,12 +192,13 @@ class ReportTest(browser.BrowserTest):
             self.assertAlmostEqual(error, worst, delta=0.006 * worst)
 
     def test_a_fling_in_a_page_of_a_run_with_parameters_has_them(self):
-        self.played("moon", program.fling(parameters={"GRAVITY": 300}))
+        self.write("moon.json", program.fling(parameters={"GRAVITY": 300}))
+        self.expect(AGREED, "run", "moon.json", "--report", "moon.html")
         flung = self.folder / "flung.json"
-        (page,) = self.open({**self.report("moon"), "actions": [*PLAYGROUND, ["wait", f"{number('row')} > 30"], ["download", "#download-scenario", str(flung)],
+        (page,) = self.open({"file": str(self.folder / "moon.html"), "actions": [*PLAYGROUND, ["wait", f"{number('row')} > 30"], ["download", "#download-scenario", str(flung)],
                                                                 ["evaluate", "document.getElementById('name').textContent"]]})
         document = json.loads(flung.read_text(encoding="utf-8"))
-        self.assertEqual((page["attributes"]["replay"], page["values"][-1], document["parameters"]), ("agrees", "Your fling", {"GRAVITY": 300}))
+        self.assertEqual((page["attributes"]["replay"], page["attributes"].get("core"), page["values"][-1], document["parameters"]), ("agrees", None, "Your fling", {"GRAVITY": 300}))
         self.assertEqual(self.hash_of("flung.json", "flung.h5"), document["expect"]["state_hash"])
 
     def test_names_and_descriptions_are_text(self):

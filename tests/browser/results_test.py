@@ -6,7 +6,7 @@ import re
 
 import browser
 import program
-from program import AGREED, BAD_INPUT, SOURCE
+from program import AGREED, BAD_INPUT, DISAGREED, SOURCE
 
 HOSTILE = browser.HOSTILE
 FIGURES = "document.querySelectorAll('figure').length"
@@ -119,15 +119,37 @@ class ResultsTest(browser.BrowserTest):
         self.assertEqual(json.loads(down.read_text(encoding="utf-8"))["expect"]["state_hash"], state_hash)
         self.assertEqual(self.hash_of("cell.json", "cell.h5"), state_hash)
 
+    def test_members_of_two_sweeps_have_numbers_of_their_own(self):
+        for name, count in (("first", 3), ("second", 5)):
+            self.sweep(name, {"/start/vx_px_per_s": {"grid": [0, 1000, count]}}, members=count)
+        self.expect(AGREED, "report", "first.h5", "second.h5", "-o", "both.html")
+        number = "(input => { input.value = 4; input.dispatchEvent(new Event('change')); })(document.querySelectorAll('input[type=number]')[1])"
+        (page,) = self.open({"file": str(self.folder / "both.html"), "actions": [["evaluate", number], ["wait", "!document.getElementById('member').hidden"],
+                             ["evaluate", "[...document.querySelectorAll('input[type=number]'), document.getElementById('member-heading')].map(each => each.value ?? each.textContent)"], ["axe"]]})
+        self.assertEqual((page["errors"], page["values"][2:]), ([], [["", "4", "Member 4"], []]))
+
+    def test_a_long_name_does_not_widen_the_page(self):
+        names = ["short", "long" * 40]
+        for name in names:
+            self.write(f"scenarios/{name}.json", program.fling())
+        self.expect(AGREED, "bless", "scenarios", "--reason", "test")
+        for name, speed in zip(names, (600, 1190)):  # The picture of the worst is open, that of the other folded.
+            self.write(f"scenarios/{name}.json", program.fling(start={**program.FLING["start"], "vx_px_per_s": speed}))
+        self.expect(DISAGREED, "check", "--report", "check.html")
+        (page,) = self.open({"file": str(self.folder / "check.html"), "actions": [["evaluate", f"[...document.querySelectorAll('summary')].some(each => each.textContent.includes('{names[1]}'))"], ["evaluate", FAULTS]]})
+        self.assertEqual(page["values"], [True, []])
+
     def test_the_pointer_reads_the_nearest_value_and_pictures_are_saved(self):
         task, svg, png = self.drift(), self.folder / "drift.svg", self.folder / "drift.png"
         pointed = """(() => { const svg = [...document.querySelectorAll('.picture > svg')].find(each => each.checkVisibility()), plot = svg.querySelector('[data-x]'), box = plot.getBoundingClientRect();
           svg.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + %s * box.width, clientY: box.top + 5 }));
           return [document.querySelector('.picture output').textContent, svg.querySelector('.cross').getAttribute('d')]; })()"""
-        (page,) = self.open({**task, "actions": [["evaluate", pointed % 0.5], ["evaluate", pointed % 5], ["download", ".picture > button:nth-of-type(1)", str(svg)],
+        huge = "document.querySelectorAll('[data-x]').forEach(each => (each.dataset.y = 'even|0 1 0 -1e300|px'))"
+        (page,) = self.open({**task, "actions": [["evaluate", pointed % 0.5], ["evaluate", pointed % 5], ["evaluate", huge], ["evaluate", pointed % 0.5], ["download", ".picture > button:nth-of-type(1)", str(svg)],
                                                  ["download", ".picture > button:nth-of-type(2)", str(png)]]})
         self.assertEqual(page["errors"], [])
-        (text, cross), (_, none) = page["values"][:2]
+        (text, cross), (_, none), _, (far, _) = page["values"][:4]
+        self.assertRegex(far, r"; px: −[\d.]+e\d+$")
         self.assertRegex(cross, r"^M[\d.]+,[\d.]+v[\d.]+M[\d.]+,[\d.]+h[\d.]+$")
         self.assertEqual(none, "")
         # It is farthest in the last row before the first bounce on the ground.

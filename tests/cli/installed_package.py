@@ -25,11 +25,11 @@ _FOLDER = tempfile.TemporaryDirectory(prefix="hyrax-test-")
 
 @functools.cache
 def package():
-    """The package, installed once for all tests of a process, and moved: it must not remember where it was made."""
+    """The package, installed once for all tests of a process, and moved, into a folder of a difficult name: it must not remember where it was made."""
     first = pathlib.Path(_FOLDER.name) / "first"
     environment = {key: value for key, value in os.environ.items() if key != "DESTDIR"}
     succeed("cmake", "--install", os.environ["HYRAX_BUILD"], "--prefix", first, env=environment)
-    return first.rename(first.with_name("package"))
+    return first.rename(first.with_name("package (x86)"))
 
 
 class InstalledPackage(ProgramTest):

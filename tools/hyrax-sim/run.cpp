@@ -98,7 +98,7 @@ RunPanel run_one(const Core& own_core, const PaperRunRequest& request,
     runs.goldens.push_back(run.comparison ? run.golden_path : "");
     return {.name = scenario.name, .status = run.status(), .picture = picture->panel(scenario), .link = link};
   }
-  if (!request.page.empty()) results.attempt_after([&] { write_page(core, request, run); }, path);
+  if (!request.page.empty()) results.attempt_after([&] { write_page(own_core, request, run); }, path);
   if (picture)
     results.attempt_after([&] {
       picture->draw(request.figure, run);

@@ -2,6 +2,14 @@
 # scenario file in DIR and its folders. README.md beside this file describes it.
 include_guard(GLOBAL)
 
+# A source of hyrax, by a file in FOLDER: of an object whose path has parentheses, as the path of hyrax may, CMake and Ninja forget
+# the files that it includes, and an edited header would not be compiled again.
+function(hyrax_add_source program folder source)
+  cmake_path(GET source FILENAME name)
+  file(CONFIGURE OUTPUT ${folder}/${name} CONTENT "#include \"${hyrax_source}/${source}\"\n")
+  target_sources(${program} PRIVATE ${folder}/${name})
+endfunction()
+
 # PROGRAM: of KIND PHYSICS, hyrax-sim, or in a cross build hyrax-replay, with the class physics of HEADER, in place of the shipped
 # one where it has no NAME; of KIND CORE, the program of the struct hyrax_core of HEADER. Only its `main`, the core and what the
 # build records of the header are compiled.
@@ -21,16 +29,17 @@ function(hyrax_add_program program name kind header)
     return()
   endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/hyrax/${program})
-  set(main ${hyrax_source}/tools/hyrax-sim/main.cpp)
+  set(main tools/hyrax-sim/main.cpp)
   set(described)
+  add_executable(${program})
   if(kind STREQUAL CORE)
-    add_executable(${program} ${hyrax_source}/sim/described/built_described_core.cpp)
-    set(main ${hyrax_source}/tools/described/main.cpp)
+    hyrax_add_source(${program} ${folder} sim/described/built_described_core.cpp)
+    set(main tools/described/main.cpp)
     set(described DESCRIBED)
     target_compile_definitions(${program} PRIVATE HYRAX_DESCRIBED_HEADER="${header}" HYRAX_DESCRIBED_NAME="${name}")
   else()
     file(CONFIGURE OUTPUT ${folder}/sim/physics/physics.h CONTENT "#include \"${header}\"\n")
-    add_executable(${program} ${hyrax_source}/sim/core/shipped_core.cpp)
+    hyrax_add_source(${program} ${folder} sim/core/shipped_core.cpp)
     target_compile_definitions(${program} PRIVATE $<$<BOOL:${name}>:HYRAX_OWN_CORE="${name}">)
   endif()
   set_target_properties(${program} PROPERTIES HYRAX_CORE "${kind} ${header}" UNITY_BUILD OFF)
@@ -41,7 +50,7 @@ function(hyrax_add_program program name kind header)
   if(CMAKE_CROSSCOMPILING)
     target_link_libraries(${program} PRIVATE hyrax_replay_program ${program}-core-record)
   else()
-    target_sources(${program} PRIVATE ${main})
+    hyrax_add_source(${program} ${folder} ${main})
     string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
     string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" flags)
     set(options $<TARGET_PROPERTY:${program},COMPILE_OPTIONS>)

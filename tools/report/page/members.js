@@ -30,10 +30,11 @@ class Explorer {
     const share = sweep.count === this.members.length ? `all ${grouped(sweep.count, 0)} members` : `${grouped(this.members.length, 0)} of ${grouped(sweep.count, 0)} members`;
     this.place = make('div');
     this.hover = make('p', { class: 'quiet', role: 'status' });
+    this.chosen = make('input', { type: 'number', min: 0, max: this.members.at(-1), onchange: event => this.#pick(this.#rowOf(Number(event.target.value))) });
     this.bar = make('div', { class: 'bar' });
     place.append(make('div', { class: 'head' }, make('h2', {}, 'The members'), make('p', { class: 'note quiet' }, share)),
       make('div', { class: 'choices' }, choice('x', 'Across'), choice('y', 'Up'), choice('tint', 'Colour'), ...(choices.length ? [choice('panel', 'A panel each', [...choices, { name: '', label: 'none' }])] : []),
-        make('label', {}, 'Member ', make('input', { type: 'number', id: 'member-number', min: 0, max: this.members.at(-1), onchange: event => this.#pick(this.#rowOf(Number(event.target.value))) }))),
+        make('label', {}, 'Member ', this.chosen)),
       this.bar, this.place, this.hover);
     this.#draw();
     const fit = () => this.panels.forEach(({ plot, place }) => plot.setSize({ width: place.clientWidth, height: plot.height }));
@@ -175,7 +176,7 @@ class Stage {
     place.hidden = false;
     const member = explorer.members[row];
     element('member-heading').textContent = `Member ${grouped(member, 0)}`;
-    element('member-number').value = member;
+    explorer.chosen.value = member;
     const inputs = Object.entries(result.texts).map(([name, text]) => `${explorer.numbers.find(each => each.name === name).label}: ${text}`).join('; ');
     element('member-note').textContent = `${inputs}. Ends at x ${rounded(rows.x.at(-1), 6)}, y ${rounded(rows.y.at(-1), 6)} px after ${grouped(check.steps, 0)} steps; contacts ` +
       `${Object.entries(check.contacts).filter(([, count]) => count).map(([wall, count]) => `${wall} ${count}`).join(', ') || 'none'}. Thin: ${neighbours.length} neighbours.`;
@@ -201,13 +202,13 @@ class Stage {
 let stage = null;
 
 // Adds to a sweep's result its members.
-async function showMembers(sweep, article) {
+async function showMembers(sweep, article, label) {
   if (!stage) {
     const core = await Core.start();
     core.requireSame(sweep.core_fingerprint, report.program);
     stage = new Stage(core);
   }
-  const place = make('section', { class: 'figure', 'aria-label': 'The members' });
+  const place = make('section', { class: 'figure', 'aria-label': label });
   const figure = article.querySelector('.figure');
   if (figure) figure.before(place);
   else article.append(place);
@@ -218,6 +219,6 @@ async function showMembers(sweep, article) {
 export async function showSweeps() {
   const articles = document.querySelectorAll('.result');
   for (const [at, sweep] of report.sweeps.entries())
-    if (sweep?.results.length) await showMembers(sweep, articles[at]);
+    if (sweep?.results.length) await showMembers(sweep, articles[at], report.sweeps.length > 1 ? `The members of result ${at + 1}` : 'The members');
   Object.assign(root.dataset, { replay: 'none', ready: '' });
 }

@@ -13,7 +13,8 @@
     const [kind, ranges] = axis.split('|'), away = ([from, to]) => Math.max(Math.min(from, to) - px, px - Math.max(from, to));
     const [from, to, low, high] = ranges.split(';').map(range => range.split(' ').map(Number)).reduce((best, each) => (away(each) < away(best) ? each : best)), part = (px - from) / (to - from);
     const digits = kind === 'log' ? { maximumSignificantDigits: 3 } : { maximumFractionDigits: Math.min(20, Math.max(0, Math.floor(1 - Math.log10(Math.abs((high - low) / (to - from)))))) };
-    return (kind === 'log' ? low * (high / low) ** part : low + part * (high - low)).toLocaleString('en', digits).replace('-', '−');
+    const value = kind === 'log' ? low * (high / low) ** part : low + part * (high - low);
+    return (Math.abs(value) >= 1e15 ? value.toExponential(3).replace('+', '') : value.toLocaleString('en', digits)).replace(/^-(?=[0.]*$)/, '').replaceAll('-', '−');
   }
   const labelOf = axis => axis.split('|').slice(2).join('|');
   const worded = ({ dataset }, [x, y]) => [[dataset.x, x], [dataset.y, y]].map(([axis, px]) => `${labelOf(axis)}: ${valueAt(axis, px)}`).join('; ');

@@ -13,11 +13,12 @@ export const stepsMax = 40_000;
 const constants = [['Gravity', 'px/s²', [0, 3600], 10], ['Bounce', '', [0, 1], 0.01], ['Drag', '', [0.9, 1], 0.0005], ['Ground friction', '', [0, 1], 0.01]];
 
 /** {key, label, unit, own, low, high, step} each: what a reader may change of a run. */
-export function slidersOf({ parameters }, { start: [, , vx, vy], clock: { kind, values } }) {
+export function slidersOf({ parameters, steps }, { start: [, , vx, vy], clock: { kind, values } }) {
   const speed = Math.hypot(vx, vy), rate = kind === 0 ? values[0] : kind === 1 ? 1 / values[0] : values.length / values.reduce((sum, dt) => sum + dt, 0);
+  const rateMax = Math.min(360, (6 * stepsMax * rate) / Math.max(1, steps)); // A slow clock leaves room for many steps.
   const slider = (key, label, unit, own, [low, high], step) => ({ key, label, unit, own, low: Math.min(low, own), high: Math.max(high, own), step });
   return [
-    ...(Number.isFinite(rate) ? [slider('rate', 'Frame rate', 'Hz', rate, [10, 360], 1)] : []),
+    ...(Number.isFinite(rate) ? [slider('rate', 'Frame rate', 'Hz', rate, [10, rateMax], 1)] : []),
     slider('speed', 'Start speed', 'px/s', speed, [0, Math.max(4000, 2 * speed)], 10),
     slider('angle', 'Start angle, 90 is up', '°', (Math.atan2(-vy, vx) * 180) / Math.PI, [-180, 180], 1),
     ...constants.flatMap(([label, unit, range, step], i) => (parameters?.names[i] ? [slider(parameters.names[i], label, unit, parameters.values[i], range, step)] : [])),

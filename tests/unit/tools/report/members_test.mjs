@@ -80,7 +80,7 @@ test('a click replays the member beside its neighbours, and saves it', async () 
   at('click', 100, 75);
   assert.deepEqual(loaded, ['10 5 0 0', '10 5 -1 0', '20 5 0 0', '10 5 1 0']);
   assert.equal(Plot.all.at(-1).ctx.log.at(-1), 'stroke ink 5: box 173,120 134,100');
-  assert.deepEqual([element('member').hidden, section.next, element('member-heading').textContent, element('member-number').value], [false, element('member'), 'Member 7', 7]);
+  assert.deepEqual([element('member').hidden, section.next, element('member-heading').textContent, choices.querySelector('input').value], [false, element('member'), 'Member 7', 7]);
   assert.equal(element('member-note').textContent, 'start speed to the right, px/s: 0; start, x from the left, px: 10. Ends at x 20, y 60 px after 1 steps; contacts right 2, ground 1. Thin: 3 neighbours.');
   assert.deepEqual(element('member').inView, { block: 'nearest' });
   saved.length = 0;
@@ -141,5 +141,5 @@ test('numbers that are no grids, many points and a page with figures have their 
   figure.setAttribute('class', 'figure');
   article.append(figure);
   for (const results of [[], grid.results]) await showMembers({ ...grid, results }, article);
-  assert.deepEqual([article.children.length, figure.previous.attributes['aria-label'], required], [1, 'The members', ['ab']]);
+  assert.deepEqual([article.children.length, figure.previous.attributes['aria-label'], required], [1, 'The members of result 2', ['ab']]);
 });

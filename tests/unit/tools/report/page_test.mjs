@@ -236,7 +236,7 @@ test('at another rate a run is as long, and each event comes in the first frame 
 });
 
 test('sliders stand at the run’s own values, and change only what is moved', () => {
-  const run = { model: [1200, 0.6, 0.999, 0.8, 40], parameters: { names: ['GRAVITY', '', 'AIR_DRAG', 'GROUND_FRICTION', 'REST'], values: [5000, 0.6, 0.999, 0.8, 40], given: { GRAVITY: 5000 } } };
+  const run = { steps: 600, model: [1200, 0.6, 0.999, 0.8, 40], parameters: { names: ['GRAVITY', '', 'AIR_DRAG', 'GROUND_FRICTION', 'REST'], values: [5000, 0.6, 0.999, 0.8, 40], given: { GRAVITY: 5000 } } };
   const parts = partsOf([800, 600, 64, 32, 1, 2, 3, -4, 1, 1, 600, 0, 60, 0, 0]), sliders = whatIf.slidersOf(run, parts);
   assert.deepEqual(sliders.map(({ key, own, low, high }) => [key, Math.round(own * 1000) / 1000, low, high]), [['rate', 60, 10, 360], ['speed', 5, 0, 4000], ['angle', 53.13, -180, 180],
     ['GRAVITY', 5000, 0, 5000], ['AIR_DRAG', 0.999, 0.9, 1], ['GROUND_FRICTION', 0.8, 0, 1]]);
@@ -250,6 +250,9 @@ test('sliders stand at the run’s own values, and change only what is moved', (
   assert.deepEqual(whatIf.slidersOf({ parameters: null }, { ...parts, clock: { kind: 2, values: [0.25, 0.75] } }).map(({ key, own }) => [key, own]).slice(0, 2), [['rate', 2], ['speed', 5]]);
   assert.deepEqual(whatIf.changedRun({ parameters: null, model: null }, parts, sliders.slice(0, 3), own), { parts, constants: [], model: null, parameters: undefined });
   assert.deepEqual(whatIf.slidersOf({ parameters: null }, { ...parts, clock: { kind: 1, values: [0] } }).map(({ key }) => key), ['speed', 'angle']);
+  // A rate at which a run of a slow clock would have more steps than a page can play is not offered.
+  const ends = (steps, rate) => (({ low, high }) => [low, high])(whatIf.slidersOf({ parameters: null, steps }, { ...parts, clock: { kind: 0, values: [rate] } })[0]);
+  assert.deepEqual([ends(0, 60), ends(24_000, 20), ends(1000, 2 ** -20), ends(40_000, 0.5)], [[10, 360], [10, 200], [2 ** -20, 240 * 2 ** -20], [0.5, 3]]);
 });
 
 test('where a run lands is said beside the file’s', () => {
