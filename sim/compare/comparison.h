@@ -1,13 +1,16 @@
 // What comparing two runs found.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "sim/compare/run_distance.h"
@@ -118,14 +121,15 @@ struct ContactCounts {
 };
 
 /// How the contacts of two runs differ. A moved contact is one of the same wall at another step.
-struct ContactChanges {
+template <class C>
+struct ContactChangesOf {
   struct Moved {
-    Contact from;
-    Contact to;
+    C from;
+    C to;
   };
-  std::vector<Moved> moved;
-  std::vector<Contact> only_a;
-  std::vector<Contact> only_b;
+  std::vector<Moved> moved = {};
+  std::vector<C> only_a = {};
+  std::vector<C> only_b = {};
   bool is_cut = false;  ///< A list holds no more (kContactsRecordedMax): compared up to its end.
   [[nodiscard]] bool is_none() const { return total() == 0; }
   [[nodiscard]] std::int64_t total() const { return counts().total(); }
@@ -133,6 +137,7 @@ struct ContactChanges {
     return {std::ssize(moved), std::ssize(only_a), std::ssize(only_b), is_cut};
   }
 };
+using ContactChanges = ContactChangesOf<Contact>;
 
 /// How a run ended.
 struct RunEnd {
@@ -165,8 +170,48 @@ struct Comparison {
 /// The class of a difference in rows or contacts.
 [[nodiscard]] DifferenceClass class_of(const ContactChanges& contacts, const RunDistance& distance);
 
-/// The changes from contacts `a` to `b`, both in order of their first step.
-[[nodiscard]] ContactChanges contact_changes(const std::vector<Contact>& a, const std::vector<Contact>& b);
+/// By which contacts are in order: its first step, which one it is, its last step.
+[[nodiscard]] inline auto order_of(const Contact& contact) {
+  return std::tuple(contact.step, contact.wall, contact.last_step);
+}
+
+/// The changes from contacts `a` to `b`, both in order.
+template <class C>
+[[nodiscard]] ContactChangesOf<C> contact_changes(const std::vector<C>& a, const std::vector<C>& b) {
+  const auto which = [](const C& contact) { return std::get<1>(order_of(contact)); };
+  std::set<decltype(which(a.front()))> all;
+  const C* last = nullptr;  // Of a list that is full: what such a run has after it is not known.
+  for (const std::vector<C>* const contacts : {&a, &b}) {
+    for (const C& contact : *contacts) all.insert(which(contact));
+    if (std::ssize(*contacts) >= kContactsRecordedMax &&
+        (last == nullptr || order_of(contacts->back()) < order_of(*last)))
+      last = &contacts->back();
+  }
+  ContactChangesOf<C> changes{.is_cut = last != nullptr};
+  for (const auto& each : all) {
+    const auto missing_in = [&](const std::vector<C>& others, const std::vector<C>& contacts) {
+      std::vector<C> missing;
+      auto other = others.begin();
+      for (const C& contact : contacts) {
+        if (which(contact) != each || (last != nullptr && order_of(*last) < order_of(contact))) continue;
+        other = std::find_if_not(other, others.end(),
+                                 [&](const C& one) { return order_of(one) < order_of(contact); });
+        if (other == others.end() || order_of(*other) != order_of(contact))
+          missing.push_back(contact);
+        else
+          ++other;  // It is the counterpart of one contact, not of two.
+      }
+      return missing;
+    };
+    const std::vector<C> gone = missing_in(b, a), come = missing_in(a, b);
+    const std::size_t pairs = std::min(gone.size(), come.size());
+    for (std::size_t pair = 0; pair < pairs; ++pair) changes.moved.push_back({gone[pair], come[pair]});
+    const auto begin = static_cast<std::ptrdiff_t>(pairs);
+    changes.only_a.insert(changes.only_a.end(), gone.begin() + begin, gone.end());
+    changes.only_b.insert(changes.only_b.end(), come.begin() + begin, come.end());
+  }
+  return changes;
+}
 
 /// The first input that differs, as "inputs differ: fling in frame 41 -> none"; nothing where none does.
 [[nodiscard]] std::optional<std::string> input_difference(const std::vector<Input>& a,

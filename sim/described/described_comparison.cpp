@@ -301,28 +301,10 @@ DescribedComparison compare_blocks(const Description& description, const std::ve
   return result;
 }
 
-ContactCounts contact_counts(const std::vector<DescribedContact>& a, const std::vector<DescribedContact>& b) {
-  const auto key = [](const DescribedContact& contact) {
-    return std::tuple(contact.contact, contact.step, contact.last_step);
-  };
-  const auto without = [&](std::vector<DescribedContact> all, std::vector<DescribedContact> others) {
-    std::ranges::sort(all, {}, key);
-    std::ranges::sort(others, {}, key);
-    std::vector<DescribedContact> left;
-    std::ranges::set_difference(all, others, std::back_inserter(left), {}, key, key);
-    std::map<std::size_t, std::int64_t> counts;
-    for (const DescribedContact& contact : left) ++counts[contact.contact];
-    return counts;
-  };
-  std::map<std::size_t, std::int64_t> gone = without(a, b), come = without(b, a);
-  ContactCounts counts;
-  counts.is_cut = std::ssize(a) >= kContactsRecordedMax || std::ssize(b) >= kContactsRecordedMax;
-  for (auto& [contact, count] : gone) {
-    const std::int64_t moved = std::min(count, come[contact]);
-    counts += {moved, count - moved, -moved};
-  }
-  for (const auto& [contact, count] : come) counts.appeared += count;
-  return counts;
+ContactCounts contact_counts(std::vector<DescribedContact> a, std::vector<DescribedContact> b) {
+  for (std::vector<DescribedContact>* const contacts : {&a, &b})
+    std::ranges::sort(*contacts, {}, [](const DescribedContact& contact) { return order_of(contact); });
+  return contact_changes(a, b).counts();
 }
 
 std::vector<TimedEvent> timed_events(const DescribedScenario& scenario, std::int64_t steps) {

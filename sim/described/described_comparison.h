@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -121,8 +120,7 @@ struct DescribedComparison {
                                                  const std::vector<DescribedBlock>& b);
 
 /// How many contacts moved, vanished and appeared.
-[[nodiscard]] ContactCounts contact_counts(const std::vector<DescribedContact>& a,
-                                           const std::vector<DescribedContact>& b);
+[[nodiscard]] ContactCounts contact_counts(std::vector<DescribedContact> a, std::vector<DescribedContact> b);
 
 /// An event, and the frame that it is applied before.
 struct TimedEvent {

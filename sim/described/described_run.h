@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "sim/described/described_core.h"
@@ -32,6 +33,10 @@ struct DescribedContact {
   double t_s = 0.0;  ///< Of its first row.
   bool operator==(const DescribedContact&) const = default;
 };
+/// By which contacts are in order: its first step, which one it is, its last step.
+[[nodiscard]] inline auto order_of(const DescribedContact& contact) {
+  return std::tuple(contact.step, contact.contact, contact.last_step);
+}
 
 /// What a run goes on from at a row: the first row of a block of 4,096.
 struct DescribedKeyframe {

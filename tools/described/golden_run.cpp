@@ -53,9 +53,8 @@ class GoldenRecorder : public DescribedSink {
     while (last_ && !has_all_seconds() && last_->t_s >= next_second() - 1e-9 * last_->dt_s)
       contents_.at_seconds.push_back(*last_);
     contents_.summary = std::move(summary);
-    std::ranges::sort(contents_.contacts, {}, [](const DescribedContact& contact) {
-      return std::pair(contact.step, contact.contact);
-    });
+    std::ranges::sort(contents_.contacts, {},
+                      [](const DescribedContact& contact) { return order_of(contact); });
     return std::move(contents_);
   }
 

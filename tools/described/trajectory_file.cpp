@@ -128,8 +128,7 @@ namespace {
 
 bool write_contacts(hid_t file, const Description& description, std::vector<DescribedContact> contacts,
                     std::int64_t total) {
-  std::ranges::sort(contacts, {},
-                    [](const DescribedContact& contact) { return std::pair(contact.step, contact.contact); });
+  std::ranges::sort(contacts, {}, [](const DescribedContact& contact) { return order_of(contact); });
   ValueTable table(file, "contacts", std::ssize(contacts));
   table.add(kStep, "row number of the first row");
   table.add(kLastStep, "row number of the last row");
