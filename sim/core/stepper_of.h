@@ -147,8 +147,10 @@ class StepperOf final : public Stepper {
   [[nodiscard]] CoreBody body_of(Core core) const {
     CoreBody body{state_of(core)};
     if (!facts_.has_further_members) return body;
+#ifdef __has_builtin
 #if __has_builtin(__builtin_clear_padding)
     __builtin_clear_padding(&core);
+#endif
 #endif
     body.object.resize(sizeof(Core));
     std::memcpy(body.object.data(), &core, sizeof(Core));

@@ -20,17 +20,22 @@ namespace hyrax {
 inline constexpr std::size_t kBlockRows = 4096;
 inline constexpr std::size_t kPackedRowBytes = 41;
 
+/// A word with its bytes in little-endian order, from this machine's, and back.
+[[nodiscard]] constexpr std::uint64_t little_endian(std::uint64_t bits) {
+  if constexpr (std::endian::native == std::endian::little) return bits;
+  std::uint64_t swapped = 0;
+  for (int byte = 0; byte < 8; ++byte, bits >>= 8) swapped = swapped << 8 | (bits & 0xff);
+  return swapped;
+}
+
 /// A double to and from little-endian binary64.
 [[nodiscard]] inline std::uint64_t little_endian_bits(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  if constexpr (std::endian::native == std::endian::big) return __builtin_bswap64(bits);
-  return bits;
+  return little_endian(std::bit_cast<std::uint64_t>(value));
 }
 [[nodiscard]] inline double from_little_endian(const std::byte* bytes) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, bytes, sizeof bits);
-  if constexpr (std::endian::native == std::endian::big) bits = __builtin_bswap64(bits);
-  return std::bit_cast<double>(bits);
+  return std::bit_cast<double>(little_endian(bits));
 }
 
 inline void store_little_endian(std::byte* at, double value) {

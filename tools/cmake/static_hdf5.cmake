@@ -4,8 +4,12 @@
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 pkg_search_module(HDF5 REQUIRED hdf5-serial hdf5)
-find_library(HDF5_STATIC libhdf5.a HINTS ${HDF5_LIBRARY_DIRS} NO_DEFAULT_PATH REQUIRED)
-find_library(HDF5_HL_STATIC libhdf5_hl.a HINTS ${HDF5_LIBRARY_DIRS} NO_DEFAULT_PATH REQUIRED)
+# MSYS2's static HDF5 needs libaec, curl and openssl, and what these need: there it is the shared one.
+if(WIN32)
+  set(shared_suffix .dll.a)
+endif()
+find_library(HDF5_STATIC NAMES libhdf5${shared_suffix} libhdf5.a HINTS ${HDF5_LIBRARY_DIRS} NO_DEFAULT_PATH REQUIRED)
+find_library(HDF5_HL_STATIC NAMES libhdf5_hl${shared_suffix} libhdf5_hl.a HINTS ${HDF5_LIBRARY_DIRS} NO_DEFAULT_PATH REQUIRED)
 find_library(ZLIB_STATIC libz.a REQUIRED)
 set(system_libraries m)
 if(WIN32)
@@ -16,6 +20,7 @@ else()
 endif()
 
 add_library(hyrax_hdf5 INTERFACE)
+target_compile_definitions(hyrax_hdf5 INTERFACE H5_USE_110_API) # Debian 12's, of later versions, too.
 target_include_directories(hyrax_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(
   hyrax_hdf5 INTERFACE ${HDF5_HL_STATIC} ${HDF5_STATIC} ${SZIP_STATIC} ${AEC_STATIC} ${ZLIB_STATIC}

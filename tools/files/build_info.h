@@ -26,8 +26,10 @@ void set_core_build(std::string_view flags, std::string_view compiler, std::stri
 [[nodiscard]] static constexpr std::string_view compiler_here() {
 #ifdef __clang__
   return "clang " __clang_version__;
-#else
+#elif defined(__GNUC__)
   return "g++ " __VERSION__;
+#else
+  return "another compiler";
 #endif
 }
 
