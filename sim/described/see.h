@@ -325,6 +325,32 @@ template <class C>
   return description;
 }
 
+/// Passes over a list with the visitor that `make_visitor` makes of its values.
+template <class Core>
+void visit(Core& core, SettableList list, const Description& description, const auto& make_visitor) {
+  if (list == SettableList::state) {
+    auto visitor = make_visitor(description.state);
+    core.state(visitor);
+    visitor.finish();
+  } else if (list == SettableList::inputs) {
+    auto visitor = make_visitor(description.inputs);
+    if constexpr (Has_inputs<Core>) core.inputs(visitor);
+    visitor.finish();
+  } else {
+    auto visitor = make_visitor(description.parameters);
+    if constexpr (Has_parameters<Core>) core.parameters(visitor);
+    visitor.finish();
+  }
+}
+
+/// 0 or 1 for each contact. REQUIRES: as many as the description has.
+template <class Core>
+void read_contacts(Core& core, std::span<std::uint8_t> flags) {
+  ContactConditions visitor(flags);
+  if constexpr (Has_contacts<Core>) core.contacts(visitor);
+  visitor.finish();
+}
+
 }  // namespace hyrax::see
 
 namespace hyrax {
@@ -357,17 +383,19 @@ class DescribedBodyOf final : public DescribedBody {
   }
   void add_row(bool has_contacts, MadeRows& rows) override { add_row(core_, has_contacts, rows); }
   void read(SettableList list, std::span<Word> words) override {
-    visit(list, [&](const ValueList& values) { return see::Reader<false>(values, words); });
+    see::visit(core_, list, description_,
+               [&](const ValueList& values) { return see::Reader<false>(values, words); });
   }
   void set(SettableList list, std::span<const std::optional<Word>> words) override {
-    visit(list, [&](const ValueList& values) { return see::Setter(values, words); });
+    see::visit(core_, list, description_,
+               [&](const ValueList& values) { return see::Setter(values, words); });
   }
   void act(std::size_t action, std::span<const Word> arguments) override {
     see::ActionCaller visitor(action, arguments);
     if constexpr (see::Has_actions<Core>) core_.actions(visitor);
     visitor.finish();
   }
-  void contacts(std::span<std::uint8_t> flags) const override { read_contacts(core_, flags); }
+  void contacts(std::span<std::uint8_t> flags) const override { see::read_contacts(core_, flags); }
 
  private:
   static constexpr std::size_t kPlayedByCopyMax_bytes = 4096;
@@ -401,7 +429,7 @@ class DescribedBodyOf final : public DescribedBody {
     if constexpr (see::Has_contacts<Core>) {
       const std::span<std::uint8_t> flags = row_of(rows.contacts, description_.contacts.size(), rows.count);
       if (has_contacts)
-        read_contacts(core, flags);
+        see::read_contacts(core, flags);
       else
         std::fill(flags.begin(), flags.end(), std::uint8_t{0});
     }
@@ -411,28 +439,6 @@ class DescribedBodyOf final : public DescribedBody {
       visitor.finish();
     }
     ++rows.count;
-  }
-  static void read_contacts(Core& core, std::span<std::uint8_t> flags) {
-    see::ContactConditions visitor(flags);
-    if constexpr (see::Has_contacts<Core>) core.contacts(visitor);
-    visitor.finish();
-  }
-
-  template <class MakeVisitor>
-  void visit(SettableList list, const MakeVisitor& make_visitor) {
-    if (list == SettableList::state) {
-      auto visitor = make_visitor(description_.state);
-      core_.state(visitor);
-      visitor.finish();
-    } else if (list == SettableList::inputs) {
-      auto visitor = make_visitor(description_.inputs);
-      if constexpr (see::Has_inputs<Core>) core_.inputs(visitor);
-      visitor.finish();
-    } else {
-      auto visitor = make_visitor(description_.parameters);
-      if constexpr (see::Has_parameters<Core>) core_.parameters(visitor);
-      visitor.finish();
-    }
   }
 
   const Description& description_ = description();

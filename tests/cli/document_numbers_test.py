@@ -129,8 +129,9 @@ STATED = (
     (FILES, "and the {} worst scenarios", "tools/app/library/difference_group.cpp", "kWorstListed"),
     (OWN, "AIR_DRAG {} .. {}, REST", "sim/study/reference_model.cpp", "constants.air_drag,, 0.5,"),
     (HYRAX, "not moved for {} frames it sleeps", "tools/hyrax/pet.h", "kStillFrames"),
-    (HYRAX, "After {} frames (four and a half minutes", "tools/hyrax/recording.h", "kPartFrames"),
-    (HYRAX, "ends after 2^{} frames", "tools/hyrax/recording.h", "kFramesMax = std::int64_t{1} <<"),
+    (HYRAX, "After {} frames (four and a half minutes", "tools/recorder/recording.h", "kPartFrames"),
+    ("tools/recorder/README.md", "After {} frames it continues", "tools/recorder/recording.h", "kPartFrames"),
+    (HYRAX, "ends after 2^{} frames", "tools/recorder/recording.h", "kFramesMax = std::int64_t{1} <<"),
     (FILES, "compiled core's bits in {} states", "sim/trace/host/compiled_core.h", "kCheckedSteps"),
     (FILES, "apart the two cores are after {} s of it", "tools/app/causes/unnoticed.cpp", "kConsequence_s"),
     (FILES, "stays below {} MB (a test)", "tests/cli/goldens_test.py", "BYTES_MAX"),
@@ -241,7 +242,7 @@ def computed():
     speeds = [1000.0]
     while len(speeds) == 1 or speeds[-1] != speeds[-2]:
         speeds.append(speeds[-1] * drag * friction)
-    exponent, = decided("tools/hyrax/recording.h", "kFramesMax = std::int64_t{1} <<")
+    exponent, = decided("tools/recorder/recording.h", "kFramesMax = std::int64_t{1} <<")
     normal = sum(speed >= sys.float_info.min for speed in speeds)
     unsteady, *parts = decided("sim/study/methods/cost.h", "kDriftMax_rel") + [
         float(each) for each in re.findall(r"quantile\(probes_ns, (0\.\d5)\)", text_of("sim/study/methods/cost.cpp"))]

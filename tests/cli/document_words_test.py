@@ -161,9 +161,9 @@ WORDS = {
         ("sim/study/frame_rate/frame_rate_study.cpp", "Other contacts: (flings that meet a side wall or the top another number of times) "
          r"than at 60 Hz\."), ("sim/study/frame_rate/frame_rate_study.cpp", r"The score is (100 \(1 - mean spread / mean horizontal path\)):")),
     "tools/hyrax/README.md": (
-        ("tools/hyrax/recording.h", r"written about twice a second, .* at most the last second is lost, .*\((four and a half minutes of "
+        ("tools/recorder/recording.h", r"written about twice a second, .* at most the last second is lost, .*\((four and a half minutes of "
          r"motion at 60 Hz)\)", r"kSavesPerSecond = 2;.*kPartFrames = 16'384; (four and a half minutes of motion at 60 Hz)\."),),
-    "tools/hyrax/help.txt": (("tools/hyrax/recording.h", "At most the last second is lost", "kSavesPerSecond = 2;"),),
+    "tools/hyrax/help.txt": (("tools/recorder/recording.h", "At most the last second is lost", "kSavesPerSecond = 2;"),),
 }
 
 

@@ -229,7 +229,7 @@ class Documents(unittest.TestCase):
         """Kinds of blocks, targets of links, paths, scripts, presets; and the lines about embedding, which a test builds."""
         listed = json.loads((SOURCE / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
         presets = {preset["name"] for preset in listed if not preset.get("hidden")}
-        projects = [SOURCE / "tests/cli/outside_project", SOURCE / "tests/cli/own_physics"]
+        projects = [SOURCE / "tests/cli/outside_project", SOURCE / "tests/cli/own_physics", SOURCE / "tests/cli/own_cores"]
         built = {kind: "".join(file.read_text(encoding="utf-8") for project in projects for file in project.glob(pattern))
                  for kind, pattern in (("cmake", "CMakeLists.txt"), ("cpp", "*.cpp"))}
         built["cpp"] += text_of("tools/own_core/new_core.h.in")

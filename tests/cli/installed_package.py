@@ -4,6 +4,8 @@ HYRAX_BUILD is the folder of a build; HYRAX_CXX, HYRAX_CXX_FLAGS and HYRAX_GENER
 """
 
 import functools
+import json
+import math
 import os
 import pathlib
 import shutil
@@ -11,7 +13,7 @@ import tempfile
 
 import program
 from process import run, succeed
-from program import ProgramTest
+from program import AGREED, DISAGREED, ProgramTest
 
 PLAIN = """cmake_minimum_required(VERSION 3.25)
 project(plain LANGUAGES {language})
@@ -53,6 +55,16 @@ class InstalledPackage(ProgramTest):
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         lines = [line.split() for line in outcome.out.splitlines() if " Test " in line and "#" in line]
         return {line[3]: "Passed" in line for line in lines if not line[3].endswith(".accepted_core")}
+
+    def expect_recording_replays(self, game):
+        """What a program records replays to its hash; with the next larger dt of a frame it does not."""
+        succeed(game, cwd=self.folder)
+        self.expect(AGREED, "run", "my-fling.json", "-o", "recorded.h5")
+        document = json.loads((self.folder / "my-fling.json").read_text(encoding="utf-8"))
+        document["clock"]["dt_s"][45] = math.nextafter(document["clock"]["dt_s"][45], math.inf)
+        self.write("nudged.json", document)
+        self.expect(DISAGREED, "run", "nudged.json", "-o", "nudged.h5")
+        return document
 
     def expect_refused(self, arguments, says, language="NONE"):
         """A project that cannot be configured."""

@@ -324,6 +324,12 @@ class OwnCores(OwnCoresProject):
         self.assertEqual({row[4] for row in platform()}, {0, 1})
         self.assertEqual({row[-1] for row in sand()}, {0, 1})
 
+    def test_what_a_program_records_replays(self):
+        self.use("pet")
+        document = self.expect_recording_replays(self.project / "build/game")
+        self.assertEqual([event[key] for event in document["events"] for key in event if key != "step"],
+                         [{"vx_px_per_s": 1200.5, "pose": "sit"}, {"spin_rad_per_s": -7.25}, {}, {}])
+
     def test_faults_of_a_description_are_found(self):
         self.use("faulty")
         self.write("none.json", scenario(400))

@@ -228,6 +228,7 @@ class OwnPhysics(InstalledPackage):
         for edited, command, says in (
                 (header.replace("double m_vx, m_vy;", "double m_vx, m_vy; physics(const physics&);"), (), "class physics must be trivially copyable"),
                 (header, ("add_compile_options(-ffast-math",), "-ffast-math changes the bits of the core"),
+                (header, ("add_compile_definitions(_M_FP_FAST",), "-ffast-math changes the bits of the core"),  # MSVC's /fp:fast.
                 (header, ("add_compile_definitions(_GLIBCXX_DEBUG",), "-D_GLIBCXX_DEBUG gives containers another layout")):
             outcome = self.built(edited, *command)
             self.assertNotEqual(outcome.exit_code, 0)
@@ -241,6 +242,16 @@ class OwnPhysics(InstalledPackage):
         self.expect(AGREED, "run", "scenarios/billiard.json", "-o", "run.h5")
         with h5py.File(self.folder / "run.h5") as file:
             self.assertRegex(file["provenance"].attrs["flags"], "-Werror.* -ffp-contract=off")
+
+    def test_what_a_program_records_replays(self):
+        document = self.expect_recording_replays(self.example / "build/game")
+        self.assertEqual([next(key for key in event if key != "step") for event in document["events"]],
+                         ["fling", "grab", "place", "fling", *["place"] * 9, "release", "resize"])
+        # With another core it has another hash.
+        self.write("box.h", (EXAMPLE / "elastic_box.h").read_text(encoding="utf-8").replace("RESTITUTION = 1.0", "RESTITUTION = 0.999"))
+        self.assertEqual(self.built((self.folder / "box.h").read_text(encoding="utf-8")).exit_code, 0)
+        program.PROGRAM = self.folder / "build/box-sim"
+        self.expect(DISAGREED, "run", "my-fling.json", "-o", "other.h5")
 
     def test_one_name_is_one_core(self):
         header = self.example / "elastic_box.h"

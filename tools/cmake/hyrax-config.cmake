@@ -1,10 +1,15 @@
-# The package `hyrax`: hyrax::physics, the core library; hyrax::hyrax-sim, the program, or in a cross build hyrax-replay;
+# The package `hyrax`: hyrax::physics, the core library; hyrax::recorder, for programs of one's own; hyrax::hyrax-sim, the program, or in a cross build hyrax-replay;
 # hyrax_add_scenarios.
 get_filename_component(hyrax_prefix ${CMAKE_CURRENT_LIST_DIR}/@PREFIX_FROM_PACKAGE@ ABSOLUTE)
 set(hyrax_source ${hyrax_prefix}/@hyrax_source_folder@)
 set(hyrax_program ${hyrax_prefix}/@CMAKE_INSTALL_LIBDIR@/hyrax/hyrax_program.o)
 if(NOT CMAKE_CROSSCOMPILING)
   include(${CMAKE_CURRENT_LIST_DIR}/hyrax-targets.cmake)
+  if(NOT TARGET hyrax::recorder)
+    add_library(hyrax::recorder INTERFACE IMPORTED)
+    target_include_directories(hyrax::recorder INTERFACE ${hyrax_source})
+    target_link_libraries(hyrax::recorder INTERFACE ${hyrax_prefix}/@CMAKE_INSTALL_LIBDIR@/hyrax/hyrax_recorder.o hyrax::physics pthread)
+  endif()
 elseif(NOT TARGET hyrax_physics) # The libraries and programs that are installed are of this machine.
   block()
     set(HYRAX_CORE_RECORD ${hyrax_source}/core_record)

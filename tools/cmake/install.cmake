@@ -7,7 +7,7 @@ set(hyrax_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hyrax)
 # First: who built hyrax-sim alone, as tools/run does, has not all of what is installed, or has an older one.
 set(hyrax_program_object ${PROJECT_BINARY_DIR}/hyrax_program.o)
 install(CODE "
-  execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target hyrax_program
+  execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target hyrax_program hyrax_recorder_object
                   COMMAND_ERROR_IS_FATAL ANY)")
 
 # The headers keep the path that the source includes them by, "sim/physics/physics.h".
@@ -22,7 +22,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # hyrax-sim without its `main` and core, and with the libraries that it needs, as one object: who builds a program with
 # another core compiles two sources and needs no library but the compiler's own.
 set(hyrax_rooms app_expect physics trace described_step replay compare expectations rate_ladder cause reference reference_gsl search study ensemble trajectory
-                scenario store golden report page_record pages page run_core files process platform fmt)
+                scenario store golden report page_record pages page run_core described_json files process platform fmt)
 list(TRANSFORM hyrax_rooms PREPEND hyrax_)
 get_target_property(hyrax_app hyrax_commands LINK_LIBRARIES)
 list(FILTER hyrax_app INCLUDE REGEX "^hyrax_app_")
@@ -42,7 +42,19 @@ add_custom_command(
   VERBATIM)
 add_custom_target(hyrax_program ALL DEPENDS ${hyrax_program_object})
 add_dependencies(hyrax_program hyrax_trace_host hyrax_described hyrax_described_program)
-install(FILES ${hyrax_program_object} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
+# hyrax::recorder as one object, without GSL and HDF5.
+set(hyrax_recorder_object_file ${PROJECT_BINARY_DIR}/hyrax_recorder.o)
+set(hyrax_whole_rooms recorder core_recorder core described)
+list(TRANSFORM hyrax_whole_rooms REPLACE "(.+)" "$<TARGET_OBJECTS:hyrax_\\1>")
+add_custom_command(
+  OUTPUT ${hyrax_recorder_object_file}
+  COMMAND ${CMAKE_LINKER} -r -o ${hyrax_recorder_object_file} ${hyrax_whole_rooms} --start-group ${hyrax_rooms} --end-group
+  DEPENDS ${hyrax_rooms} ${hyrax_whole_rooms}
+  COMMAND_EXPAND_LISTS
+  COMMENT "hyrax::recorder"
+  VERBATIM)
+add_custom_target(hyrax_recorder_object ALL DEPENDS ${hyrax_recorder_object_file})
+install(FILES ${hyrax_program_object} ${hyrax_recorder_object_file} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
 # As the package that is installed, but of this build: for tools/check HEADER.
 export(EXPORT hyrax NAMESPACE hyrax:: FILE ${PROJECT_BINARY_DIR}/check_package/hyrax-targets.cmake)
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/check_package/hyrax-config.cmake @ONLY CONTENT [[

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "tools/hyrax/desk.h"
-#include "tools/hyrax/frame_player.h"
+#include "tools/recorder/frame_player.h"
 #include "tools/hyrax/hand.h"
-#include "tools/hyrax/recording.h"
+#include "tools/recorder/recording.h"
 
 namespace hyrax {
 

@@ -1,6 +1,6 @@
 #include <shlobj.h>
 
-#include "tools/hyrax/recording.h"
+#include "tools/recorder/recording.h"
 #include "tools/hyrax/window.h"
 #include "tools/platform/wide_text.h"
 

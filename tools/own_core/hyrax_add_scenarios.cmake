@@ -60,6 +60,18 @@ function(hyrax_add_program program name kind header)
   endif()
 endfunction()
 
+# hyrax_add_recorder(TARGET PHYSICS HEADER): hyrax::recorder, for a program that moves the class physics of HEADER. (One that
+# moves a core that describes itself links hyrax::recorder alone.)
+function(hyrax_add_recorder target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PHYSICS" "")
+  cmake_path(ABSOLUTE_PATH arg_PHYSICS NORMALIZE)
+  if(NOT TARGET ${target} OR NOT EXISTS ${arg_PHYSICS} OR arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "hyrax_add_recorder: needs TARGET PHYSICS HEADER, a target and a file that exist (found ${ARGV})")
+  endif()
+  hyrax_core_record(${target}-core-record ${target} ${arg_PHYSICS})
+  target_link_libraries(${target} PRIVATE hyrax::recorder ${target}-core-record)
+endfunction()
+
 # The test PREFIX.NAME; where there is one of that name, PREFIX.NAME with the suffix. Sets `added` to NAME as it is then.
 function(hyrax_add_test prefix name suffix)
   if(TEST "${prefix}.${name}")

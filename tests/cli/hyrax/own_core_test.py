@@ -1,11 +1,16 @@
 """hyrax_add_scenarios in a MinGW build: its tests are the checks of hyrax-replay.exe, under Wine."""
 
+import json
+import math
 import os
 import shutil
 
-from hyrax_program import HyraxTest
-from process import run, succeed
-from program import SOURCE
+from hyrax_program import FLING, FLINGER, FOLDER, HyraxTest, TIMEOUT_S, WM_CLOSE
+from process import run, skip_without, succeed
+from program import AGREED, DISAGREED, SOURCE
+from wine import Screen, Wine
+
+skip_without("Xvfb")
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
 CTEST_FAILED = 8
@@ -38,6 +43,36 @@ class MinGW(HyraxTest):
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         lines = [line.split() for line in outcome.out.splitlines() if " Test " in line and "#" in line and " sec" in line]
         return {line[3]: "Passed" in line for line in lines}, outcome.out
+
+    def test_what_a_program_records_replays_here_and_there(self):
+        shutil.copy(SOURCE / "tools/recorder/example/window.cpp", self.folder)
+        with open(self.folder / "CMakeLists.txt", "a", encoding="utf-8") as file:
+            file.write("if(WIN32)\nadd_executable(window window.cpp)\nhyrax_add_recorder(window PHYSICS elastic_box.h)\nendif()\n")
+        self.build("host", f"-DCMAKE_PREFIX_PATH={self.package}")
+        self.build("windows", "--toolchain", SOURCE / "tools/cmake/mingw.cmake", f"-Dhyrax_DIR={self.package}/lib/cmake/hyrax")
+        screen = Screen(1280, 720)
+        self.addCleanup(screen.end)
+        for name, wine in (("game", self.wine), ("null", self.wine), ("x11", Wine(FOLDER / "prefix-x11", screen.display))):
+            with self.subTest(name):
+                recorded = self.folder / "my-fling.json"
+                recorded.unlink(missing_ok=True)
+                if name == "game":
+                    self.assertEqual(wine.run(self.folder / "windows/game.exe", cwd=self.folder).exit_code, 0)
+                else:
+                    self.wine.end()
+                    self.addCleanup(wine.end)
+                    with wine.start(self.folder / "windows/window.exe", cwd=self.folder) as process:
+                        thrown = wine.run(FLINGER, "find", 120, *FLING, "sleep", 500, "post", WM_CLOSE, 0, 0, timeout=TIMEOUT_S)
+                        self.assertEqual((thrown.exit_code, process.wait(TIMEOUT_S).exit_code), (0, 0), thrown.err)
+                document = json.loads(recorded.read_text())
+                self.assertTrue({"grab", "release"} <= {kind for event in document["events"] for kind in event}, document["events"])
+                nudged = self.folder / "nudged.json"
+                document["clock"]["dt_s"][-3] = math.nextafter(document["clock"]["dt_s"][-3], math.inf)
+                nudged.write_text(json.dumps(document))
+                for path, exit_code in ((recorded, AGREED), (nudged, DISAGREED)):
+                    here = run(self.folder / "host/elastic_box-sim", "run", path, "-o", "run.h5", cwd=self.folder)
+                    there = wine.run(self.folder / "windows/elastic_box-replay.exe", path.name, cwd=self.folder)
+                    self.assertEqual((here.exit_code, there.exit_code), (exit_code, exit_code), f"{here} {there}")
 
     def test_scenarios_agree_until_a_constant_or_a_golden_file_changes(self):
         self.build("host", f"-DCMAKE_PREFIX_PATH={self.package}")

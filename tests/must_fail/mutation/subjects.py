@@ -52,7 +52,7 @@ SUBJECTS = (
     *map(Subject, ("sim/cause", "sim/compare", "sim/core", "sim/ensemble", "sim/motion", "sim/reference",
                    "sim/replay", "sim/result", "sim/scenario", "sim/search", "sim/study", "sim/trace", "sim/trajectory",
                    "tools/app", "tools/files", "tools/hyrax", "tools/hyrax-replay",
-                   "tools/hyrax-sim", "tools/report", "tools/store")),
+                   "tools/hyrax-sim", "tools/recorder", "tools/report", "tools/store")),
 )
 
 

@@ -13,9 +13,9 @@
 #include "sim/reference/exact_fling.h"
 #include "sim/replay/fingerprint.h"
 #include "sim/trace/step_text.h"
-#include "tools/hyrax/frame_player.h"
+#include "tools/recorder/frame_player.h"
 #include "tools/hyrax/hand.h"
-#include "tools/hyrax/tape.h"
+#include "tools/recorder/tape.h"
 #include "tools/report/wasm/scenario_record.h"
 #include "tools/report/wasm/shown_run.h"
 

@@ -1,5 +1,5 @@
 // A recording on disk, during a session and at its end.
-#include "tools/hyrax/recording.h"
+#include "tools/recorder/recording.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "tools/files/scenario_writer.h"
 #include "tools/hyrax/pet.h"
 #include "tools/hyrax/playback.h"
-#include "tools/hyrax/tape.h"
+#include "tools/recorder/tape.h"
 
 namespace hyrax {
 namespace {

@@ -1,6 +1,9 @@
 // Plays frames that are not known beforehand, as a replay of them does.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "sim/core/core.h"
 #include "sim/trajectory/row.h"
 #include "sim/trajectory/state_hash.h"
@@ -19,6 +22,11 @@ class FramePlayer {
   void apply(const Action& action);
   /// Plays a frame of `dt_s` seconds, 0 .. kFrameMax_s.
   void advance(double dt_s);
+  /// Goes on from the state of another body. @param object as Keyframe::core_object.
+  void go_on_from(const State& state, std::vector<std::byte> object) {
+    set_state(now_.row, state);
+    now_.core_object = std::move(object);
+  }
 
  private:
   std::shared_ptr<const Stepper> stepper_;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,18 @@
 
 namespace hyrax {
 
+/// The dt of each frame, and the hash of all rows, of rows that are packed one behind another, row 0 first:
+/// of so many bytes each, the first eight its dt.
+[[nodiscard]] RecordedSteps frame_times(std::span<const std::byte> rows, std::size_t row_bytes);
+[[nodiscard]] Digest hash_of_rows(std::span<const std::byte> rows, std::size_t row_bytes);
+
 /// Keeps the rows, 41 bytes per frame, so that the hash is that of the frames that were shown.
 class Tape {
  public:
+  using Start = Keyframe;
+  using Input = Action;
+  using Document = Scenario;
+
   /// Begins at a state, with time and step 0.
   explicit Tape(const Keyframe& start);
 
@@ -30,7 +40,7 @@ class Tape {
   void append(const Tape& next);
 
   /// Hash of the rows so far.
-  [[nodiscard]] Digest state_hash() const;
+  [[nodiscard]] Digest state_hash() const { return hash_of_rows(rows_, kPackedRowBytes); }
 
   /// The scenario that plays these frames, with their hash in its `expect`. Inputs of the next frame are left
   /// out. REQUIRES: frames() > 0, since a recorded clock cannot be empty.

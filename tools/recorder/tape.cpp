@@ -1,4 +1,4 @@
-#include "tools/hyrax/tape.h"
+#include "tools/recorder/tape.h"
 
 #include <algorithm>
 #include <cassert>
@@ -24,6 +24,23 @@ std::vector<Event> first_inputs(const Keyframe& start) {
 
 }  // namespace
 
+RecordedSteps frame_times(std::span<const std::byte> rows, std::size_t row_bytes) {
+  RecordedSteps trace;
+  for (std::size_t at = row_bytes; at < rows.size(); at += row_bytes)
+    trace.dt_s.push_back(from_little_endian(&rows[at]));
+  return trace;
+}
+
+Digest hash_of_rows(std::span<const std::byte> rows, std::size_t row_bytes) {
+  StateHash hash;
+  while (!rows.empty()) {
+    const std::size_t block_bytes = std::min(rows.size(), kBlockRows * row_bytes);
+    hash.add(digest(rows.first(block_bytes)));
+    rows = rows.subspan(block_bytes);
+  }
+  return hash.value();
+}
+
 Tape::Tape(const Keyframe& start) : start_(start) {
   Row row = start.row;
   row.dt_s = 0.0;
@@ -42,12 +59,6 @@ void Tape::append(const Tape& next) {
   rows_.insert(rows_.end(), next.rows_.begin() + kPackedRowBytes, next.rows_.end());
 }
 
-Digest Tape::state_hash() const {
-  StateHash hash;
-  hash.add_packed(rows_);
-  return hash.value();
-}
-
 Scenario Tape::scenario(const std::string& name) const {
   assert(frames() > 0);
   Scenario scenario;
@@ -56,10 +67,7 @@ Scenario Tape::scenario(const std::string& name) const {
   scenario.sprite = start_.sprite;
   scenario.start = {start_.row.x_px, start_.row.y_px};
   scenario.start_velocity = {start_.row.vx_px_per_s, start_.row.vy_px_per_s};
-  RecordedSteps trace;
-  for (std::size_t at = kPackedRowBytes; at < rows_.size(); at += kPackedRowBytes)
-    trace.dt_s.push_back(from_little_endian(&rows_[at]));
-  scenario.clock.base = std::move(trace);
+  scenario.clock.base = frame_times(rows_, kPackedRowBytes);
   scenario.events = first_inputs(start_);
   for (const Event& input : inputs_)
     if (std::get<std::int64_t>(input.when) < frames()) scenario.events.push_back(input);

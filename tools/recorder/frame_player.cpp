@@ -1,4 +1,4 @@
-#include "tools/hyrax/frame_player.h"
+#include "tools/recorder/frame_player.h"
 
 #include <cassert>
 
