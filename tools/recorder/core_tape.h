@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/described/described_comparison.h"
+#include "sim/described/described_rows.h"
 #include "sim/described/described_scenario.h"
 
 namespace hyrax {
