@@ -11,7 +11,8 @@
 // catches what they refuse.
 #ifndef HYRAX_CONTROL_WITHOUT_GUARDS
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    defined(__NO_SIGNED_ZEROS__) || defined(_M_FP_FAST) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+    defined(__NO_SIGNED_ZEROS__) || defined(_M_FP_FAST) ||                                     \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "hyrax: -ffast-math changes the bits of the core, as each of its parts does; build without them"
 #endif
 static_assert(FLT_EVAL_METHOD == 0,

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tools/hyrax/desk.h"
-#include "tools/recorder/frame_player.h"
 #include "tools/hyrax/hand.h"
+#include "tools/recorder/frame_player.h"
 #include "tools/recorder/recording.h"
 
 namespace hyrax {

@@ -1,8 +1,8 @@
 #include <shlobj.h>
 
-#include "tools/recorder/recording.h"
 #include "tools/hyrax/window.h"
 #include "tools/platform/wide_text.h"
+#include "tools/recorder/recording.h"
 
 namespace hyrax {
 namespace {
