@@ -88,6 +88,7 @@ class WithoutPhysics(InstalledPackage):
         self.expect_refused("scenarios SPEED 3", "unknown or without a value: SPEED;3; allowed: DIR [GOLDEN DIR]")
         self.expect_refused("scenarios GOLDEN", "unknown or without a value: GOLDEN; allowed:")
         self.expect_refused("scenarios NAME box", "NAME needs PHYSICS")
+        self.expect_refused(".)\nfind_package(none REQUIRED", "no folder named scenarios in")  # A warning.
         self.expect_refused("scenarios PHYSICS none.h", "PHYSICS: no such file")
         self.expect_refused("scenarios PHYSICS CMakeLists.txt NAME a/b", "NAME: must be of letters, digits")
 

@@ -116,11 +116,16 @@ AcceptedCore program_core(const DescribedCore& core) {
 }
 
 std::string DescribedCoreVerdict::sentence() const {
-  std::string of_description;  // Which has no lines.
+  std::string sentence;  // Of the description, which has no lines.
+  std::vector<HeaderChange> of_lines;
   for (const DescribedChange& change : changes)
-    if (change.line == 0) of_description += (of_description.empty() ? "" : ", ") + change.detail;
-  if (!of_description.empty() || changes.empty()) return of_description;
-  return changes_sentence({changes.begin(), changes.end()}, header_path);
+    if (change.line > 0)
+      of_lines.push_back(change);
+    else
+      sentence += (sentence.empty() ? "" : ", ") + change.detail;
+  // A changed default has lines, too, but is no change of the step.
+  if (of_lines.empty() || (!sentence.empty() && differences.empty())) return sentence;
+  return sentence + (sentence.empty() ? "" : "; ") + changes_sentence(of_lines, header_path);
 }
 
 std::string DescribedCoreVerdict::text(bool scenarios_agree) const {

@@ -35,7 +35,7 @@ struct DescribedCoreVerdict : CoreFinding {
   std::vector<DescribedChange> changes = {};
   std::vector<ValueDifference> differences = {};  ///< Of both steps, where both are complete.
 
-  /// "gravity 980 -> 1000"; empty: nothing changed.
+  /// "gravity 980 -> 1000; the core changed at lines 7 and 18"; empty: nothing changed.
   [[nodiscard]] std::string sentence() const;
   /// Complete lines; empty of an accepted one. @param scenarios_agree else the core is accepted with them.
   [[nodiscard]] std::string text(bool scenarios_agree) const;
