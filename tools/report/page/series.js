@@ -38,12 +38,13 @@ function spread(rows, steps, values, absent, isShown = () => true) {
 const joined = (rows, steps, values) => spread(rows, steps, values, undefined);
 
 /** What the charts show: title, unit, series, and rows if they have their own. A series is {name, color, values, dash, points, steps}; of one
-// with `known` only these rows have a value; between those of one that is joined it changes evenly. */
+// with `known` only these rows have a value; between those of one that is joined it changes evenly. `found` has the zeros, too, that a logarithmic
+// axis leaves out of `values`. */
 export function chartsOf(result, sizes) {
   const { rows, errors, other } = result;
   const overlay = (name, tint, values) => (other ? [{ name, color: tint, dash: true, values: spread(rows, other.rows.step, values, null) }] : []);
   const positive = value => value > 0;
-  const errorSeries = (name, tint, key) => ({ name, color: tint, values: spread(rows, errors.step, errors[key], null, positive) });
+  const errorSeries = (name, tint, key) => ({ name, color: tint, values: spread(rows, errors.step, errors[key], null, positive), found: spread(rows, errors.step, errors[key], null) });
   const label = other?.label;
   const charts = [
     { id: 'position', title: 'Position', unit: 'px', decimals: 1, series: [
@@ -94,7 +95,7 @@ function overview({ rows, contacts: met }) {
 function distanceChart({ other }) {
   if (!other) return [];
   return [{ id: 'distance', title: `Distance from the ${other.name}`, unit: 'px', isLog: true, series: [
-    { name: 'distance', color: 'vermilion', values: other.distances.map(px => (px > 0 ? px : null)) }] }];
+    { name: 'distance', color: 'vermilion', values: other.distances.map(px => (px > 0 ? px : null)), found: other.distances }] }];
 }
 
 /** A run of another clock at the times of these rows, with their steps, to the end of the shorter run: between two rows
@@ -181,8 +182,8 @@ export function rangeText(series, unit) {
 }
 
 /** A series at a row: of contacts the last one up to it, of causes the place on the line that is drawn. */
-export function valueAt(rows, { values, known }, index) {
-  if (!known) return values[index];
+export function valueAt(rows, { values, found = values, known }, index) {
+  if (!known) return found[index];
   const at = lastAtMost(known.steps, rows.step[index]);
   if (!known.isJoined || !(at + 1 < known.steps.length)) return known.values[at] ?? null;
   const time = i => rows.t[Math.min(firstAtLeast(rows.step, known.steps[i]), rows.t.length - 1)];
@@ -195,6 +196,6 @@ export function csvOf({ unit, series }, rows) {
   const heads = ['step', 't_s', ...series.map(({ name }) => (unit ? `${name} (${unit})` : name))];
   const lines = [heads.map(head => `"${head.replaceAll('"', '""')}"`).join(',')];
   for (let i = 0; i < rows.step.length; ++i)
-    lines.push([rows.step[i], exact(rows.t[i]), ...series.map(({ values }) => ((values[i] ?? null) === null || Number.isNaN(values[i]) ? '' : exact(values[i])))].join(','));
+    lines.push([rows.step[i], exact(rows.t[i]), ...series.map(({ values, found = values }) => ((found[i] ?? null) === null || Number.isNaN(found[i]) ? '' : exact(found[i])))].join(','));
   return `${lines.join('\n')}\n`;
 }

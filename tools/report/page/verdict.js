@@ -17,7 +17,7 @@ function differenceText(golden) {
   if (golden.shape) parts.push(golden.shape);
   if (first) parts.push(`from step ${first.step} in ${first.field}`);
   if (golden.max_px) parts.push(`at most ${rounded(golden.max_px, 3)} px apart`);
-  if (golden.contacts_moved) parts.push(`${count(golden.contacts_moved, 'contact')} moved`);
+  if (golden.contacts_moved) parts.push(`${count(golden.contacts_moved, 'contact')} ${golden.contacts_moved === 1 ? 'differs' : 'differ'}`);
   return parts.join('; ');
 }
 

@@ -59,7 +59,12 @@ test('another run is drawn dashed, with its distance', () => {
   const other = { label: 'golden', name: 'golden file', rows: { step: [2, 4, 5, 8], x: [3, 2, 0, 12], y: [10, 23, 0, 40], vx: [1, 2, 3, 4], vy: [5, 6, 7, 8] } };
   other.distances = series.distancesFrom(other.rows, rows);
   assert.deepEqual(other.distances, [null, 0, 5, null, 0]);
-  const [distance, position, velocity] = said(series.chartsOf({ ...result, other }, sizes));
+  const charts = series.chartsOf({ ...result, other }, sizes), [{ series: [apart] }] = charts, [distance, position, velocity] = said(charts);
+  // No place on a logarithmic axis, but a value: of rows that are the same it is 0, and of others none.
+  assert.deepEqual(count(5).map(i => series.valueAt(rows, apart, i)), [null, 0, 5, null, 0]);
+  assert.match(series.csvOf({ unit: 'px', series: [apart] }, rows), /\n0,0,\n2,0.5,0\n4,1,5\n6,2,\n8,3,0\n$/);
+  const [implementation] = charts.find(({ id }) => id === 'errors').series.filter(({ name }) => name === 'implementation');
+  assert.equal(series.valueAt(rows, implementation, 0), 0);
   assert.deepEqual(distance, ['distance: Distance from the golden file, px, logarithmic', ['distance vermilion', [null, null, 5, null, null]]]);
   assert.deepEqual(position.slice(3), [['x, golden blue dashed', [null, 3, 2, null, 12]], ['y, golden orange dashed', [null, 10, 23, null, 40]]]);
   assert.deepEqual(velocity.slice(3), [['vx, golden blue dashed', [null, 1, 2, null, 4]], ['vy, golden orange dashed', [null, 5, 6, null, 8]]]);
@@ -296,7 +301,7 @@ test('the verdict says what was replayed, how far it agrees, and what the golden
   for (const [firstDifference, where] of [[null, 'the state hash differs; no stored row does'], [0, 'first at step 0'], [5, 'first at step 5']])
     assert.equal(replayed({ outcome: 'differs', check: { compared: 7, firstDifference } }), `Replayed in this browser: differs; ${where}; bad`);
   const golden = { agrees: false, class: 'contact', shape: 'other rows', first_divergence: { step: 3, field: 'vx' }, max_px: 0.12345, contacts_moved: 1 };
-  const differs = 'contact; other rows; from step 3 in vx; at most 0.123 px apart; 1 contact moved';
+  const differs = 'contact; other rows; from step 3 in vx; at most 0.123 px apart; 1 contact differs';
   const same = { agrees: true, rows_compared: 1 };
   const [holds, breaks] = [{ holds: true, text: 'a' }, { holds: false, text: 'b' }];
   const judged = run => tiles(verdict({ run }).verdicts).slice(1);
