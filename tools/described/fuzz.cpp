@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "sim/result/number_text.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/library/fuzz_flow.h"
 #include "tools/described/broken_rule.h"
@@ -8,6 +13,52 @@
 
 namespace hyrax {
 namespace {
+
+// The first property that does not hold at row 0; empty: none. Such a start is none of the core's.
+std::string broken_at_start(const std::vector<BrokenRule>& rules) {
+  const auto found = std::ranges::find_if(
+      rules, [](const BrokenRule& broken) { return broken.rule == "always" && broken.step == 0; });
+  return found == rules.end() ? "" : found->of;
+}
+
+// Starts that were drawn again, by the property that did not hold.
+class DrawnAgain {
+ public:
+  void add(const std::string& property) {
+    const std::lock_guard lock(mutex_);
+    ++counts_[property];
+  }
+  [[nodiscard]] FuzzNote note() const {
+    FuzzNote note;
+    Json::Array json;
+    for (const auto& [property, count] : counts_) {
+      note.lines +=
+          fmt::format("{} drawn again: \"{}\" does not hold at row 0\n", counted(count, "start"), property);
+      json.push_back(Json::Object{{"property", property}, {"starts", count}});
+    }
+    note.json = {{"drawn_again", std::move(json)}};
+    return note;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::int64_t> counts_ = {};
+};
+
+// A run whose properties hold at row 0, or else the scenario that it is drawn from.
+DescribedScenario draw(const DescribedCore& core, const std::vector<DescribedScenario>& library,
+                       const FuzzRequest& request, std::uint64_t run, DrawnAgain& again) {
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    DescribedScenario scenario =
+        random_scenario(core.description, library, request.first_seed(), run, attempt);
+    if (attempt == kLastAttempt || request.allows("always") || core.description.properties.empty())
+      return scenario;
+    const std::string broken =
+        broken_at_start(broken_rules(core, scenario, [](std::string_view) { return false; }));
+    if (broken.empty()) return scenario;
+    again.add(broken);
+  }
+}
 
 // The first rule that the run breaks and may not.
 std::optional<BrokenRule> broken_by(const DescribedCore& core, const DescribedScenario& scenario,
@@ -27,7 +78,9 @@ FuzzFinding find(const DescribedCore& core, const FuzzRequest& request, std::uin
                  const FuzzFailure& failure) {
   const BrokenRule& broken = failure.broken;
   const auto find_again = [&](const auto& smaller, const auto& asks) {
-    return broken_rules(core, smaller, asks);
+    std::vector<BrokenRule> rules = broken_rules(core, smaller, asks);
+    if (broken.step > 0 && !broken_at_start(rules).empty()) rules.clear();
+    return rules;
   };
   DescribedScenario scenario = shrunk(find_again, failure.scenario, broken, [] { return false; }).scenario;
   const std::string path = failure_path(request, scenario.name);
@@ -41,15 +94,17 @@ FuzzFinding find(const DescribedCore& core, const FuzzRequest& request, std::uin
 
 ExitCode fuzz_described(const DescribedCore& core, const FuzzRequest& request) {
   const std::vector<DescribedScenario> library = library_or_defaults(core.description);
+  DrawnAgain again;
   return fuzz<FuzzFailure>(
       request, "rule",
       [&](std::uint64_t run) -> std::optional<FuzzFailure> {
-        DescribedScenario scenario = random_scenario(core.description, library, request.first_seed(), run);
+        DescribedScenario scenario = draw(core, library, request, run, again);
         std::optional<BrokenRule> broken = broken_by(core, scenario, request);
         if (!broken) return std::nullopt;
         return FuzzFailure{std::move(scenario), *std::move(broken)};
       },
-      [&](std::uint64_t run, const FuzzFailure& failure) { return find(core, request, run, failure); });
+      [&](std::uint64_t run, const FuzzFailure& failure) { return find(core, request, run, failure); },
+      [&] { return again.note(); });
 }
 
 void declare(Options& options, FuzzRequest& request) {

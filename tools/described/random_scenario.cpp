@@ -18,7 +18,8 @@ constexpr double kRates_hz[] = {24.0, 30.0, 50.0, 60.0, 75.0, 90.0, 120.0, 144.0
 
 class Variation {
  public:
-  Variation(const Description& description, std::uint64_t seed) : description_(description), draws_(seed) {}
+  Variation(const Description& description, std::uint64_t seed, std::uint64_t attempt)
+      : description_(description), draws_(seed), attempt_(attempt) {}
 
   DescribedScenario of(DescribedScenario scenario) {
     steps_ = std::min(step_count(scenario), kRandomStepsMax);
@@ -27,8 +28,9 @@ class Variation {
     vary_list(description_.inputs, scenario.inputs);
     vary_list(description_.state, scenario.start);
     for (InputArray& array : scenario.input_arrays) {
-      std::erase_if(scenario.inputs, [&](const GivenValue& given) { return given.first == array.input; });
       array.words.resize(static_cast<std::size_t>(steps_));
+      if (attempt_ == kLastAttempt) continue;
+      std::erase_if(scenario.inputs, [&](const GivenValue& given) { return given.first == array.input; });
       for (Word& word : array.words) word = draw(description_.inputs.values[array.input], word);
     }
     vary_events(scenario);
@@ -52,14 +54,14 @@ class Variation {
     scenario.length = steps_;
   }
 
-  // Half of the values that could be given.
+  // Half of the values that could be given, and half as many in each further attempt.
   void vary_list(const ValueList& list, std::vector<GivenValue>& given) {
     std::vector<GivenValue> drawn;
     for (std::size_t place = 0; place < list.values.size(); ++place) {
       const auto old = std::ranges::find(given, place, &GivenValue::first);
       const bool is_given = old != given.end();
       const Word word = is_given ? old->second : list.values[place].initial;
-      if (draws_.once_in(2))
+      if (attempt_ < kLastAttempt && draws_.once_in(std::uint64_t{2} << attempt_))
         drawn.emplace_back(place, draw(list.values[place], word));
       else if (is_given)
         drawn.emplace_back(place, word);
@@ -156,6 +158,7 @@ class Variation {
 
   const Description& description_;
   Draws draws_;
+  std::uint64_t attempt_;
   std::int64_t steps_ = 0;
 };
 
@@ -163,10 +166,12 @@ class Variation {
 
 DescribedScenario random_scenario(const Description& description,
                                   const std::vector<DescribedScenario>& library, std::uint64_t seed,
-                                  std::uint64_t run) {
+                                  std::uint64_t run, std::uint64_t attempt) {
   // Not the next numbers of the seed, which the next run would draw as well.
+  const std::uint64_t of_run = split_mix64(seed, run);
   DescribedScenario scenario =
-      Variation(description, split_mix64(seed, run)).of(library[run % library.size()]);
+      Variation(description, attempt == 0 ? of_run : split_mix64(of_run, ~attempt), attempt)
+          .of(library[run % library.size()]);
   scenario.name = "fuzz-" + std::to_string(seed) + "-" + std::to_string(run);
   scenario.core = description.core;
   scenario.schema.reset();

@@ -36,23 +36,25 @@ std::string failure_path(const FuzzRequest& request, std::string& name) {
 
 ExitCode end_fuzz(const FuzzRequest& request, const WorkPart& part, const std::string& kind,
                   std::int64_t runs, double elapsed_s, std::uint64_t failing_run,
-                  const std::optional<FuzzFinding>& finding) {
+                  const std::optional<FuzzFinding>& finding, FuzzNote note) {
   const ExitCode exit_code = finding ? ExitCode::disagreed : ExitCode::agreed;
   if (request.printing.is_json) {
     Json::Array failures;
     if (finding) failures.emplace_back(finding->json);
-    print_json(Json::Object{{"seed", request.first_seed()},
-                            {"part", Json::Object{{"index", part.index}, {"count", part.count}}},
-                            {"without", Json::Array(request.without.begin(), request.without.end())},
-                            {"runs", runs},
-                            {"elapsed_s", elapsed_s},
-                            {"failures", std::move(failures)}},
-               3);
+    Json::Object document{{"seed", request.first_seed()},
+                          {"part", Json::Object{{"index", part.index}, {"count", part.count}}},
+                          {"without", Json::Array(request.without.begin(), request.without.end())},
+                          {"runs", runs},
+                          {"elapsed_s", elapsed_s},
+                          {"failures", std::move(failures)}};
+    std::ranges::move(note.json, std::back_inserter(document));
+    print_json(std::move(document), 3);
     return exit_code;
   }
   if (!request.printing.is_quiet())
     print_text("{} in {:.1f} s ({} per minute)\n", counted(runs, "run"), elapsed_s,
                with_decimals(static_cast<double>(runs) / elapsed_s * 60.0, 0));
+  if (!request.printing.is_quiet()) print_text("{}", note.lines);
   const std::string breaks = fmt::format("breaks {} {}", kind.starts_with('i') ? "an" : "a", kind);
   const std::string holds =
       runs == 0 ? "nothing was tested"

@@ -55,10 +55,15 @@ struct FuzzFinding {
   std::string lines = {};  ///< Complete.
   Json::Object json = {};
 };
+/// What else is said of all runs.
+struct FuzzNote {
+  std::string lines = {};  ///< Complete.
+  Json::Object json = {};
+};
 /// Prints it, or that rules of this kind, as "invariant", hold.
 [[nodiscard]] ExitCode end_fuzz(const FuzzRequest& request, const WorkPart& part, const std::string& kind,
                                 std::int64_t runs, double elapsed_s, std::uint64_t failing_run,
-                                const std::optional<FuzzFinding>& finding);
+                                const std::optional<FuzzFinding>& finding, FuzzNote note);
 
 /// Plays runs in batches, which workers take in turn, until one fails; shows progress. With a number of runs
 /// the outcome does not depend on how many processors there are.
@@ -151,16 +156,19 @@ class Fuzzer {
   std::exception_ptr error_;
 };
 
-/// Plays, and reports. @param find writes the failing scenario of a run: a FuzzFinding.
+/// Plays, and reports. @param find writes the failing scenario of a run: a FuzzFinding. @param note is asked
+/// behind all runs.
 template <class Failure>
-[[nodiscard]] ExitCode fuzz(const FuzzRequest& request, const std::string& kind,
-                            typename Fuzzer<Failure>::Play play, const auto& find) {
+[[nodiscard]] ExitCode fuzz(
+    const FuzzRequest& request, const std::string& kind, typename Fuzzer<Failure>::Play play,
+    const auto& find, const std::function<FuzzNote()>& note = [] { return FuzzNote(); }) {
   const WorkPart part = begin_fuzz(request);
   Fuzzer<Failure> fuzzer(request, part, std::move(play));
   fuzzer.run();
   std::optional<FuzzFinding> finding;
   if (fuzzer.failure()) finding = find(fuzzer.failing_run(), *fuzzer.failure());
-  return end_fuzz(request, part, kind, fuzzer.played(), fuzzer.played_s(), fuzzer.failing_run(), finding);
+  return end_fuzz(request, part, kind, fuzzer.played(), fuzzer.played_s(), fuzzer.failing_run(), finding,
+                  note());
 }
 
 }  // namespace hyrax

@@ -156,6 +156,56 @@ TEST_F(DescribedProgram, FuzzFindsEachKindOfFault) {
   EXPECT_EQ(allowed.exit_code, 0) << allowed.out;
 }
 
+// Nothing has limits: few drawn starts are in its box.
+struct Boxed {
+  double x[6] = {10, 20, 30, 40, 50, 60}, width = 100.0, push = 0.0;
+  bool is_open = false;
+  void step(double dt_s) {
+    if (!is_open) return;
+    for (double& each : x) each += push * dt_s;
+  }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("open", is_open);
+  }
+  template <class See>
+  void parameters(See&& see) {
+    see("push", push);
+  }
+  template <class See>
+  void properties(See&& see) const {
+    see.always("all are in the box",
+               std::ranges::all_of(x, [this](double each) { return each >= 0.0 && each <= width; }));
+  }
+};
+struct Shut : Boxed {
+  void step(double /*dt_s*/) {}
+};
+struct Overfull : Shut {
+  Overfull() { width = 50.0; }
+};
+
+TEST_F(DescribedProgram, FuzzDrawsStartsAgainThatAreNoneOfTheCores) {
+  const Outcome good = run<Shut>({"fuzz", "--runs", "200"});
+  EXPECT_EQ(good.exit_code, 0) << good.out;
+  EXPECT_NE(good.out.find(" starts drawn again: \"all are in the box\" does not hold at row 0\n"),
+            std::string::npos)
+      << good.out;
+  EXPECT_NE(run<Shut>({"fuzz", "--runs", "20", "--json"}).out.find("\"drawn_again\": ["), std::string::npos);
+  // What is broken later is found, and what is written breaks it later, too.
+  const Outcome later = run<Boxed>({"fuzz", "--runs", "200"});
+  EXPECT_EQ(later.exit_code, 1) << later.out;
+  const std::size_t at = later.out.find("written: ") + 9;
+  const std::string path = later.out.substr(at, later.out.find('\n', at) - at);
+  EXPECT_EQ(read_text_file(path).find("\"steps\": 0"), std::string::npos) << read_text_file(path);
+  // Defaults that break it are a fault of the core.
+  const Outcome broken = run<Overfull>({"fuzz", "--runs", "20"});
+  EXPECT_EQ(broken.exit_code, 1) << broken.out;
+  EXPECT_NE(broken.out.find("breaks a rule: always: \"all are in the box\" at step 0"), std::string::npos)
+      << broken.out;
+}
+
 struct Rounding {
   double y = 0.0;
   void step(double dt_s) {
