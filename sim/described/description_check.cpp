@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "sim/described/described_run.h"
@@ -163,11 +164,41 @@ class DescriptionCheck {
 
   /// Sets all lists of a body as those of another.
   std::optional<std::string> setter_fault(DescribedBody& from, DescribedBody& to) const {
-    for (const SettableList list : {SettableList::parameters, SettableList::inputs, SettableList::state})
-      if (const auto not_held = ScriptedBody::set(to, list, values_of(description_, from, list)))
-        return "the setter of " + list_of(description_, list).values[not_held->place].name +
-               " does not give back what its getter gave";
+    constexpr std::array kLists = {SettableList::parameters, SettableList::inputs, SettableList::state};
+    std::array<std::vector<std::optional<Word>>, kLists.size()> given;
+    const auto set = [&](std::size_t lists) {
+      for (std::size_t list = 0; list < lists; ++list) to.set(kLists[list], given[list]);
+    };
+    for (std::size_t list = 0; list < kLists.size(); ++list)
+      given[list] = values_of(description_, from, kLists[list]);
+    set(kLists.size());
+    for (std::size_t list = 0; list < kLists.size(); ++list) {
+      const auto now = values_of(description_, to, kLists[list]);
+      const auto place = std::mismatch(now.begin(), now.end(), given[list].begin()).first - now.begin();
+      if (place == std::ssize(now)) continue;
+      // The value was held until this one was set, in the order of all.
+      std::string changed_by;
+      bool was_held = true;
+      for (std::size_t last = list; last < kLists.size(); ++last)
+        for (std::ptrdiff_t end = last == list ? place : 0; end < std::ssize(given[last]); ++end) {
+          set(last);
+          auto part = given[last];
+          std::fill(part.begin() + end + 1, part.end(), std::nullopt);
+          to.set(kLists[last], part);
+          const auto at = static_cast<std::size_t>(place);
+          const bool is_held = values_of(description_, to, kLists[list])[at] == given[list][at];
+          if (was_held && !is_held) changed_by = name_of(kLists[last], end);
+          was_held = is_held;
+        }
+      const std::string name = name_of(kLists[list], place);
+      return "the setter of " + (changed_by.empty() || changed_by == name
+                                     ? name + " does not give back what its getter gave"
+                                     : changed_by + " changes " + name + ", which is set before it,");
+    }
     return {};
+  }
+  std::string name_of(SettableList list, std::ptrdiff_t place) const {
+    return list_of(description_, list).values[static_cast<std::size_t>(place)].name;
   }
 
   std::optional<std::string> row_fault(Companion& companion, const RowBits& bits, std::int64_t row,

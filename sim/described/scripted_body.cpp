@@ -97,22 +97,16 @@ void ScriptedBody::contacts(std::span<std::uint8_t> flags) const {
     body_->contacts(flags);
 }
 
-std::optional<ValueNotHeld> ScriptedBody::set(DescribedBody& body, SettableList list,
-                                              std::span<const std::optional<Word>> words) {
-  body.set(list, words);
-  std::vector<Word> read(words.size());
-  body.read(list, read);
-  for (std::size_t place = 0; place < words.size(); ++place)
-    if (words[place] && *words[place] != read[place]) return ValueNotHeld{list, place};
-  return {};
-}
-
 void ScriptedBody::set(SettableList list, const std::vector<GivenValue>& given) {
   if (given.empty()) return;
   std::vector<std::optional<Word>> words(list_of(script_.core.description, list).values.size());
   for (const auto& [place, word] : given) words[place] = word;
-  const std::optional<ValueNotHeld> not_held = set(*body_, list, words);
-  if (!not_held_) not_held_ = not_held;
+  body_->set(list, words);
+  if (not_held_) return;
+  std::vector<Word> read(words.size());
+  body_->read(list, read);
+  for (std::size_t place = 0; place < words.size() && !not_held_; ++place)
+    if (words[place] && *words[place] != read[place]) not_held_ = ValueNotHeld{list, place};
 }
 
 void ScriptedBody::set_inputs(const std::vector<GivenValue>& given, std::int64_t frame) {

@@ -77,9 +77,6 @@ class ScriptedBody {
   /// 0 or 1 for each contact, in this row. REQUIRES: as many as the description has.
   void contacts(std::span<std::uint8_t> flags) const;
 
-  /// The first value of the list that reads otherwise than it was set. Empty: none.
-  [[nodiscard]] static std::optional<ValueNotHeld> set(DescribedBody& body, SettableList list,
-                                                       std::span<const std::optional<Word>> words);
   /// The first value that this row's frame, or the scenario before row 0, set in vain.
   [[nodiscard]] const std::optional<ValueNotHeld>& not_held() const { return not_held_; }
 

@@ -175,6 +175,31 @@ TEST(DescriptionCheck, NamesASetterThatDoesNotGiveBackWhatItsGetterGave) {
             "the core does not hold the value of spin that is set in frame 2: its getter gives another");
 }
 
+// The setter of turns sets the member of another list or place, too.
+template <bool kIsInput>
+struct Meddling {
+  double x = 1.0, turns = 0.0, push = 1.0;
+  void step(double dt_s) { x += push * dt_s, turns += dt_s; }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see(
+        "turns", [&] { return turns; },
+        [&](double given) {
+          turns = given;
+          (kIsInput ? push : x) += 1.0;
+        });
+  }
+  template <class See>
+  void inputs(See&& see) {
+    see("push", push);
+  }
+};
+TEST(DescriptionCheck, NamesTheSetterThatChangesAnotherValue) {
+  EXPECT_EQ(fault<Meddling<false>>(), "the setter of turns changes x_px, which is set before it, at row 0");
+  EXPECT_EQ(fault<Meddling<true>>(), "the setter of turns changes push, which is set before it, at row 0");
+}
+
 template <bool kChanges>
 struct Drifting {
   double x = 0.0;
