@@ -61,6 +61,8 @@ class DescribedBody {
   virtual void set(SettableList list, std::span<const std::optional<Word>> words) = 0;
   /// REQUIRES: an action of the description; a word for each argument.
   virtual void act(std::size_t action, std::span<const Word> arguments) = 0;
+  /// As the lists are now: a core's have the same names and types in every call.
+  [[nodiscard]] virtual Description describe() const = 0;
   /// 0 or 1 for each contact. REQUIRES: as many as the description has.
   virtual void contacts(std::span<std::uint8_t> flags) const = 0;
 };

@@ -65,6 +65,8 @@ void add_range_faults(std::string_view kind, const ValueInfo& value, std::vector
     faults.push_back(named + "the default has no name");
   if (std::set(value.names.begin(), value.names.end()).size() < value.names.size())
     faults.push_back(named + "two of its values have the same name");
+  if (std::ranges::find(value.names, "") != value.names.end())
+    faults.push_back(named + "a value's name is empty");
 }
 
 /// What of a list has to be the same in two descriptions.

@@ -152,8 +152,10 @@ class DescriptionCheck {
     companion.body.reset();
     std::optional<std::string> fault;
     const std::optional<std::string> thrown = thrown_by([&] {
+      const std::string other = description_difference(description_, original.body().describe());
+      if (!other.empty()) fault = "the lists are not the same in every call: " + other + ",";
       companion.body.emplace(original, is_copy ? original.body().copy() : script_.core.make());
-      if (!is_copy) fault = setter_fault(original.body(), companion.body->body());
+      if (!is_copy && !fault) fault = setter_fault(original.body(), companion.body->body());
     });
     if (thrown)
       return std::string(is_copy ? "a copy made" : "a core set") + at_row(original.row()) +

@@ -260,14 +260,32 @@ template <class C>
     static_assert(
         requires(C & core) { core.step(1.0); }, "hyrax_core: has no void step(double dt_s)");
     static_assert(Has_state<C>, "hyrax_core: has no template <class See> void state(See&& see)");
+    // No other list can be found: no member function template can, but by its name.
     HYRAX_MISSPELT(states, state);
     HYRAX_MISSPELT(input, inputs);
+    HYRAX_MISSPELT(controls, inputs);
     HYRAX_MISSPELT(parameter, parameters);
     HYRAX_MISSPELT(params, parameters);
+    HYRAX_MISSPELT(param, parameters);
+    HYRAX_MISSPELT(constants, parameters);
+    HYRAX_MISSPELT(settings, parameters);
     HYRAX_MISSPELT(action, actions);
+    HYRAX_MISSPELT(commands, actions);
+    HYRAX_MISSPELT(events, actions);
     HYRAX_MISSPELT(contact, contacts);
+    HYRAX_MISSPELT(collisions, contacts);
+    HYRAX_MISSPELT(collision, contacts);
+    HYRAX_MISSPELT(touches, contacts);
+    HYRAX_MISSPELT(hits, contacts);
     HYRAX_MISSPELT(output, outputs);
+    HYRAX_MISSPELT(observables, outputs);
+    HYRAX_MISSPELT(derived, outputs);
+    HYRAX_MISSPELT(results, outputs);
     HYRAX_MISSPELT(property, properties);
+    HYRAX_MISSPELT(propertys, properties);
+    HYRAX_MISSPELT(props, properties);
+    HYRAX_MISSPELT(invariants, properties);
+    HYRAX_MISSPELT(checks, properties);
     HYRAX_BY_REFERENCE(inputs);
     HYRAX_BY_REFERENCE(parameters);
     HYRAX_BY_REFERENCE(actions);
@@ -283,10 +301,9 @@ template <class C>
 #undef HYRAX_MISSPELT
 #undef HYRAX_BY_REFERENCE
 
-/// What the core declares; its name is left out.
+/// What a core declares; its name is left out.
 template <class C>
-[[nodiscard]] Description describe() {
-  C core = C();
+[[nodiscard]] Description describe(C& core) {
   Description description;
   Describer<false> state;
   core.state(state);
@@ -362,7 +379,8 @@ class DescribedBodyOf final : public DescribedBody {
   DescribedBodyOf() = default;
 
   [[nodiscard]] static const Description& description() {
-    static const Description description = see::describe<Core>();
+    // It may be too large for the stack.
+    static const Description description = see::describe(*std::make_unique<Core>());
     return description;
   }
 
@@ -395,6 +413,7 @@ class DescribedBodyOf final : public DescribedBody {
     if constexpr (see::Has_actions<Core>) core_.actions(visitor);
     visitor.finish();
   }
+  [[nodiscard]] Description describe() const override { return see::describe(core_); }
   void contacts(std::span<std::uint8_t> flags) const override { see::read_contacts(core_, flags); }
 
  private:

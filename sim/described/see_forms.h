@@ -49,7 +49,9 @@ struct NameText {
 template <class Enum>
 struct EnumLimit {
   constexpr EnumLimit(Enum limit) : value(limit) {}
-  constexpr EnumLimit(std::underlying_type_t<Enum> limit) : value(static_cast<Enum>(limit)) {}
+  constexpr EnumLimit(std::underlying_type_t<Enum> limit)  // A text converts to bool.
+      requires(!std::is_same_v<std::underlying_type_t<Enum>, bool>)
+      : value(static_cast<Enum>(limit)) {}
   constexpr operator Enum() const { return value; }
   Enum value;
 };

@@ -23,7 +23,8 @@ using Word = std::uint64_t;
 template <class T>
 [[nodiscard]] constexpr ValueType value_type() {
   if constexpr (std::is_enum_v<T>) {
-    return value_type<std::underlying_type_t<T>>();
+    constexpr ValueType kType = value_type<std::underlying_type_t<T>>();
+    return kType == ValueType::boolean ? ValueType::uint8 : kType;  // Its values have names, not truth.
   } else if constexpr (std::is_same_v<T, bool>) {
     return ValueType::boolean;
   } else if constexpr (std::is_floating_point_v<T>) {

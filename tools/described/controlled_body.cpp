@@ -32,6 +32,7 @@ class ControlledBody final : public DescribedBody {
     body_->act(action, arguments);
     look();
   }
+  [[nodiscard]] Description describe() const override { return body_->describe(); }
   void contacts(std::span<std::uint8_t> flags) const override { body_->contacts(flags); }
 
  private:

@@ -5,6 +5,7 @@
 #include "tools/described/commands.h"
 #include "tools/described/core_verdict.h"
 #include "tools/described/value_json.h"
+#include "tools/files/printable.h"
 #include "tools/store/build_facts.h"
 
 namespace hyrax {
@@ -104,9 +105,9 @@ ExitCode described_info(const DescribedCore& core, const Printing& printing) {
     if (!printing.is_quiet() || name == "self_test")
       print_text("{:<16} {}\n", name, *value.get<std::string>());
   if (printing.is_quiet()) return ExitCode::agreed;
-  for (const auto& [name, text] : lists_of(core.description)) print_text("{}: {}\n", name, text);
+  for (const auto& [name, text] : lists_of(core.description)) print_text("{}: {}\n", name, printable(text));
   print_text("positions: {}\n", positions);
-  print_text("check of {} frames at 60 Hz: {}\n", kPlayedFrames, check);
+  print_text("check of {} frames at 60 Hz: {}\n", kPlayedFrames, printable(check));
   return ExitCode::agreed;
 }
 

@@ -34,6 +34,8 @@ function(hyrax_add_program program name kind header)
   add_executable(${program})
   if(kind STREQUAL CORE)
     hyrax_add_source(${program} ${folder} sim/described/built_described_core.cpp)
+    # Every visitor would repeat a fault of a list: of the first the compiler names the line of the header, and says one sentence.
+    set_source_files_properties(${folder}/built_described_core.cpp PROPERTIES COMPILE_OPTIONS -Wfatal-errors)
     set(main tools/described/main.cpp)
     set(described DESCRIBED)
     target_compile_definitions(${program} PRIVATE HYRAX_DESCRIBED_HEADER="${header}" HYRAX_DESCRIBED_NAME="${name}")

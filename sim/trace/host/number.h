@@ -59,8 +59,11 @@ inline constexpr bool kIsNumber<Number<kKind>> = true;
 
 template <class T>
 concept Recording = kIsNumber<T>;
+/// An enum that the language calculates with.
 template <class T>
-concept Native = std::is_arithmetic_v<T> && !Recording<T>;
+concept UnscopedEnum = std::is_enum_v<T> && std::is_convertible_v<T, std::underlying_type_t<T>>;
+template <class T>
+concept Native = (std::is_arithmetic_v<T> || UnscopedEnum<T>)&&!Recording<T>;
 template <class T>
 concept Operand = Native<T> || Recording<T>;
 /// Operands of one of our operators: the built-in ones keep their own.
@@ -95,6 +98,8 @@ inline constexpr NumberKind kCommonKind = ((kind_of<T>() == NumberKind::real) ||
 template <class T>
 inline constexpr bool kIsWiderThanInt =
     Native<T>&& std::is_integral_v<T> && !std::is_same_v<T, int> && sizeof(T) >= sizeof(int);
+template <UnscopedEnum T>
+inline constexpr bool kIsWiderThanInt<T> = kIsWiderThanInt<decltype(+T())>;
 
 template <NumberKind kKind>
 constexpr NativeOf<kKind> native_of(double value) {

@@ -200,6 +200,22 @@ TEST(DescriptionCheck, NamesTheSetterThatChangesAnotherValue) {
   EXPECT_EQ(fault<Meddling<true>>(), "the setter of turns changes push, which is set before it, at row 0");
 }
 
+struct Swapping {
+  double x = 1.0, y = 2.0;
+  bool is_turned = false;
+  void step(double /*dt_s*/) { is_turned = !is_turned; }
+  template <class See>
+  void state(See&& see) {
+    see(is_turned ? "y" : "x", is_turned ? y : x);
+    see(is_turned ? "x" : "y", is_turned ? x : y);
+    see("turned", is_turned);
+  }
+};
+TEST(DescriptionCheck, FindsAListWhoseNamesChange) {
+  EXPECT_EQ(fault<Swapping>(),
+            "the lists are not the same in every call: value y has another place in its list, at row 1");
+}
+
 template <bool kChanges>
 struct Drifting {
   double x = 0.0;

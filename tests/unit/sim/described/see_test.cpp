@@ -12,6 +12,17 @@ namespace {
 enum class FormPose : std::uint8_t { sit, run, jump };
 enum PlainGear : std::int8_t { kReverse = -1, kNeutral, kFirst };
 
+enum class FormSide : bool { left, right };
+struct Sided {
+  FormSide side = FormSide::right, other = FormSide::left;
+  void step(double /*dt_s*/) { other = side; }
+  template <class See>
+  void state(See&& see) {
+    see("side", side, {"left", "right"});
+    see("other", other, {FormSide::left, FormSide::right});
+  }
+};
+
 struct Grain {
   double x = 0.0;
   bool is_on = true;
@@ -91,6 +102,18 @@ const ValueInfo& value_named(const ValueList& list, std::string_view name) {
   for (const ValueInfo& value : list.values)
     if (value.name == name) return value;
   throw std::runtime_error("no value " + std::string(name));
+}
+
+// In no file is it true or false.
+TEST(See, AnEnumOverBoolIsANumberWithNames) {
+  const DescribedCore core = core_for_test<Sided>();
+  const ValueInfo& side = value_named(core.description.state, "side");
+  EXPECT_EQ(side.type, ValueType::uint8);
+  EXPECT_EQ(side.initial, 1U);
+  EXPECT_EQ(side.names, (std::vector<std::string>{"left", "right"}));
+  EXPECT_EQ(value_named(core.description.state, "other").limits, (std::array<Word, 2>{0, 1}));
+  EXPECT_EQ(description_fault(core, scenario_for_test(5)), std::nullopt);
+  EXPECT_EQ(play(core, scenario_for_test(5), {}).final, (std::vector<Word>{1, 1}));
 }
 
 TEST(See, EveryFormIsListedWithNameTypeUnitDefaultLimitsAndNames) {

@@ -40,6 +40,20 @@ class DescribedExplorer : public testing::Test {
 
 enum class Mood : std::uint8_t { calm, wild, tired };
 
+enum Gear { reverse, neutral, forward };
+enum Wide : unsigned { narrow, wide };
+template <class Lever>
+struct Geared {
+  Real x = 0.0;
+  Lever lever = {};
+  void step(const Real& dt) { x += dt * (lever - Real(1.0)) + (dt > lever ? lever * 2 : lever); }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("lever", lever, {"low", "high"});
+  }
+};
+
 // A step over what most cores have; `Change` makes it another one.
 template <class Change>
 struct Core {
@@ -229,6 +243,11 @@ TEST_F(DescribedExplorer, SaysWhyAStepIsNotComplete) {
   EXPECT_EQ(why_incomplete<Core<HasNoLimits>>(), kNoNumber);
   EXPECT_EQ(why_incomplete<Core<HasManyCases>>(), kNoNumber);
   EXPECT_EQ(why_incomplete<Core<IsWide>>(), "more than 32 values");
+}
+
+TEST_F(DescribedExplorer, CalculatesWithAnUnscopedEnumAsWithItsNumber) {
+  EXPECT_EQ(step_text(step_of<Geared<Gear>>()), step_text(step_of<Geared<std::int32_t>>()));
+  EXPECT_EQ(why_incomplete<Geared<Wide>>(), why_incomplete<Geared<std::uint32_t>>());
 }
 
 TEST_F(DescribedExplorer, TakesWhatIsDeclared) {
