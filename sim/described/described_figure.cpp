@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/described/scripted_body.h"
+#include "sim/result/number_text.h"
 
 namespace hyrax {
 namespace {
@@ -22,6 +23,23 @@ Look look_of(std::size_t curve) {
   return {.tone = kTones[curve % kTones.size()],
           .width_px = 2,
           .dash = kDashes[curve / kTones.size() % kDashes.size()]};
+}
+
+constexpr Look kGoldenLook = {.tone = Tone::quiet, .width_px = 4, .dash = Dash::dots};
+
+// A number, or the name that it has.
+std::string value_text(const ValueInfo& value, double number) {
+  if (number >= 0.0 && number < static_cast<double>(value.names.size()))
+    return value.names[static_cast<std::size_t>(number)];
+  return with_decimals(number, 0);
+}
+
+// The names of the values on the axis, at most so many.
+void name_values(const ValueInfo& value, Axis& axis) {
+  constexpr std::size_t kNamesMax = 12;
+  const std::size_t every = (value.names.size() + kNamesMax - 1) / kNamesMax;
+  for (std::size_t place = 0; place < value.names.size(); place += every)
+    axis.ticks.push_back({static_cast<double>(place), value.names[place]});
 }
 
 std::string named(const PositionPair& pair) { return pair.name.empty() ? "position" : pair.name; }
@@ -79,7 +97,8 @@ void DescribedPicture::row(const DescribedRow& row) {
   std::erase_if(points_, [&](const Point& each) { return each.step % every_ != 0; });
 }
 
-Plot DescribedPicture::path_plot(const std::vector<PositionPair>& pairs) const {
+Plot DescribedPicture::path_plot(const std::vector<PositionPair>& pairs,
+                                 const DescribedPicture* golden) const {
   Plot plot{.x = {.label = "x, px"}, .y = {.label = "y, px", .is_reversed = true}, .has_equal_scales = true};
   const auto width_px = input_of(description_, scenario_, "width_px");
   const auto height_px = input_of(description_, scenario_, "height_px");
@@ -102,6 +121,11 @@ Plot DescribedPicture::path_plot(const std::vector<PositionPair>& pairs) const {
       series.x.push_back(point.values[pairs[pair].x]);
       series.y.push_back(point.values[pairs[pair].y]);
     };
+    if (golden != nullptr) {
+      Series before{.name = named(pairs[pair]) + ", golden", .look = kGoldenLook};
+      for (const Point& point : golden->points_) add(before, point);
+      plot.series.push_back(std::move(before));
+    }
     for (const Point& point : points_) add(path, point);
     for (const Point& point : contacts_)
       if (std::ranges::any_of(point.contacts, is_of_pair)) add(dots, point);
@@ -112,47 +136,59 @@ Plot DescribedPicture::path_plot(const std::vector<PositionPair>& pairs) const {
   return plot;
 }
 
-std::vector<Plot> DescribedPicture::value_plots(const std::vector<PositionPair>& pairs) const {
+std::vector<Plot> DescribedPicture::value_plots(const std::vector<PositionPair>& pairs,
+                                                const DescribedPicture* golden) const {
   std::vector<const ValueInfo*> values;
   for (const ValueInfo& value : description_.state.values) values.push_back(&value);
   for (const ValueInfo& value : description_.outputs.values) values.push_back(&value);
-  std::map<std::string, Plot> plots;  // By unit.
+  std::map<std::pair<std::string, std::vector<std::string>>, Plot> plots;  // By unit and names of values.
   for (std::size_t value = 0; value < values.size(); ++value) {
     if (std::ranges::any_of(pairs,
                             [&](const PositionPair& pair) { return pair.x == value || pair.y == value; }))
       continue;
     const std::string& unit = values[value]->unit;
-    Plot& plot = plots[unit];
-    if (plot.series.size() == kSeriesMax) continue;
-    Series series{.name = values[value]->name, .look = look_of(plot.series.size())};
-    for (const Point& point : points_) {
-      series.x.push_back(point.t_s);
-      series.y.push_back(point.values[value]);
-    }
-    if (plot.series.empty())
+    Plot& plot = plots[{unit, values[value]->names}];
+    if (plot.texts.size() == kSeriesMax) continue;
+    const auto curve = [value](std::string name, Look look, const std::vector<Point>& points) {
+      Series series{.name = std::move(name), .look = look};
+      for (const Point& point : points) {
+        series.x.push_back(point.t_s);
+        series.y.push_back(point.values[value]);
+      }
+      return series;
+    };
+    Series series = curve(values[value]->name, look_of(plot.texts.size()), points_);
+    if (golden != nullptr)
+      plot.series.push_back(curve(series.name + ", golden", kGoldenLook, golden->points_));
+    if (plot.texts.empty()) {
       plot.y.label = series.name + (unit.empty() ? "" : ", " + unit);
-    else
+      name_values(*values[value], plot.y);
+    } else {
       plot.y.label = unit.empty() ? "values without a unit" : unit;
+    }
     plot.x.label = "time, s";
     plot.texts.push_back({series.x.back(), series.y.back(), series.name, series.look.tone});
     plot.series.push_back(std::move(series));
   }
   std::vector<Plot> list;
-  for (auto& [unit, plot] : plots) {
+  for (auto& [kind, plot] : plots) {
     plot.marks = marks_;
     list.push_back(std::move(plot));
   }
   return list;
 }
 
-Figure DescribedPicture::figure(const std::string& subtitle) const {
+Figure DescribedPicture::figure(const std::string& subtitle, const DescribedPicture* golden) const {
+  const bool is_golden_alike = golden != nullptr && !golden->points_.empty() &&
+                               description_difference(golden->description_, description_).empty();
+  if (!is_golden_alike) golden = nullptr;
   Figure figure{.title = scenario_.name, .subtitle = subtitle, .has_rows = true};
   const std::vector<PositionPair> pairs = position_pairs(description_);
   std::vector<Plot> plots;
-  if (!pairs.empty()) plots.push_back(path_plot(pairs));
+  if (!pairs.empty()) plots.push_back(path_plot(pairs, golden));
   std::size_t drawn = 2 * std::min(pairs.size(), kSeriesMax);
-  for (Plot& plot : value_plots(pairs)) {
-    drawn += plot.series.size();
+  for (Plot& plot : value_plots(pairs, golden)) {
+    drawn += plot.texts.size();
     plots.push_back(std::move(plot));
   }
   if (drawn < description_.state.values.size() + description_.outputs.values.size())
@@ -160,6 +196,7 @@ Figure DescribedPicture::figure(const std::string& subtitle) const {
   if (!contacts_.empty() && !pairs.empty())
     figure.legend.push_back(
         {"position at the first row of a contact", {.form = Form::points, .marker = Marker::ring}});
+  if (golden != nullptr) figure.legend.push_back({"golden file", kGoldenLook});
   figure.body = std::move(plots);
   return figure;
 }
@@ -176,7 +213,11 @@ Table DescribedPicture::rows() const {
   std::size_t place = 0;
   for (const ValueList* list : {&description_.state, &description_.outputs})
     for (const ValueInfo& value : list->values) {
-      add(value.name, "", [place](const Point& point) { return point.values[place]; });
+      if (value.names.empty())
+        add(value.name, "", [place](const Point& point) { return point.values[place]; });
+      else
+        add(value.name, "",
+            [place, &value](const Point& point) { return value_text(value, point.values[place]); });
       ++place;
     }
   return table;

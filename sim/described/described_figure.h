@@ -25,9 +25,10 @@ class DescribedPicture final : public DescribedSink {
 
   /// A path for each pair of positions with dots at contacts (one whose name has that of a pair, as a_floor,
   /// is of that pair; any other of all), in the frame of the inputs width_px and height_px if there are such;
-  /// a plot for the other values and outputs of each unit; lines at actions and sets. @param subtitle what
-  /// was found of the run.
-  [[nodiscard]] Figure figure(const std::string& subtitle) const;
+  /// a plot for the other values and outputs of each unit, and for those of the same names of values; lines
+  /// at actions and sets. @param subtitle what was found of the run. @param golden another run, whose curves
+  /// are behind; of another description, and null: none.
+  [[nodiscard]] Figure figure(const std::string& subtitle, const DescribedPicture* golden = nullptr) const;
   /// The rows that are drawn, state and outputs.
   [[nodiscard]] Table rows() const;
 
@@ -39,8 +40,9 @@ class DescribedPicture final : public DescribedSink {
     std::vector<std::size_t> contacts = {};  // That begin in it, where that is known.
   };
 
-  [[nodiscard]] Plot path_plot(const std::vector<PositionPair>& pairs) const;
-  [[nodiscard]] std::vector<Plot> value_plots(const std::vector<PositionPair>& pairs) const;
+  [[nodiscard]] Plot path_plot(const std::vector<PositionPair>& pairs, const DescribedPicture* golden) const;
+  [[nodiscard]] std::vector<Plot> value_plots(const std::vector<PositionPair>& pairs,
+                                              const DescribedPicture* golden) const;
 
   const Description& description_;
   const DescribedScenario& scenario_;

@@ -37,11 +37,12 @@ std::int64_t sample_stride(std::int64_t members) {
 }
 
 MemberNumbers::MemberNumbers(std::string name, std::string unit, std::string long_name, bool is_result,
-                             std::int64_t members)
+                             std::int64_t members, std::vector<std::string> value_names)
     : name_(std::move(name)),
       unit_(std::move(unit)),
       long_name_(std::move(long_name)),
       is_result_(is_result),
+      value_names_(std::move(value_names)),
       stride_(sample_stride(members)) {}
 
 void MemberNumbers::add(double value) {
@@ -81,7 +82,9 @@ Plot MemberNumbers::histogram() const {
     }
     const double number = smallest_ + static_cast<double>(bin);
     if (bins_from_ != smallest_ && bins_.size() <= kTicksMax)
-      axis.ticks.push_back({number, with_decimals(number, 0)});
+      axis.ticks.push_back({number, number >= 0.0 && number < static_cast<double>(value_names_.size())
+                                        ? value_names_[static_cast<std::size_t>(number)]
+                                        : with_decimals(number, 0)});
   }
   return {.x = std::move(axis),
           .y = {.label = "members, %", .low = 0.0},

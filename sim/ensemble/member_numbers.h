@@ -25,8 +25,9 @@ class MemberNumbers {
   /// @param name as "x" or "contacts.left"; unit as "px", empty if there is none.
   /// @param is_result or else an input.
   /// @param members how many will be added; if they are a sample already, at most kSamplesMax.
+  /// @param value_names of the values 0, 1, ...
   MemberNumbers(std::string name, std::string unit, std::string long_name, bool is_result,
-                std::int64_t members);
+                std::int64_t members, std::vector<std::string> value_names = {});
 
   /// The next member's; NaN: it has none.
   void add(double value);
@@ -58,6 +59,7 @@ class MemberNumbers {
   std::string unit_;
   std::string long_name_;
   bool is_result_;
+  std::vector<std::string> value_names_;
   std::int64_t stride_;
   std::int64_t count_ = 0;
   std::int64_t known_ = 0;

@@ -8,7 +8,6 @@
 
 #include "tools/app/expect/judged_run.h"
 #include "tools/app/library/check_flow.h"
-#include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 
 namespace hyrax {
@@ -87,6 +86,11 @@ void judge_run(const DescribedCore& core, DescribedRun& run, const JudgeOptions&
     run.status = CheckStatus::disagreed;
 }
 
+std::unique_ptr<FileRun> differing_golden(const DescribedCore& core, const DescribedRun& run) {
+  if (!run.differs() || !run.golden_fault.empty()) return nullptr;
+  return std::make_unique<FileRun>(core, run.golden->h5_path);
+}
+
 DescribedRun judge_file(const DescribedCore& core, const std::string& path, const JudgeOptions& options) {
   DescribedRun run;
   run.path = path;
@@ -97,7 +101,7 @@ DescribedRun judge_file(const DescribedCore& core, const std::string& path, cons
     JudgeOptions drawn = options;
     drawn.also.push_back(&picture);
     judge_run(core, run, drawn);
-    run.picture = panel_picture(picture);
+    run.picture = panel_picture(picture, picture_of(differing_golden(core, run)));
   });
   return run;
 }

@@ -1,12 +1,14 @@
 // A scenario, played and judged: by itself, by its `expect`, and by its golden file.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/app/library/scenario_verdict.h"
 #include "tools/described/golden_run.h"
+#include "tools/described/run_text.h"
 
 namespace hyrax {
 
@@ -31,6 +33,9 @@ struct DescribedRun final : ScenarioVerdict {
   /// What is wrong, in one line without the path; empty: nothing.
   [[nodiscard]] std::string sentence() const;
 };
+
+/// Its golden file, which it differs from; else null. ERRORS: as FileRun's.
+[[nodiscard]] std::unique_ptr<FileRun> differing_golden(const DescribedCore& core, const DescribedRun& run);
 
 struct JudgeOptions {
   std::string golden_folder = {};  ///< As given with --golden; empty if it was not.

@@ -1,12 +1,17 @@
 #include <fmt/format.h>
 
-#include "sim/described/described_figure.h"
+#include <memory>
+#include <optional>
+
 #include "sim/result/number_text.h"
 #include "tools/app/command_line/shell_command.h"
+#include "tools/app/sweep/member_result.h"
 #include "tools/described/commands.h"
 #include "tools/described/run_text.h"
 #include "tools/described/trajectory_file.h"
+#include "tools/platform/path.h"
 #include "tools/store/output_guard.h"
+#include "tools/store/table_file.h"
 
 namespace hyrax {
 namespace {
@@ -18,52 +23,36 @@ struct ReportRequest {
   Printing printing;
 };
 
-// A run, as its file has it.
-class FileRun final : public DescribedSink {
- public:
-  FileRun(const DescribedFile& file, DescribedPicture& picture) : picture_(picture) {
-    summary_.steps = file.head().steps;
-    summary_.contacts.resize(file.head().description.contacts.size());
-    for (const DescribedContact& contact : file.contacts()) ++summary_.contacts[contact.contact];
-  }
-  void row(const DescribedRow& row) override {
-    picture_.row(row);
-    summary_.simulated_s = row.t_s;
-    summary_.final.assign(row.state.begin(), row.state.end());
-  }
-  [[nodiscard]] const DescribedSummary& summary() const { return summary_; }
-
- private:
-  DescribedPicture& picture_;
-  DescribedSummary summary_ = {};
-};
-
 ShownResult shown_file(const DescribedCore& core, const ReportRequest& request, const std::string& path,
-                       std::vector<RunPanel>& panels) {
-  const DescribedFile file = DescribedFile::open(path, core.description.core);
-  const DescribedHead& head = file.head();
+                       const std::unique_ptr<FileRun>& against, std::vector<RunPanel>& panels) {
+  const FileRun run(core, path);
+  const DescribedHead& head = run.file().head();
   const Description& description = head.description;
   const DescribedScenario& scenario = head.scenario;
-  DescribedPicture picture(description, scenario);
-  FileRun run(file, picture);
-  file.show(run);
   const DescribedSummary& summary = run.summary();
+  std::optional<DescribedComparison> comparison;
+  if (against) comparison = compare_files(core, against->file(), run.file());
+  const DescribedPicture* const golden = comparison && !comparison->agrees() ? picture_of(against) : nullptr;
   ShownResult shown =
-      shown_run(description, scenario, summary, picture,
+      shown_run(description, scenario, summary, run.picture(), golden,
                 fmt::format("{}, {:.6g} s", plain_counted(head.steps, "step"), summary.simulated_s),
                 {{"core", description.core}, {"file", path}, {"state hash", head.state_hash}});
-  panels.push_back({.name = scenario.name, .status = "played", .picture = panel_picture(picture)});
-  if (!request.against.empty()) {
-    const DescribedComparison comparison =
-        compare_files(core, DescribedFile::open(request.against, core.description.core), file);
-    panels.back().status = comparison.agrees() ? "agreed" : "disagreed";
-    if (comparison.agrees())
-      shown.judgement = "Agrees with " + request.against + ", bit for bit.";
-    else
-      shown.verdict.broken.push_back("differs from " + request.against + ": " +
-                                     comparison_sentence(comparison));
-  }
+  panels.push_back(
+      {.name = scenario.name, .status = "played", .picture = panel_picture(run.picture(), golden)});
+  if (!comparison) return shown;
+  panels.back().status = comparison->agrees() ? "agreed" : "disagreed";
+  if (comparison->agrees())
+    shown.judgement = "Agrees with " + request.against + ", bit for bit.";
+  else
+    shown.verdict.broken.push_back("differs from " + request.against + ": " +
+                                   comparison_sentence(*comparison));
   return shown;
+}
+
+// Its members are not played on the page.
+ShownResult shown_sweep(const DescribedCore& core, const std::string& path) {
+  const EnsembleReader reader(path, swept_core(core).read_contents);
+  return member_result(reader, member_numbers(reader), std::string(file_name(path).stem), "runs");
 }
 
 ExitCode report(const DescribedCore& core, const ReportRequest& request) {
@@ -79,9 +68,15 @@ ExitCode report(const DescribedCore& core, const ReportRequest& request) {
   guard.admit("hyrax-sim report: -o", request.output, {".html"});
   std::vector<ShownResult> shown;
   std::vector<RunPanel> panels;
-  for (const std::string& path : request.files) {
-    shown.push_back(shown_file(core, request, path, panels));
-    panels.back().link = fmt::format("#result-{}", shown.size());
+  if (format_of_file(request.files.front()) == kEnsembleFormat) {
+    shown = shown_sweeps(request.files, request.against,
+                         [&](const std::string& path) { return shown_sweep(core, path); });
+  } else {
+    const auto against = request.against.empty() ? nullptr : std::make_unique<FileRun>(core, request.against);
+    for (const std::string& path : request.files) {
+      shown.push_back(shown_file(core, request, path, against, panels));
+      panels.back().link = fmt::format("#result-{}", shown.size());
+    }
   }
   words.insert(words.end(), {"-o", request.output});
   write_run_pages(request.output, program_command(words), panels, shown);
@@ -93,7 +88,7 @@ ExitCode report(const DescribedCore& core, const ReportRequest& request) {
 }
 
 void declare(Options& options, ReportRequest& request) {
-  options.files(request.files, {"FILE.h5", "", "trajectory files of this core"}, 1, -1);
+  options.files(request.files, {"FILE.h5", "", "trajectories or sweeps of this core"}, 1, -1);
   options.text(request.against, {"--against", "GOLDEN.h5", "compare with this trajectory"});
   options.text(request.output, {"-o,--output", "FILE.html", "the page: one file, no network"});
   options.printing(request.printing);
@@ -103,7 +98,7 @@ void declare(Options& options, ReportRequest& request) {
 
 Command described_report_command(const DescribedCore& core) {
   return {.name = "report",
-          .summary = "show trajectories on a page for the browser",
+          .summary = "show trajectories or sweeps on a page for the browser",
           .example = "hyrax-sim report first.h5 --against golden/first.h5 -o first.html",
           .declare = with_request<ReportRequest>(
               declare, [&core](const ReportRequest& request) { return report(core, request); })};

@@ -105,11 +105,11 @@ void print_properties(const Description& description, const DescribedSummary& su
     const std::string where =
         outcome.step ? fmt::format("step {} ({:.6g} s)", *outcome.step, outcome.t_s) : "";
     if (property.is_always)
-      print_text("  always         {}: {}{}\n", property.name,
+      print_text("  always         {}: {}{}\n", printable(property.name),
                  VerdictWord{outcome.holds ? "holds" : "DOES NOT HOLD", outcome.holds},
                  outcome.holds ? "" : " at " + where);
     else
-      print_text("  sometimes      {}: {}\n", property.name,
+      print_text("  sometimes      {}: {}\n", printable(property.name),
                  outcome.holds ? "shown at " + where : "not shown");
   }
 }
@@ -214,12 +214,13 @@ Json run_json(const DescribedCore& core, const std::string& output, const Descri
 }
 
 // "agreed: 600 steps, 10 s; rail 4; ends at ...".
-ShownResult shown(const DescribedCore& core, const DescribedRun& run, const DescribedPicture& picture) {
+ShownResult shown(const DescribedCore& core, const DescribedRun& run, const DescribedPicture& picture,
+                  const DescribedPicture* golden) {
   const DescribedSummary& summary = run.contents.summary;
   const std::string found = fmt::format("{}: {}, {:.6g} s", status_of(run),
                                         plain_counted(summary.steps, "step"), summary.simulated_s);
   ShownResult shown = shown_run(
-      core.description, run.scenario, summary, picture, found,
+      core.description, run.scenario, summary, picture, golden, found,
       {{"core", core.description.core}, {"file", run.path}, {"state hash", run.contents.state_hash()}});
   shown.verdict.broken = run.faults;
   if (run.differs())
@@ -252,7 +253,8 @@ RunPanel run_one(const DescribedCore& core, const RunRequest& request, const std
   else
     print_run(core, request, output, run);
   if (!picture) return {};
-  ShownResult result = shown(core, run, *picture);
+  const std::unique_ptr<FileRun> golden = differing_golden(core, run);
+  ShownResult result = shown(core, run, *picture, picture_of(golden));
   if (!request.shows_sheet) {
     draw(request, output, path, result);
     return {};
@@ -260,7 +262,7 @@ RunPanel run_one(const DescribedCore& core, const RunRequest& request, const std
   runs.push_back(std::move(result));
   return {.name = scenario.name,
           .status = status_of(run),
-          .picture = panel_picture(*picture),
+          .picture = panel_picture(*picture, picture_of(golden)),
           .link = fmt::format("#result-{}", runs.size())};
 }
 

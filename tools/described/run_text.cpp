@@ -142,13 +142,30 @@ Json::Object comparison_json(const DescribedComparison& comparison) {
           {"first_divergence", std::move(first)}};
 }
 
+FileRun::FileRun(const DescribedCore& core, const std::string& path)
+    : file_(DescribedFile::open(path, core.description.core)),
+      has_rows_(file_.blocks().empty()),
+      picture_(file_.head().description, file_.head().scenario) {
+  summary_.steps = file_.head().steps;
+  summary_.contacts.resize(file_.head().description.contacts.size());
+  for (const DescribedContact& contact : file_.contacts()) ++summary_.contacts[contact.contact];
+  file_.show(*this);
+}
+
+void FileRun::row(const DescribedRow& row) {
+  picture_.row(row);
+  summary_.simulated_s = row.t_s;
+  summary_.final.assign(row.state.begin(), row.state.end());
+}
+
 ShownResult shown_run(const Description& description, const DescribedScenario& scenario,
                       const DescribedSummary& summary, const DescribedPicture& picture,
-                      const std::string& found, std::vector<std::pair<std::string, std::string>> origin) {
+                      const DescribedPicture* golden, const std::string& found,
+                      std::vector<std::pair<std::string, std::string>> origin) {
   ShownResult shown{.title = scenario.name,
                     .subtitle = scenario.description.value_or(""),
                     .tables = {picture.rows()},
-                    .figures = {picture.figure(found)},
+                    .figures = {picture.figure(found, golden)},
                     .origin = std::move(origin)};
   shown.verdict.text = {
       "Contacts: " + contacts_text(description, summary),
@@ -157,8 +174,8 @@ ShownResult shown_run(const Description& description, const DescribedScenario& s
   return shown;
 }
 
-Sheet panel_picture(const DescribedPicture& picture) {
-  const Figure figure = picture.figure("");
+Sheet panel_picture(const DescribedPicture& picture, const DescribedPicture* golden) {
+  const Figure figure = picture.figure("", golden);
   const auto& plots = std::get<std::vector<Plot>>(figure.body);
   return plots.empty() ? Sheet() : plot_panel(plots.front());
 }

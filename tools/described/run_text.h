@@ -1,12 +1,14 @@
 // Runs of a core that describes itself, and how two differ, as text, as JSON and on pages.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/described/described_comparison.h"
 #include "sim/described/described_figure.h"
+#include "tools/described/trajectory_file.h"
 #include "tools/files/json.h"
 #include "tools/report/result_page.h"
 
@@ -33,14 +35,38 @@ namespace hyrax {
 /// {"class", "max_px", "max", "contacts_moved", "first_divergence"}
 [[nodiscard]] Json::Object comparison_json(const DescribedComparison& comparison);
 
-/// Its picture, rows, contacts and end. @param found what the picture says of it.
+/// A run, as its file has it. ERRORS: as DescribedFile::open's.
+class FileRun final : public DescribedSink {
+ public:
+  FileRun(const DescribedCore& core, const std::string& path);
+  void row(const DescribedRow& row) override;
+
+  [[nodiscard]] const DescribedFile& file() const { return file_; }
+  [[nodiscard]] const DescribedSummary& summary() const { return summary_; }
+  [[nodiscard]] const DescribedPicture& picture() const { return picture_; }
+  [[nodiscard]] bool has_rows() const { return has_rows_; }
+
+ private:
+  DescribedFile file_;
+  bool has_rows_;
+  DescribedPicture picture_;
+  DescribedSummary summary_ = {};
+};
+
+/// To be drawn behind another; null of none, and of a golden file that does not hold every row.
+[[nodiscard]] inline const DescribedPicture* picture_of(const std::unique_ptr<FileRun>& golden) {
+  return golden && golden->has_rows() ? &golden->picture() : nullptr;
+}
+
+/// Its picture, rows, contacts and end. @param found what the picture says of it. @param golden behind it;
+/// may be null.
 [[nodiscard]] ShownResult shown_run(const Description& description, const DescribedScenario& scenario,
                                     const DescribedSummary& summary, const DescribedPicture& picture,
-                                    const std::string& found,
+                                    const DescribedPicture* golden, const std::string& found,
                                     std::vector<std::pair<std::string, std::string>> origin);
 
 /// Its paths, or its first values over time, for a sheet.
-[[nodiscard]] Sheet panel_picture(const DescribedPicture& picture);
+[[nodiscard]] Sheet panel_picture(const DescribedPicture& picture, const DescribedPicture* golden);
 
 /// Writes the page of several runs, with a sheet of them first.
 void write_run_pages(const std::string& path, const std::string& command, const std::vector<RunPanel>& panels,

@@ -87,6 +87,7 @@ class EnsembleReader {
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const EnsembleHead& head() const { return head_; }
+  [[nodiscard]] const SweepPlan& plan() const { return contents_.plan; }
   /// The groups, without rows.
   [[nodiscard]] const std::vector<Table>& tables() const { return contents_.tables; }
   [[nodiscard]] std::int64_t rows() const { return head_.part.rows(head_.members); }

@@ -7,6 +7,7 @@
 #include "sim/replay/fingerprint.h"
 #include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/shell_command.h"
+#include "tools/app/sweep/member_result.h"
 #include "tools/files/failure.h"
 #include "tools/report/page_file.h"
 #include "tools/report/run_scene.h"
@@ -19,16 +20,8 @@ namespace {
 
 // Whether the page replays what it shows.
 bool write_sweeps(const Core& core, const ReportRequest& request) {
-  if (!request.against.empty())
-    refuse_input("hyrax-sim report: --against: allowed for trajectories only (found " +
-                 request.files.front() + ")");
-  std::vector<ShownResult> results;
-  for (const std::string& path : request.files) {
-    if (format_of_file(path) != kEnsembleFormat)
-      refuse_input(path + ": is not a sweep's file, as " + request.files.front() +
-                   " is; a page shows either trajectories or sweeps");
-    results.push_back(sweep_result(core, path));
-  }
+  const std::vector<ShownResult> results = shown_sweeps(
+      request.files, request.against, [&](const std::string& path) { return sweep_result(core, path); });
   write_result_page(request.output, request.command, results);
   return !std::ranges::all_of(results, &Json::is_null, &ShownResult::members);
 }

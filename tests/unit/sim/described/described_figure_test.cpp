@@ -105,6 +105,63 @@ TEST(DescribedPicture, HasAPathInItsFrameValuesByUnitAndMarks) {
   EXPECT_EQ(plots[2].marks[1].text, "set");
 }
 
+struct Moody {
+  double x = 0.0, y = 0.0;
+  int mood = 0, pose = 0, laps = 0;
+  void step(double dt_s) { x += 60.0 * dt_s, mood = x > 3.0 ? 1 : 0, ++laps; }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("y_px", y);
+    see("mood", mood, {"calm", "wild"});
+    see("laps", laps);
+    see("pose", pose, {"sit", "fly"});
+  }
+};
+
+TEST(DescribedPicture, NamesValuesAtItsAxesAndInItsTable) {
+  const DescribedCore core = core_for_test<Moody>();
+  const DescribedScenario scenario = scenario_for_test(6);
+  DescribedPicture picture(core.description, scenario);
+  DescribedSink* const sink = &picture;
+  static_cast<void>(play(core, scenario, {&sink, 1}));
+  const auto plots = std::get<std::vector<Plot>>(picture.figure("").body);
+  ASSERT_EQ(plots.size(), 4u);  // The path, laps, and a plot for each list of names.
+  EXPECT_EQ(plots[1].y.label, "laps");
+  EXPECT_TRUE(plots[1].y.ticks.empty());
+  EXPECT_EQ(plots[2].y.label, "mood");
+  ASSERT_EQ(plots[2].y.ticks.size(), 2u);
+  EXPECT_EQ(plots[2].y.ticks[1].text, "wild");
+  const Table rows = picture.rows();
+  EXPECT_EQ(std::get<std::vector<std::string>>(rows.columns[4].values),
+            (std::vector<std::string>{"calm", "calm", "calm", "calm", "wild", "wild", "wild"}));
+}
+
+TEST(DescribedPicture, DrawsTheGoldenRunBehindIfItHasTheSameValues) {
+  const DescribedCore core = core_for_test<Moody>(), other = core_for_test<Glider>();
+  const DescribedScenario scenario = scenario_for_test(6), longer = scenario_for_test(8);
+  DescribedPicture now(core.description, scenario), golden(core.description, longer),
+      of_other(other.description, longer);
+  const auto draw = [](const DescribedCore& played, const DescribedScenario& each,
+                       DescribedPicture& picture) {
+    DescribedSink* const sink = &picture;
+    static_cast<void>(play(played, each, {&sink, 1}));
+  };
+  draw(core, scenario, now);
+  draw(core, longer, golden);
+  draw(other, longer, of_other);
+  const Figure figure = now.figure("", &golden);
+  const auto plots = std::get<std::vector<Plot>>(figure.body);
+  ASSERT_EQ(plots[0].series.size(), 2u);
+  EXPECT_EQ(plots[0].series[0].name, "position, golden");
+  EXPECT_EQ(plots[0].series[0].x.size(), 9u);
+  EXPECT_EQ(plots[0].series[1].x.size(), 7u);
+  EXPECT_EQ(plots[1].series[0].name, "laps, golden");
+  EXPECT_EQ(figure.legend.back().text, "golden file");
+  EXPECT_EQ(std::get<std::vector<Plot>>(now.figure("", &of_other).body)[0].series.size(), 1u);
+  EXPECT_TRUE(now.figure("", &of_other).legend.empty());
+}
+
 struct Marbles {
   double x = 0.0, y = 0.0, other_x = 50.0, other_y = 0.0;
   int count = 0;

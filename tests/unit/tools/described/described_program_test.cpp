@@ -361,6 +361,36 @@ TEST_F(DescribedProgram, ShrinkKeepsWhatARunSays) {
   EXPECT_TRUE(nothing.err.starts_with("good.json: nothing to keep: the run ends, ")) << nothing.err;
 }
 
+struct Moody {
+  double x = 0.0;
+  int mood = 0;
+  void step(double dt_s) { x += dt_s, mood = x > 0.5 ? 1 : 0; }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("mood", mood, {"calm", "wild"});
+  }
+  template <class See>
+  void contacts(See&& see) const {
+    see("far", x > 0.25);
+  }
+};
+
+TEST_F(DescribedProgram, ReportShowsTheNumbersOfASweepsMembers) {
+  write_text_file("moods.json", R"({"format": "hyrax-sweep/1", "vary": {"/start/x_px": {"grid": [0, 0.5, 4]}},
+      "base": {"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 9}})");
+  EXPECT_EQ(run<Moody>({"sweep", "moods.json"}).exit_code, 0);
+  const Outcome outcome = run<Moody>({"report", "moods.h5", "-o", "moods.html"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string page = read_text_file("moods.html");
+  for (const char* const text :
+       {"4 runs that differ in /start/x_px", "final x_px", "contacts far", ">calm<", ">wild<"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_EQ(run<Moody>({"report", "moods.h5", "--against", "moods.h5", "-o", "a.html"}).err,
+            "toy-sim report: --against: allowed for trajectories only (found moods.h5)\n");
+  EXPECT_EQ(run<Low>({"report", "moods.h5", "-o", "a.html"}).exit_code, 2);
+}
+
 struct Uncapped {
   double x = 0.0, cap = std::numeric_limits<double>::infinity();
   void step(double dt_s) { x = std::min(x + dt_s, cap); }
