@@ -143,8 +143,9 @@ class OwnCoresFiles(InstalledPackage):
 
     def test_golden_files_are_missing_blessed_and_agree(self):
         self.assertEqual(self.check(GOLDEN_MISSING)["missing"], 2)
-        self.expect(GOLDEN_MISSING, "check", "--core")
-        self.expect(AGREED, "bless", "scenarios", "--reason", "first")
+        command = re.search(r'toy-sim (.*) "\.\.\."', self.expect(GOLDEN_MISSING, "check", "--core").out)[1].split()
+        self.assertEqual(command, ["bless", "scenarios", "--reason"])  # `bless --core` would be refused.
+        self.expect(AGREED, *command, "first")
         document = self.check(AGREED)
         self.assertEqual((document["agreed"], document["cores"][0]["status"], document["never_shown"]), (2, "accepted", []))
         self.expect(AGREED, "check", "--core")
@@ -178,6 +179,7 @@ class OwnCoresFiles(InstalledPackage):
         self.use("included")
         text = self.expect(DISAGREED, "check").out
         self.assertIn("bounce 0.5 -> 0.625", text)
+        self.assertNotIn("to accept it", self.expect(AGREED, "check", "--core").out)  # It would be refused.
         self.assertEqual(text.count("  to accept it "), 1)  # The core with its scenarios.
         self.expect(AGREED, "bless", "scenarios/falls.json", "--accept", "contacts", "--reason", "bouncier")
         self.assertEqual(self.check(DISAGREED)["agreed"], 1)
@@ -189,7 +191,9 @@ class OwnCoresFiles(InstalledPackage):
         speed = "(vy_px_per_s + dt * gravity_px_per_s2) * "
         self.assertEqual((core["status"], core["why"], core["paths"]), ("changed", None, 2))
         self.assertEqual(core["differences"], [{"function": "step", "values": ["vy_px_per_s"], "before": [speed + "0.5"], "after": [speed + "0.625"]}])
-        self.assertEqual(core["changes"][0]["detail"], "bounce 0.5 -> 0.625")
+        change = core["changes"][0]
+        self.assertEqual((change["detail"], change["from"], change["to"], change["scenarios"]), ("bounce 0.5 -> 0.625", 0.5, 0.625, 2))
+        self.assertRegex(self.expect(DISAGREED, "check").out, r"constant: bounce 0.5 -> 0.625 \(tuning.h\); alone reproduces 2\n")
         self.assertIn(f"  step: vy_px_per_s: `{speed}0.5` -> `{speed}0.625`\n", self.expect(DISAGREED, "check").out)
         self.use("default")  # In the start, not in the step.
         self.assertEqual(self.check(DISAGREED)["cores"][0]["differences"], [])
@@ -212,6 +216,14 @@ class OwnCoresFiles(InstalledPackage):
         self.use("lively")
         core = self.check(DISAGREED)["cores"][0]
         self.assertEqual((core["status"], core["paths"], core["differences"]), ("changed", None, []))
+
+    def test_a_change_that_no_scenario_shows_is_accepted_by_the_command_that_check_prints(self):
+        shutil.rmtree(self.folder / "scenarios")
+        self.write("scenarios/short.json", scenario(20))  # Without a bounce.
+        self.expect(AGREED, "bless", "scenarios", "--reason", "first")
+        self.use("included")
+        command = re.search(r'to accept it    \S*toy-sim (.*) "\.\.\."', self.expect(DISAGREED, "check", "--core").out)[1].split()
+        self.assertIn("core: accepted in golden/core", self.expect(AGREED, *command, "second").out)
 
     def test_another_description_is_another_shape(self):
         self.expect(AGREED, "bless", "scenarios", "--reason", "first")
@@ -266,6 +278,8 @@ class OwnCoresFiles(InstalledPackage):
         _, a, b = page.split("<article")[1:]  # The first is the contact sheet.
         self.assertIn("Agrees with a.h5, bit for bit.", a)
         self.assertIn("differs from a.h5: ", b)
+        self.assertNotIn("golden file", a)
+        self.assertIn("golden file", b)  # Its path, in the legend.
         # The same picture, rows, contacts and end as of the run that wrote it.
         run = (self.folder / "run.html").read_text(encoding="utf-8")
         for part in (r"<path[^>]*>", r"<td[^>]*>[^<]*", r"<p>(?:Contacts|End): [^<]*"):

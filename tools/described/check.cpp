@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "tools/app/library/check_flow.h"
 #include "tools/described/commands.h"
 #include "tools/described/core_verdict.h"
+#include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_list.h"
@@ -96,13 +98,13 @@ Json report_json(const CheckReport& report, const Found& found) {
 }
 
 // The core of each golden folder, without the scenarios.
-void judge_cores(const DescribedCore& core, const CheckSelection& selection,
-                 const std::vector<std::string>& files, Found& found) {
+void judge_cores(const DescribedCore& core, const CheckRequest& request, const CheckSelection& selection,
+                 Found& found) {
   std::set<std::string> folders;
-  for (const Library& library : libraries_of(files, selection.golden_option))
+  for (const Library& library : libraries_of(request.files, selection.golden_option))
     folders.insert(library.golden_folder);
   for (const std::string& folder : folders)
-    if (is_folder(folder))
+    if (request.judges_core_only || is_folder(folder))
       found.cores.push_back(verdict_on_core(core, folder, selection.arguments, selection.golden_option));
 }
 
@@ -111,17 +113,23 @@ ExitCode check_core(const DescribedCore& core, const CheckRequest& request, cons
   Found found;
   const std::vector<Library> libraries = required_libraries(request);
   CommandResults results;
-  judge_cores(core, selection, request.files, found);
-  if (found.cores.empty()) results.add(ExitCode::golden_missing);
+  judge_cores(core, request, selection, found);
   for (const DescribedCoreVerdict& verdict : found.cores) results.add(verdict.exit_code_alone());
   Json::Array faults;
+  bool agree = true;
   for (const Library& library : libraries)
     for (const std::string& path : list_scenarios({library.scenarios_folder}))
       results.attempt(path, [&] {
+        const bool others_agree = std::exchange(agree, false);  // Of one that cannot be read it stays.
         DescribedRun& run = found.runs.emplace_back();
         run.path = path;
         run.scenario = load_described_scenario(core.description, path);
         run.contents = play_for_golden(core, run.scenario);
+        const auto place = golden_place(path, request.golden_folder);
+        run.judge(core.description);
+        agree = others_agree && run.broken.empty() &&
+                faults_of_run(core.description, run.contents.summary).empty() && place &&
+                has_golden_file(*place) && is_proved_to_agree(core, run.scenario, run.contents, *place);
         const auto fault =
             description_fault(core, run.scenario, kStepsMax + 1, run.contents.summary.state_hash);
         if (!fault) return;
@@ -138,10 +146,9 @@ ExitCode check_core(const DescribedCore& core, const CheckRequest& request, cons
         {"never_shown", Json::Array(found.never_shown.begin(), found.never_shown.end())}});
     return results.exit_code();
   }
-  if (found.cores.empty()) print_text("core: no golden folder {}\n", libraries.front().golden_folder);
   for (const DescribedCoreVerdict& verdict : found.cores)
-    print_text("{}",
-               verdict.status == CoreStatus::accepted ? "core: the accepted one\n" : verdict.text(true));
+    print_text("{}", verdict.status == CoreStatus::accepted ? "core: the accepted one\n"
+                                                            : verdict.text(agree && faults.empty()));
   for (const std::string& name : found.never_shown)
     print_text("property \"{}\": no scenario shows it\n", name);
   return results.exit_code();
@@ -170,7 +177,7 @@ ExitCode check(const DescribedCore& core, CheckRequest& request) {
     judge_unreferenced(found.runs.emplace_back(), golden);
   CheckReport report(std::move(selection), found.runs);
   last_failed.update(report.verdicts, guard);
-  judge_cores(core, report.selection, request.files, found);
+  judge_cores(core, request, report.selection, found);
   count_reproduced(core, found);
   set_groups(groups_of(found), report);
   std::vector<CoreWords> cores;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "sim/described/described_step.h"
@@ -64,6 +65,7 @@ void compare_steps(const AcceptedCore& accepted, const AcceptedCore& program, De
   const StepProof proof = prove_equal("the accepted core", accepted.record(), program.record());
   if (proof.is_complete && !proof.is_equal) {
     verdict.status = CoreStatus::changed;
+    if (accepted.description == program.description) verdict.accepted_step = read_step(accepted.step);
     verdict.differences = value_differences(*read_step(accepted.step), *read_step(program.step),
                                             shared_names(accepted.text(), program.text()));
   } else if (verdict.status == CoreStatus::changed && !proof.is_complete) {
@@ -137,11 +139,10 @@ std::string DescribedCoreVerdict::text(bool scenarios_agree) const {
     text += differences.empty() ? "  comments or layout only\n"
                                 : "  the step changed, its files did not: a compiler option\n";
   for (const DescribedChange& change : changes)
-    text +=
-        change.line > 0
-            ? fmt::format("  {}\n", change_text(change, header_path))
-            : fmt::format("  {}: {}{}\n", change.of_default ? "default" : "description", change.detail,
-                          change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
+    text += fmt::format("  {}{}\n",
+                        change.line > 0 ? change_text(change, header_path)
+                                        : (change.of_default ? "default: " : "description: ") + change.detail,
+                        change.scenarios ? fmt::format("; alone reproduces {}", *change.scenarios) : "");
   const auto texts = [](const std::vector<std::string>& expressions) {
     return expressions.empty() ? "none" : fmt::format("`{}`", fmt::join(expressions, "`, `"));
   };
@@ -150,7 +151,9 @@ std::string DescribedCoreVerdict::text(bool scenarios_agree) const {
                         each.values.empty() ? "" : fmt::format("{}: ", fmt::join(each.values, ", ")),
                         texts(each.before), texts(each.after));
   if (!why.empty()) text += fmt::format("  not compared: {}\n", why);
-  return text + (scenarios_agree ? fmt::format("  to accept it    {}\n", commands.accept) : "");
+  return text + (scenarios_agree && !commands.accept.empty()
+                     ? fmt::format("  to accept it    {}\n", commands.accept)
+                     : "");
 }
 
 Json DescribedCoreVerdict::json() const {
@@ -171,7 +174,20 @@ Json DescribedCoreVerdict::json() const {
 
 void count_reproduced(const DescribedCore& core, const std::vector<const DescribedRun*>& runs,
                       DescribedCoreVerdict& verdict) {
+  std::map<double, double> all;
+  for (const DescribedChange& change : verdict.changes)
+    if (change.kind == HeaderChangeKind::constant) all[change.from.value] = change.to.value;
+  // Where something else changed, too, a constant alone proves nothing.
+  const bool are_constants_all =
+      verdict.accepted_step && with_constants(*verdict.accepted_step, all) == *read_step(core.record.step);
   for (DescribedChange& change : verdict.changes) {
+    if (are_constants_all && change.kind == HeaderChangeKind::constant) {
+      const DescribedCore alone =
+          interpreted(core, with_constants(*verdict.accepted_step, {{change.from.value, change.to.value}}));
+      change.scenarios = std::ranges::count_if(runs, [&](const DescribedRun* run) {
+        return play(alone, run->scenario, {}).state_hash == run->contents.summary.state_hash;
+      });
+    }
     if (!change.of_default) continue;
     change.scenarios = 0;
     for (const DescribedRun* const run : runs) {

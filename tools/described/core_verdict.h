@@ -34,6 +34,8 @@ struct DescribedChange : HeaderChange {
 struct DescribedCoreVerdict : CoreFinding {
   std::vector<DescribedChange> changes = {};
   std::vector<ValueDifference> differences = {};  ///< Of both steps, where both are complete.
+  /// Where both steps are complete, and the descriptions the same.
+  std::optional<TracedStep> accepted_step = {};
 
   /// "gravity 980 -> 1000; the core changed at lines 7 and 18"; empty: nothing changed.
   [[nodiscard]] std::string sentence() const;
@@ -43,7 +45,7 @@ struct DescribedCoreVerdict : CoreFinding {
 };
 
 /// These runs differ from their golden files: counts which of them each changed default gives alone, if it is
-/// set to what it was.
+/// set to what it was, and each changed constant in the accepted step.
 void count_reproduced(const DescribedCore& core, const std::vector<const DescribedRun*>& runs,
                       DescribedCoreVerdict& verdict);
 

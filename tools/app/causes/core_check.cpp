@@ -175,11 +175,7 @@ void CoreCheck::judge_differences(const std::vector<std::string>& scenarios_fold
 
 CoreChecks::CoreChecks(const Core& core, const std::vector<std::string>& scenarios,
                        const std::string& golden_option)
-    : core_(core) {
-  // bless accepts a core for a library only.
-  if (scenarios.empty() || !libraries_of(scenarios, golden_option).empty())
-    commands_ = core_commands(scenarios, golden_option);
-}
+    : core_(core), commands_(core_commands(scenarios, golden_option)) {}
 
 void CoreChecks::judge_differences(const std::vector<Library>& libraries, std::int64_t flings) {
   std::map<std::string, std::vector<std::string>> scenarios_folders;  // By golden folder.
@@ -218,7 +214,7 @@ std::string core_text(const CoreVerdict& verdict, bool is_alone, bool scenarios_
                           unnoticed.scenario->name);
   }
   if (verdict.beyond) text += beyond_text(*verdict.beyond);
-  const auto& [accept, write_unnoticed] = verdict.commands;
+  const auto& [accept, write_unnoticed, bless_all] = verdict.commands;
   if (!printed.empty() && !write_unnoticed.empty())
     text += fmt::format("  to write {}   {}\n", printed.size() == 1 ? "it  " : "them", write_unnoticed);
   const bool has_unrecorded = std::ranges::any_of(

@@ -104,7 +104,7 @@ class CoreChecks {
 
  private:
   const Core& core_;
-  CoreCommands commands_;  // None for scenarios in no library.
+  CoreCommands commands_;
   std::map<std::string, CoreCheck> checks_;
 };
 

@@ -132,15 +132,18 @@ std::shared_ptr<const StepProgram> program_step(const Core& core) {
 std::string accepted_core_folder(const std::string& golden_folder) { return golden_folder + "/core"; }
 
 CoreCommands core_commands(const std::vector<std::string>& scenarios, const std::string& golden_option) {
+  if (!scenarios.empty() && libraries_of(scenarios, golden_option).empty()) return {};
   const auto command = [&](const char* name, std::initializer_list<const char*> options) {
     std::vector<std::string> words = {name};
     for (const std::string& path : scenarios) words.push_back(as_argument(path));
+    if (words.size() == 1 && options.size() == 0) words.emplace_back("scenarios");
     if (!golden_option.empty()) words.insert(words.end(), {"--golden", as_argument(golden_option)});
     words.insert(words.end(), options.begin(), options.end());
     return program_command(words);
   };
   return {command("bless", {"--core"}) + " --reason \"...\"",
-          command("check", {"--core", "--unnoticed", "unnoticed"})};
+          command("check", {"--core", "--unnoticed", "unnoticed"}),
+          command("bless", {}) + " --reason \"...\""};
 }
 
 std::vector<HeaderChange> core_changes(const AcceptedCore& accepted, const AcceptedCore& program,
@@ -247,7 +250,12 @@ std::optional<AcceptedCore> CoreFinding::read_accepted() try {
   std::optional<AcceptedCore> accepted = read_accepted_core(golden_folder);
   if (accepted) return accepted;
   why = "no accepted core in " + accepted_core_folder(golden_folder);
-  if (!commands.accept.empty()) why += "; to accept this program's: " + commands.accept;
+  std::error_code error;
+  const bool has_goldens =
+      std::ranges::any_of(std::filesystem::directory_iterator(golden_folder, error),
+                          [](const auto& entry) { return entry.path().filename() != "core"; });
+  const std::string& command = has_goldens ? commands.accept : commands.bless_all;
+  if (!command.empty()) why += "; to accept this program's: " + command;
   return std::nullopt;
 } catch (const Failure& failure) {
   take(failure);

@@ -95,7 +95,9 @@ struct Library {
 struct CoreCommands {
   std::string accept;           ///< Accepts this program's.
   std::string write_unnoticed;  ///< Writes scenarios that show what no scenario of the library does.
+  std::string bless_all;        ///< Accepts it with all scenarios, of which none is blessed yet.
 };
+/// None for scenarios in no library.
 /// @param scenarios files and folders as given; none: the folder `scenarios`.
 /// @param golden_option as given; empty if it was not.
 [[nodiscard]] CoreCommands core_commands(const std::vector<std::string>& scenarios,
