@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "sim/core/core.h"
 #include "sim/result/number_text.h"
@@ -6,6 +8,7 @@
 #include "sim/search/random_scenario.h"
 #include "sim/search/run_check.h"
 #include "tools/app/command_line/shell_command.h"
+#include "tools/app/core/controlled_core.h"
 #include "tools/app/library/fuzz_flow.h"
 #include "tools/app/search/shrink_run.h"
 #include "tools/files/scenario_writer.h"
@@ -16,9 +19,15 @@ namespace {
 
 struct FuzzFailure {
   Scenario scenario;
-  Invariant broken{};
-  std::string found;  // "-3 px at step 4".
+  std::optional<Invariant> broken;  // Nothing: the core throws.
+  std::string found;                // "-3 px at step 4"; what it throws.
+  std::string thrown;               // CoreFailure::without_row.
 };
+
+constexpr InvariantText kThrows = {"throws", "the core throws nothing", ""};
+const InvariantText& text_of(const FuzzFailure& failure) {
+  return failure.broken ? text_of(*failure.broken) : kThrows;
+}
 
 // The names of the invariants that a random scenario can break.
 std::vector<std::string> fuzzed_rules() {
@@ -30,13 +39,19 @@ std::vector<std::string> fuzzed_rules() {
 
 std::optional<FuzzFailure> play(const Core& core, const FuzzRequest& request, std::uint64_t number) {
   RandomRun random = random_run(core, request.first_seed(), number);
-  const CheckedRun run = check_run(core, random.scenario, random.stops);
+  CheckedRun run;
+  try {
+    run = check_run(core, random.scenario, random.stops);
+  } catch (const CoreFailure& failure) {
+    if (failure.exit_code() != ExitCode::disagreed) throw;
+    return FuzzFailure{std::move(random.scenario), {}, failure.what(), failure.without_row()};
+  }
   for (const Invariant broken : broken_invariants(random.scenario, run.measures))
     if (!request.allows(text_of(broken).name)) {
       const InvariantMeasure& measure = run.measures[static_cast<std::size_t>(broken)];
       return FuzzFailure{
           std::move(random.scenario), broken,
-          fmt::format("{:.3g} {} at step {}", measure.slack, text_of(broken).unit, measure.worst_step)};
+          fmt::format("{:.3g} {} at step {}", measure.slack, text_of(broken).unit, measure.worst_step), ""};
     }
   return std::nullopt;
 }
@@ -54,16 +69,16 @@ std::string write_failure(const FuzzRequest& request, std::uint64_t run, const F
   const std::string path = failure_path(request, scenario.name);
   scenario.description =
       fmt::format("Run {} of hyrax-sim fuzz --seed {}, {}: breaks {} ({}): {}. {}", run, request.first_seed(),
-                  plain_counted(step_count(failure.scenario), "frame"), text_of(failure.broken).name,
-                  text_of(failure.broken).rule, failure.found, shrunk_text(shrunk));
+                  plain_counted(step_count(failure.scenario), "frame"), text_of(failure).name,
+                  text_of(failure).rule, failure.found, shrunk_text(shrunk));
   write_text_file(path, scenario_file_text(scenario));
   return path;
 }
 
 FuzzFinding find(const Core& core, const FuzzRequest& request, std::uint64_t run,
                  const FuzzFailure& failure) {
-  const InvariantText& broken = text_of(failure.broken);
-  Shrunk shrunk = shrink_broken(core, failure.scenario, failure.broken);
+  const InvariantText& broken = text_of(failure);
+  Shrunk shrunk = shrink_broken(core, failure.scenario, failure.broken, failure.thrown);
   const std::string path = write_failure(request, run, failure, shrunk);
   return {
       .sentence = fmt::format("{} ({}): {}", broken.name, broken.rule, failure.found),
@@ -75,7 +90,10 @@ FuzzFinding find(const Core& core, const FuzzRequest& request, std::uint64_t run
           shrunk.fails_again ? "" : "it did not fail again: what it does depends on more than the scenario\n",
           request.printing.is_quiet()
               ? ""
-              : "  " + program_command({"study", "hard-cases", as_argument(path), "--gate", "--no-figures"}) +
+              : "  " +
+                    (failure.broken ? program_command({"study", "hard-cases", as_argument(path), "--gate",
+                                                       "--no-figures"})
+                                    : program_command({"run", as_argument(path)})) +
                     "\n"),
       .json = {{"run", run},
                {"rule", broken.name},

@@ -252,13 +252,24 @@ ShrunkRun shrink_run(const Core& core, const std::string& path, const Scenario& 
   return *std::move(run);
 }
 
-Shrunk shrink_broken(const Core& core, const Scenario& scenario, Invariant invariant) {
-  return shrink_with_progress(core, scenario,
-                              [&](const Scenario& simpler) {
-                                return has_line(broken_names(core, simpler, invariant == Invariant::resumed),
-                                                breaks_text(invariant));
-                              },
-                              {});
+Shrunk shrink_broken(const Core& core, const Scenario& scenario, const std::optional<Invariant>& invariant,
+                     const std::string& thrown) {
+  const auto fails = [&](const Scenario& simpler) {
+    try {
+      const std::string names = broken_names(core, simpler, invariant == Invariant::resumed);
+      return invariant && has_line(names, breaks_text(*invariant));
+    } catch (const CoreFailure& failure) {
+      return failure.without_row() == thrown;
+    }
+  };
+  const auto start_later = [&](const Scenario& each, std::int64_t frames) -> std::optional<Scenario> {
+    try {
+      return after_frames(core, each, frames);
+    } catch (const CoreFailure&) {
+      return std::nullopt;
+    }
+  };
+  return shrink_with_progress(core, scenario, fails, {.start_later = start_later});
 }
 
 }  // namespace hyrax

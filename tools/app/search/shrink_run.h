@@ -1,6 +1,7 @@
 // The smallest scenario of which a run still says the same.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sim/core/core.h"
@@ -25,7 +26,9 @@ struct ShrunkRun {
 [[nodiscard]] ShrunkRun shrink_run(const Core& core, const std::string& path, const Scenario& scenario,
                                    const ShrinkLimits& limits);
 
-/// The smallest scenario that breaks the same invariant, by a core whose runs end; shows progress.
-[[nodiscard]] Shrunk shrink_broken(const Core& core, const Scenario& scenario, Invariant invariant);
+/// The smallest scenario that breaks the same invariant, or in which the core throws the same, by a core
+/// whose runs end; shows progress. @param thrown CoreFailure::without_row; empty: of an invariant.
+[[nodiscard]] Shrunk shrink_broken(const Core& core, const Scenario& scenario,
+                                   const std::optional<Invariant>& invariant, const std::string& thrown = "");
 
 }  // namespace hyrax

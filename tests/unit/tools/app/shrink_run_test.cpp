@@ -100,6 +100,13 @@ TEST_F(ShrinkRun, KeepsWhatACoreDoesThatEndsItsRun) {
     EXPECT_EQ(run.kept, kept);
     EXPECT_EQ(step_count(run.shrunk.scenario), 1);
   }
+  // As fuzz does it.
+  const Core core = controlled(trapped([](State&) { throw std::out_of_range("beyond"); }));
+  const Shrunk same = shrink_broken(core, long_fling(), {}, "the core throws: beyond");
+  EXPECT_TRUE(same.fails_again);
+  EXPECT_EQ(step_count(same.scenario), 1);
+  EXPECT_FALSE(shrink_broken(core, long_fling(), {}, "the core throws: within").fails_again);
+  EXPECT_FALSE(shrink_broken(core, long_fling(), Invariant::finite).fails_again);
 }
 
 TEST_F(ShrinkRun, KeepsThatARunDoesNotEnd) {
