@@ -9,6 +9,7 @@
 #include "tools/described/commands.h"
 #include "tools/described/random_scenario.h"
 #include "tools/described/scenario_json.h"
+#include "tools/files/printable.h"
 #include "tools/files/text_file.h"
 
 namespace hyrax {
@@ -21,29 +22,23 @@ std::string broken_at_start(const std::vector<BrokenRule>& rules) {
   return found == rules.end() ? "" : found->of;
 }
 
-// Starts that were drawn again, by the property that did not hold.
-class DrawnAgain {
- public:
-  void add(const std::string& property) {
-    const std::lock_guard lock(mutex_);
-    ++counts_[property];
-  }
-  [[nodiscard]] FuzzNote note() const {
-    FuzzNote note;
-    Json::Array json;
-    for (const auto& [property, count] : counts_) {
-      note.lines +=
-          fmt::format("{} drawn again: \"{}\" does not hold at row 0\n", counted(count, "start"), property);
-      json.push_back(Json::Object{{"property", property}, {"starts", count}});
-    }
-    note.json = {{"drawn_again", std::move(json)}};
-    return note;
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<std::string, std::int64_t> counts_ = {};
+// How many starts were drawn again, by the property that did not hold.
+struct DrawnAgain {
+  std::mutex mutex = {};
+  std::map<std::string, std::int64_t> counts = {};
 };
+
+FuzzNote note_of(const DrawnAgain& again) {
+  FuzzNote note;
+  Json::Array json;
+  for (const auto& [property, count] : again.counts) {
+    note.lines += fmt::format("{} drawn again: \"{}\" does not hold at row 0\n", counted(count, "start"),
+                              printable(property));
+    json.push_back(Json::Object{{"property", property}, {"starts", count}});
+  }
+  note.json = {{"drawn_again", std::move(json)}};
+  return note;
+}
 
 // A run whose properties hold at row 0, or else the scenario that it is drawn from.
 DescribedScenario draw(const DescribedCore& core, const std::vector<DescribedScenario>& library,
@@ -56,7 +51,8 @@ DescribedScenario draw(const DescribedCore& core, const std::vector<DescribedSce
     const std::string broken =
         broken_at_start(broken_rules(core, scenario, [](std::string_view) { return false; }));
     if (broken.empty()) return scenario;
-    again.add(broken);
+    const std::lock_guard lock(again.mutex);
+    ++again.counts[broken];
   }
 }
 
@@ -104,7 +100,7 @@ ExitCode fuzz_described(const DescribedCore& core, const FuzzRequest& request) {
         return FuzzFailure{std::move(scenario), *std::move(broken)};
       },
       [&](std::uint64_t run, const FuzzFailure& failure) { return find(core, request, run, failure); },
-      [&] { return again.note(); });
+      [&] { return note_of(again); });
 }
 
 void declare(Options& options, FuzzRequest& request) {
