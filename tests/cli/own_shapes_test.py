@@ -66,6 +66,8 @@ class Shapes(InstalledPackage):
             assert headers[name] != SHIPPED
         headers["single"] = SHIPPED.replace("double", "float")
         headers["leak"] = SHIPPED.replace("m_x > rightBound)", "m_x > rightBound + 40.0)")
+        headers["leak"] = headers["leak"].replace(WALLS, "    if (objWidth == 13) throw std::out_of_range(\"13 px\");\n" + WALLS)
+        headers["leak"] = headers["leak"].replace("#pragma once", "#pragma once\n#include <stdexcept>", 1)
         headers["spin"] = headers["spin"].replace("  double m_vx, m_vy;\n", "  double m_vx, m_vy;\n  double m_spin = 3.0;\n")
         headers["round"] = SHIPPED.replace(WALLS, "    if (m_y > 700.0) std::fesetround(FE_DOWNWARD);\n" + WALLS)
         headers["round"] = headers["round"].replace("#pragma once", "#pragma once\n#include <cfenv>", 1)
@@ -243,6 +245,14 @@ class Shapes(InstalledPackage):
         self.assertIn("breaks an invariant: in-bounds", outcome.out)
         self.assertIn(f"\n  {program.PROGRAM} study hard-cases ", outcome.out)
         self.expect(DISAGREED, "study", "hard-cases", HARD, "--quick", "--no-figures", "--gate", says="in-bounds is broken by ")
+
+    def test_fuzz_writes_the_scenario_in_which_a_core_throws(self):
+        self.use("leak")
+        rules = [word for rule in ("in-bounds", "listing", "mirror", "step-energy") for word in ("--without", rule)]
+        failure, = self.expect(DISAGREED, "fuzz", "--runs", "3000", "--json", *rules).json["failures"]
+        self.assertEqual((failure["rule"], failure["steps"], failure["events"], failure["fails_again"]), ("throws", 1, 0, True))
+        self.assertRegex(failure["found"], r"^the core throws in the step that makes row \d+: 13 px$")
+        self.expect(DISAGREED, "run", failure["scenario"], says="the core throws in the step that makes row 1: 13 px")
 
     def test_a_core_that_changes_how_the_processor_calculates_is_not_played(self):
         self.expect(AGREED, "run", "fling.json", "-o", "run.csv")

@@ -1,16 +1,11 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "sim/core/core.h"
 #include "sim/ensemble/member_numbers.h"
 #include "sim/replay/fingerprint.h"
-#include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/trajectory/physics_model.h"
 #include "sim/trajectory/state_hash.h"
 #include "tools/app/report/report_page.h"
+#include "tools/app/sweep/member_result.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/sweep_reader.h"
 #include "tools/report/wasm/scenario_record.h"
