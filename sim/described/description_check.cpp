@@ -193,9 +193,9 @@ class DescriptionCheck {
           was_held = is_held;
         }
       const std::string name = name_of(kLists[list], place);
-      return "the setter of " + (changed_by.empty() || changed_by == name
-                                     ? name + " does not give back what its getter gave"
-                                     : changed_by + " changes " + name + ", which is set before it,");
+      if (changed_by.empty() || changed_by == name)
+        return "the setter of " + name + " does not give back what its getter gave";
+      return "the setter of " + changed_by.append(" changes ").append(name) + ", which is set before it,";
     }
     return {};
   }
