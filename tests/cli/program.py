@@ -17,6 +17,7 @@ import unittest
 
 from process import Process, preloading, run, run_measured, skip_for_lack_of
 
+BEFORE = dict(os.environ)  # With the user's cache, where tools/windows keeps the libraries that it built.
 # `check` records there what did not agree: of tests, not in the user's own.
 CACHE = tempfile.TemporaryDirectory(prefix="hyrax-test-cache-")
 os.environ["XDG_CACHE_HOME"] = CACHE.name

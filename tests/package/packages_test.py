@@ -13,12 +13,12 @@ import unittest
 import zipfile
 
 from process import run, skip_without, succeed
-from program import AGREED, DISAGREED, GOLDEN_MISSING, SOURCE
+from program import AGREED, BEFORE, DISAGREED, GOLDEN_MISSING, SOURCE
 
 EPOCH = 1_700_000_000
 BUILD_S_MAX = 1800
 CHECK_S_MAX = 20
-ENVIRONMENT = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "CCACHE_DISABLE": "1"}
+ENVIRONMENT = {**BEFORE, "SOURCE_DATE_EPOCH": str(EPOCH), "CCACHE_DISABLE": "1"}
 DEB, ZIP = "*.deb", "*.zip"
 
 

@@ -4,7 +4,7 @@ import shutil
 
 from hyrax_program import HyraxTest
 from process import run, succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, fling
+from program import AGREED, BAD_INPUT, BEFORE, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, fling
 
 BUILD_S_MAX = 3600
 FIRST = "scenarios/flings/first-fling.json"
@@ -24,7 +24,7 @@ class SimExe(HyraxTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.exe = succeed(SOURCE / "tools/windows", "--yes", "hyrax-sim", timeout=BUILD_S_MAX).out.split()[-1]
+        cls.exe = succeed(SOURCE / "tools/windows", "--yes", "hyrax-sim", env=BEFORE, timeout=BUILD_S_MAX).out.split()[-1]
 
     def setUp(self):
         super().setUp()
