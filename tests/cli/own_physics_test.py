@@ -131,7 +131,7 @@ class OwnPhysics(InstalledPackage):
         assert cls.configure(cls.example).exit_code == 0
         succeed("cmake", "--build", cls.example / "build")
         print(f"configured and built in {time.monotonic() - start:.1f} s")
-        cls.program = shutil.copy(cls.example / "build/elastic_box-sim", cls.root)
+        cls.program, cls.game = (shutil.copy(cls.example / f"build/{name}", cls.root) for name in ("elastic_box-sim", "game"))
 
     def setUp(self):
         super().setUp()
@@ -142,7 +142,7 @@ class OwnPhysics(InstalledPackage):
         program.PROGRAM = HYRAX_SIM
 
     def test_the_project_is_red_until_blessed_then_green_then_red_for_another_constant(self):
-        project = self.example  # The other tests use a copy of its program.
+        project = self.example  # The other tests use copies of its programs.
         names = ("elastic_box.billiard", "elastic_box.long/many-bounces")
         unreferenced = {"elastic_box.unreferenced_golden": True}
         self.assertEqual(self.ctest(project, CTEST_FAILED), dict.fromkeys(names, False) | unreferenced)
@@ -245,7 +245,7 @@ class OwnPhysics(InstalledPackage):
             self.assertRegex(file["provenance"].attrs["flags"], "-Werror.* -ffp-contract=off")
 
     def test_what_a_program_records_replays(self):
-        document = self.expect_recording_replays(self.example / "build/game")
+        document = self.expect_recording_replays(self.game)
         self.assertEqual([next(key for key in event if key != "step") for event in document["events"]],
                          ["fling", "grab", "place", "fling", *["place"] * 9, "release", "resize"])
         # With another core it has another hash.

@@ -7,7 +7,7 @@
 
 int main() {
   using namespace std::chrono;
-  physics box(100, 100, 900, -700);
+  physics box(100, 100, 900, -7000);  // It meets the top, however short its frames are.
   hyrax::PhysicsRecorder recorder("my-fling.json", box, {640, 480}, {64, 64});
   int width = 640;
   auto last = steady_clock::now();
