@@ -287,19 +287,26 @@ std::optional<Core> playable_step(const TracedStep& step, const Core& program) {
   return core;
 }
 
-std::optional<Core> accepted_step(const std::string& golden_folder, const Core& program) try {
-  const std::optional<AcceptedCore> accepted = read_accepted_core(golden_folder);
+std::optional<AcceptedCore> undamaged_core(const std::string& golden_folder) try {
+  return read_accepted_core(golden_folder);
+} catch (const Failure&) {
+  return std::nullopt;
+}
+
+std::optional<Core> accepted_step(const std::string& golden_folder, const Core& program) {
+  const std::optional<AcceptedCore> accepted = undamaged_core(golden_folder);
   const std::optional<TracedStep> step = accepted ? read_step(accepted->step) : std::nullopt;
   return step ? playable_step(*step, program) : std::nullopt;
-} catch (const Failure&) {
-  return std::nullopt;  // `check` reports it.
 }
 
 void write_accepted_core(const std::string& golden_folder, const AcceptedCore& core) {
   const CoreFiles files = files_in(golden_folder, core.header_name);
+  const std::optional<AcceptedCore> before = undamaged_core(golden_folder);
   std::error_code error;
   fs::create_directories(accepted_core_folder(golden_folder), error);
   write_text_file(files.header, core.header);
+  if (before && before->header_name != core.header_name)
+    fs::remove(files_in(golden_folder, before->header_name).header, error);
   fs::remove_all(accepted_core_folder(golden_folder) + "/files", error);
   for (const AcceptedFile& file : core.files) {
     if (!file.is_of_project) continue;

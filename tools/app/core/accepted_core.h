@@ -141,6 +141,8 @@ struct CoreFinding {
 
 /// Plays the step, with parameters by the names of the program's core; nothing if it cannot be played.
 [[nodiscard]] std::optional<Core> playable_step(const TracedStep& step, const Core& program);
+/// The accepted core; nothing, too, where it is damaged: `check` reports that, and `bless` replaces it.
+[[nodiscard]] std::optional<AcceptedCore> undamaged_core(const std::string& golden_folder);
 /// Plays the accepted step; nothing if there is none that can be played.
 [[nodiscard]] std::optional<Core> accepted_step(const std::string& golden_folder, const Core& program);
 

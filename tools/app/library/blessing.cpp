@@ -167,13 +167,6 @@ void require_unchanged(const std::vector<Blessing>& blessings) {
   }
 }
 
-// A damaged one is replaced.
-std::optional<AcceptedCore> accepted_before(const std::string& golden_folder) try {
-  return read_accepted_core(golden_folder);
-} catch (const Failure&) {
-  return std::nullopt;
-}
-
 std::string canonical_path(const std::string& path) {
   std::error_code unknown;
   return fs::weakly_canonical(path, unknown).string();
@@ -216,7 +209,7 @@ std::optional<CoreAcceptance> plan_core(const Blesser& blesser, const Library& l
                                         const BlessingsByPath& blessed, const BlessRequest& request) {
   CoreAcceptance acceptance{.golden_folder = library.golden_folder, .core = blesser.program_core()};
   AcceptedCore& accepted = acceptance.core;
-  const std::optional<AcceptedCore> before = accepted_before(library.golden_folder);
+  const std::optional<AcceptedCore> before = undamaged_core(library.golden_folder);
   if (before && before->header == accepted.header && before->files == accepted.files &&
       before->step == accepted.step && before->description == accepted.description &&
       before->model == accepted.model)

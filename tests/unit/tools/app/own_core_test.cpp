@@ -2,6 +2,7 @@
 // a list is full.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <regex>
 
 #include "sim/cause/watched_core.h"
@@ -286,6 +287,17 @@ TEST(OwnCore, IsAcceptedWithTheFilesThatItsHeaderIncludes) {
             std::string::npos);
   write_bytes(folder.at("core/files/src/deep/pull.h"), "");
   EXPECT_NE(verdict().why.find("files/src/deep/pull.h: does not have the checksum"), std::string::npos);
+}
+
+TEST(AcceptedCore, KeepsOneHeaderWhateverItsNameIs) {
+  const TempFolder folder;
+  AcceptedCore core = program_core(own_core(true));
+  for (const char* const name : {"toy_core.h", "toy2_core.h"}) {
+    core.header_name = name;
+    write_accepted_core(folder.at(""), core);
+    EXPECT_EQ(bytes_of(folder.at(std::string("core/") + name)), core.header);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.at("core/toy_core.h")));
 }
 
 // A file that the accepted core does not list may be as it was.
