@@ -54,6 +54,7 @@ add_custom_command(
   COMMENT "hyrax::recorder"
   VERBATIM)
 add_custom_target(hyrax_recorder_object ALL DEPENDS ${hyrax_recorder_object_file})
+add_dependencies(hyrax_recorder_object hyrax_program hyrax_recorder hyrax_core_recorder) # As above, of which it takes what it needs.
 install(FILES ${hyrax_program_object} ${hyrax_recorder_object_file} $<TARGET_FILE:hyrax_trace_host> DESTINATION ${CMAKE_INSTALL_LIBDIR}/hyrax)
 # As the package that is installed, but of this build: for tools/check HEADER.
 export(EXPORT hyrax NAMESPACE hyrax:: FILE ${PROJECT_BINARY_DIR}/check_package/hyrax-targets.cmake)
