@@ -40,35 +40,32 @@ FuzzNote note_of(const DrawnAgain& again) {
   return note;
 }
 
-// A run whose properties hold at row 0, or else the scenario that it is drawn from.
-DescribedScenario draw(const DescribedCore& core, const std::vector<DescribedScenario>& library,
-                       const FuzzRequest& request, std::uint64_t run, DrawnAgain& again) {
-  for (std::uint64_t attempt = 0;; ++attempt) {
-    DescribedScenario scenario =
-        random_scenario(core.description, library, request.first_seed(), run, attempt);
-    if (attempt == kLastAttempt || request.allows("always") || core.description.properties.empty())
-      return scenario;
-    const std::string broken =
-        broken_at_start(broken_rules(core, scenario, [](std::string_view) { return false; }));
-    if (broken.empty()) return scenario;
-    const std::lock_guard lock(again.mutex);
-    ++again.counts[broken];
-  }
-}
-
-// The first rule that the run breaks and may not.
-std::optional<BrokenRule> broken_by(const DescribedCore& core, const DescribedScenario& scenario,
-                                    const FuzzRequest& request) {
-  const auto asks = [&](std::string_view rule) { return !request.allows(std::string(rule)); };
-  for (BrokenRule& broken : broken_rules(core, scenario, asks))
-    if (!request.allows(broken.rule)) return std::move(broken);
-  return {};
-}
-
 struct FuzzFailure {
   DescribedScenario scenario;
   BrokenRule broken;
 };
+
+// The first rule that the run breaks and may not. Its start is drawn again while a property does not hold at
+// row 0, at last as that of the scenario that it is drawn from.
+std::optional<FuzzFailure> failure_of(const DescribedCore& core,
+                                      const std::vector<DescribedScenario>& library,
+                                      const FuzzRequest& request, std::uint64_t run, DrawnAgain& again) {
+  const auto is_asked = [&](std::string_view rule) { return !request.allows(std::string(rule)); };
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    DescribedScenario scenario =
+        random_scenario(core.description, library, request.first_seed(), run, attempt);
+    std::vector<BrokenRule> rules = broken_rules(core, scenario, is_asked);
+    const std::string property =
+        attempt == kLastAttempt || request.allows("always") ? "" : broken_at_start(rules);
+    if (property.empty()) {
+      const auto first = std::ranges::find_if(rules, is_asked, &BrokenRule::rule);
+      if (first == rules.end()) return std::nullopt;
+      return FuzzFailure{std::move(scenario), std::move(*first)};
+    }
+    const std::lock_guard lock(again.mutex);
+    ++again.counts[property];
+  }
+}
 
 FuzzFinding find(const DescribedCore& core, const FuzzRequest& request, std::uint64_t run,
                  const FuzzFailure& failure) {
@@ -92,13 +89,7 @@ ExitCode fuzz_described(const DescribedCore& core, const FuzzRequest& request) {
   const std::vector<DescribedScenario> library = library_or_defaults(core.description);
   DrawnAgain again;
   return fuzz<FuzzFailure>(
-      request, "rule",
-      [&](std::uint64_t run) -> std::optional<FuzzFailure> {
-        DescribedScenario scenario = draw(core, library, request, run, again);
-        std::optional<BrokenRule> broken = broken_by(core, scenario, request);
-        if (!broken) return std::nullopt;
-        return FuzzFailure{std::move(scenario), *std::move(broken)};
-      },
+      request, "rule", [&](std::uint64_t run) { return failure_of(core, library, request, run, again); },
       [&](std::uint64_t run, const FuzzFailure& failure) { return find(core, request, run, failure); },
       [&] { return note_of(again); });
 }
