@@ -144,7 +144,6 @@ Json::Object comparison_json(const DescribedComparison& comparison) {
 
 FileRun::FileRun(const DescribedCore& core, const std::string& path)
     : file_(DescribedFile::open(path, core.description.core)),
-      has_rows_(file_.blocks().empty()),
       picture_(file_.head().description, file_.head().scenario) {
   summary_.steps = file_.head().steps;
   summary_.contacts.resize(file_.head().description.contacts.size());

@@ -44,18 +44,16 @@ class FileRun final : public DescribedSink {
   [[nodiscard]] const DescribedFile& file() const { return file_; }
   [[nodiscard]] const DescribedSummary& summary() const { return summary_; }
   [[nodiscard]] const DescribedPicture& picture() const { return picture_; }
-  [[nodiscard]] bool has_rows() const { return has_rows_; }
 
  private:
   DescribedFile file_;
-  bool has_rows_;
   DescribedPicture picture_;
   DescribedSummary summary_ = {};
 };
 
 /// To be drawn behind another; null of none, and of a golden file that does not hold every row.
 [[nodiscard]] inline const DescribedPicture* picture_of(const std::unique_ptr<FileRun>& golden) {
-  return golden && golden->has_rows() ? &golden->picture() : nullptr;
+  return golden && golden->file().holds_every_row() ? &golden->picture() : nullptr;
 }
 
 /// Its picture, rows, contacts and end. @param found what the picture says of it. @param golden behind it;
