@@ -174,6 +174,19 @@ class OwnCoresFiles(InstalledPackage):
         self.assertEqual(set(document["results"][0]["max"]), {"px", "px/s", ""})
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "heavier", says="--accept contacts")
 
+    def test_rows_that_a_golden_file_does_not_hold_are_played_by_the_accepted_step(self):
+        short = scenario(1900)
+        for length, name in ((1900, "short"), (3000, "long")):
+            self.write(f"scenarios/{name}.json", {**short, "steps": length})
+        self.expect(AGREED, "bless", "scenarios", "--reason", "first")
+        for program_of in ("included", "longer"):  # Another constant; a further value.
+            self.use(program_of)
+            results = {result["scenario"]: result for result in self.check(DISAGREED)["results"]}
+            of_short, of_long = results["scenarios/short.json"], results["scenarios/long.json"]
+            for key in ("first_divergence", "class"):
+                self.assertEqual(of_long[key], of_short[key])
+            self.assertEqual(of_long["max_px"], of_short["max_px"], "the ball is at rest when the short run ends")
+
     def test_a_constant_of_an_included_file_is_named(self):
         self.expect(AGREED, "bless", "scenarios", "--reason", "first")
         self.use("included")

@@ -7,7 +7,10 @@
 #include <span>
 #include <utility>
 
+#include "sim/described/described_step.h"
+#include "sim/trace/step_text.h"
 #include "sim/trajectory/stored_run.h"
+#include "tools/app/core/accepted_core.h"
 #include "tools/described/run_text.h"
 #include "tools/described/scenario_json.h"
 #include "tools/files/failure.h"
@@ -112,25 +115,56 @@ bool fits_in_memory(const DescribedCore& core, std::int64_t steps) {
   return steps < kComparedValuesMax / std::ssize(core.description.state.values);
 }
 
+// All rows of the run of a file by this core; nothing where it does not give them.
+std::optional<ComparedSide> replayed_side(const DescribedCore& core, const DescribedHead& head) {
+  const GoldenContents run = play_and_keep(core, head.scenario, true);
+  return run.state_hash() == head.state_hash ? std::optional(side_of(run, head.scenario)) : std::nullopt;
+}
+
+// The same by the step of the accepted core of the golden folder, if that is complete.
+std::optional<ComparedSide> side_by_accepted_step(const DescribedCore& core, const DescribedHead& head,
+                                                  const GoldenPlace& place) {
+  const std::optional<AcceptedCore> accepted = undamaged_core(place.folder);
+  std::optional<TracedStep> step = accepted ? read_step(accepted->step) : std::nullopt;
+  if (!step || accepted->model != kDescribedModel || !fits_in_memory(core, head.steps)) return std::nullopt;
+  const DescribedCore described{.description = parse_description(accepted->description, core.description.core,
+                                                                 accepted_core_folder(place.folder))};
+  if (!description_difference(head.description, described.description).empty()) return std::nullopt;
+  return replayed_side(interpreted(described, *std::move(step)), head);
+}
+
+// The golden file's run: the rows that it holds, or all of them, played again by this core or by the accepted
+// one's step. Nothing where neither gives them, or the scenario's run would be too large to compare.
+std::optional<ComparedSide> golden_side(const DescribedCore& core, const DescribedScenario& scenario,
+                                        const DescribedFile& file, const GoldenPlace& place) {
+  const DescribedHead& kept = file.head();
+  if (!fits_in_memory(core, step_count(scenario))) return std::nullopt;
+  if (file.holds_every_row())
+    return ComparedSide{file.rows(), jump_frames(kept.scenario, kept.steps), file.contacts()};
+  auto played = played_side(core, kept);
+  return played ? std::move(played) : side_by_accepted_step(core, kept, place);
+}
+
+// A run with all its rows.
+ComparedSide whole_side(const DescribedCore& core, const DescribedScenario& scenario,
+                        const GoldenContents& run) {
+  return side_of(run.rows.size() > 0 ? run : play_and_keep(core, scenario, true), scenario);
+}
+
 DescribedComparison compare_with_rows(const DescribedCore& core, const DescribedScenario& scenario,
-                                      const GoldenContents& run, const DescribedFile& file) {
+                                      const GoldenContents& run, const DescribedFile& file,
+                                      const GoldenPlace& place) {
   const DescribedHead& kept = file.head();
   const std::vector<DescribedBlock> blocks = file.blocks();
-  const bool are_all_kept = file.holds_every_row();
   const bool is_same_scenario = plays_the_same(kept.scenario, scenario);
-  const std::vector<DescribedContact> contacts = file.contacts();
   DescribedComparison result;
-  if (are_all_kept && run.rows.size() > 0)
-    result = compare_runs(core.description, {file.rows(), jump_frames(kept.scenario, kept.steps), contacts},
-                          side_of(run, scenario));
-  else if (const auto played = is_same_scenario ? std::nullopt : played_side(core, kept);
-           played && fits_in_memory(core, step_count(scenario)))
-    result = compare_runs(core.description, *played, side_of(play_and_keep(core, scenario, true), scenario));
+  if (const auto golden = golden_side(core, scenario, file, place))
+    result = compare_runs(core.description, *golden, whole_side(core, scenario, run));
   else if (!blocks.empty() && !run.blocks.empty())
     result = compare_blocks(core.description, blocks, run.blocks);
   else
     result.distance.has_unknown_rows = true;
-  if (result.distance.has_unknown_rows) result.contacts = contact_counts(contacts, run.contacts);
+  if (result.distance.has_unknown_rows) result.contacts = contact_counts(file.contacts(), run.contacts);
   if (!is_same_scenario)
     result.shape = "the scenario changed since it was blessed: " +
                    scenario_changes(core.description, kept.scenario, scenario);
@@ -144,18 +178,17 @@ DescribedComparison compare_with_rows(const DescribedCore& core, const Described
 
 // Of a golden file of another description: what both have.
 DescribedComparison compare_with_other_shape(const DescribedCore& core, const DescribedScenario& scenario,
-                                             const GoldenContents& run, const DescribedFile& file) {
+                                             const GoldenContents& run, const DescribedFile& file,
+                                             const GoldenPlace& place) {
   const DescribedHead& kept = file.head();
-  const bool are_known = file.holds_every_row() && fits_in_memory(core, step_count(scenario));
   const auto unknown = batches_of(DescribedRows());
-  ComparedSide before{are_known ? file.rows() : unknown, jump_frames(kept.scenario, kept.steps),
-                      file.contacts()};
-  ComparedSide after = are_known && run.rows.size() == 0
-                           ? side_of(play_and_keep(core, scenario, true), scenario)
-                           : side_of(run, scenario);
-  if (!are_known) after.rows = unknown;
+  const auto golden = golden_side(core, scenario, file, place);
+  const ComparedSide before =
+      golden ? *golden : ComparedSide{unknown, jump_frames(kept.scenario, kept.steps), file.contacts()};
+  ComparedSide after = golden ? whole_side(core, scenario, run) : side_of(run, scenario);
+  if (!golden) after.rows = unknown;
   DescribedComparison result = compare_common(kept.description, before, core.description, after);
-  result.distance.has_unknown_rows = !are_known;
+  result.distance.has_unknown_rows = !golden;
   return result;
 }
 
@@ -217,8 +250,7 @@ std::optional<ComparedSide> played_side(const DescribedCore& core, const Describ
   if (!fits_in_memory(core, head.steps) ||
       !description_difference(head.description, core.description).empty())
     return std::nullopt;
-  const GoldenContents run = play_and_keep(core, head.scenario, true);
-  return run.state_hash() == head.state_hash ? std::optional(side_of(run, head.scenario)) : std::nullopt;
+  return replayed_side(core, head);
 }
 
 GoldenContents play_for_golden(const DescribedCore& core, const DescribedScenario& scenario,
@@ -248,11 +280,11 @@ GoldenComparison compare_with_golden(const DescribedCore& core, const DescribedS
   const DescribedHead& kept = file.head();
   const std::string difference = description_difference(kept.description, core.description);
   if (!difference.empty()) {
-    static_cast<DescribedComparison&>(result) = compare_with_other_shape(core, scenario, run, file);
+    static_cast<DescribedComparison&>(result) = compare_with_other_shape(core, scenario, run, file, place);
     result.shape = difference + ": bless --accept shape";
     result.difference = DifferenceClass::shape;
   } else {
-    static_cast<DescribedComparison&>(result) = compare_with_rows(core, scenario, run, file);
+    static_cast<DescribedComparison&>(result) = compare_with_rows(core, scenario, run, file, place);
     result.has_other_scenario = !plays_the_same(kept.scenario, scenario);
   }
   const std::string blessed_sum = summary_file_checksum(text).value_or("");
