@@ -234,7 +234,7 @@ Expectation judge_final(const ValueInfo& value, const std::array<Word, 2>& range
     verdict.measured = number;
   else
     verdict.measured = range_text(value, {measured, measured});
-  if (is_floating(value.type) || range[0] != range[1])
+  if (std::holds_alternative<double>(verdict.measured))
     verdict.range = {number_of(value.type, range[0]), number_of(value.type, range[1])};
   return verdict;
 }

@@ -210,7 +210,13 @@ TEST(DescribedExpectations, EachRuleHoldsAndIsBroken) {
   EXPECT_FALSE(of_gear.holds);
   EXPECT_EQ(of_gear.wanted, "neutral");
   EXPECT_EQ(std::get<std::string>(of_gear.measured), "drive");
+  EXPECT_FALSE(of_gear.range);
   EXPECT_TRUE(verdict({.final = {{4, range(Gear::drive, Gear::drive)}}}).holds);
+  const Expectation of_odometer = verdict({.final = {{5, range(std::int32_t{3}, std::int32_t{3})}}});
+  EXPECT_FALSE(of_odometer.holds);
+  EXPECT_EQ(of_odometer.wanted, "3");
+  ASSERT_TRUE(of_odometer.range) << "a count moves with `--update-expect`";
+  EXPECT_EQ(of_odometer.range->high, 3.0);
   EXPECT_TRUE(verdict({.contacts = {{0, {2.0, 2.0}}}}).holds);
   EXPECT_FALSE(verdict({.contacts = {{0, {0.0, 1.0}}}}).holds);
   EXPECT_FALSE(verdict({.at_rest_since_s = Interval{0.0, 9.0}}).holds);
