@@ -107,11 +107,12 @@ inline constexpr std::int64_t kCheckedRowsMax = 4096;
 /// has undeclared parts. Plays the scenario again: a second run, copies, and fresh cores that are set, in
 /// this order.
 /// @param rows_max of the rows that are held.
-/// @param played state hash of a run before, to which one of at most rows_max frames is held, too.
+/// @param played a run before, which it does not look behind; one of at most rows_max frames must have the
+/// same state hash, too.
 [[nodiscard]] std::optional<std::string> description_fault(const DescribedCore& core,
                                                            const DescribedScenario& scenario,
                                                            std::int64_t rows_max = kCheckedRowsMax,
-                                                           const std::optional<Digest>& played = {});
+                                                           const DescribedSummary* played = nullptr);
 
 /// How a run differs from one that is stopped and resumed: at a third, at two thirds and where the first
 /// event past row 0 is; as "stopped at row 20 and resumed, a.y_px differs at row 37". Nothing: not at all.

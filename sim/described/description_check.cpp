@@ -223,12 +223,14 @@ class DescriptionCheck {
 }  // namespace
 
 std::optional<std::string> description_fault(const DescribedCore& core, const DescribedScenario& scenario,
-                                             std::int64_t rows_max, const std::optional<Digest>& played) {
+                                             std::int64_t rows_max, const DescribedSummary* played) {
   const FrameScript script(core, scenario);
-  DescriptionCheck check(script, rows_max);
+  const std::int64_t rows = played != nullptr ? played->steps : script.steps;
+  DescriptionCheck check(script, std::min(rows, rows_max));
   std::optional<std::string> fault = check.second_run_fault();
   // What is kept from the first run on, both of those bodies have in common.
-  if (!fault && played && script.steps <= rows_max && play(core, scenario, {}).state_hash != *played)
+  if (!fault && played != nullptr && rows <= rows_max &&
+      play(core, scenario, {}).state_hash != played->state_hash)
     fault = "a second run is not the same: its state hash differs; has the core static state?";
   if (!fault) fault = check.companion_fault(true);
   if (!fault && core.description.undeclared.empty()) fault = check.companion_fault(false);

@@ -121,7 +121,7 @@ std::vector<BrokenRule> broken_rules(const DescribedCore& core, const DescribedS
         all.push_back(
             {"expect", expectation.rule + side_of(expectation), expectation_text(expectation), steps});
   if (asks("complete"))
-    if (const auto fault = description_fault(core, scenario, steps))
+    if (const auto fault = description_fault(core, scenario, run.steps))
       all.push_back({"complete", "", *fault, steps});
   if (asks("resumed"))
     if (const auto fault = resumed_fault(core, scenario)) all.push_back({"resumed", "", *fault, steps});

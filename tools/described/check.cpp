@@ -130,8 +130,7 @@ ExitCode check_core(const DescribedCore& core, const CheckRequest& request, cons
         agree = others_agree && run.broken.empty() &&
                 faults_of_run(core.description, run.contents.summary).empty() && place &&
                 has_golden_file(*place) && is_proved_to_agree(core, run.scenario, run.contents, *place);
-        const auto fault =
-            description_fault(core, run.scenario, kStepsMax + 1, run.contents.summary.state_hash);
+        const auto fault = description_fault(core, run.scenario, kStepsMax + 1, &run.contents.summary);
         if (!fault) return;
         results.add(ExitCode::disagreed);
         faults.push_back(Json::Object{{"scenario", path}, {"sentence", *fault}});

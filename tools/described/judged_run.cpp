@@ -71,7 +71,7 @@ void judge_run(const DescribedCore& core, DescribedRun& run, const JudgeOptions&
   run.state_hash = run.contents.state_hash();
   run.faults = faults_of_run(core.description, run.contents.summary);
   run.is_non_finite = run.contents.summary.early_end && run.contents.summary.early_end->is_non_finite;
-  if (auto fault = description_fault(core, scenario, kCheckedRowsMax, run.contents.summary.state_hash))
+  if (auto fault = description_fault(core, scenario, kCheckedRowsMax, &run.contents.summary))
     run.faults.push_back(*std::move(fault));
   run.judge(core.description);
   run.is_undecided = run.has_golden && !options.reads_golden &&

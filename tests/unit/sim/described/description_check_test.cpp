@@ -127,11 +127,37 @@ struct FirstRun {
 TEST(DescriptionCheck, FindsStaticStateThatOnlyTheFirstRunShows) {
   const DescribedCore core = core_for_test<FirstRun>();
   const DescribedScenario scenario = scenario_for_test(100);
-  const Digest first = play(core, scenario, {}).state_hash;
-  EXPECT_EQ(description_fault(core, scenario, kCheckedRowsMax, first),
+  const DescribedSummary first = play(core, scenario, {});
+  EXPECT_EQ(description_fault(core, scenario, kCheckedRowsMax, &first),
             "a second run is not the same: its state hash differs; has the core static state?");
-  const Digest second = play(core, scenario, {}).state_hash;
-  EXPECT_EQ(description_fault(core, scenario, kCheckedRowsMax, second), std::nullopt);
+  const DescribedSummary second = play(core, scenario, {});
+  EXPECT_EQ(description_fault(core, scenario, kCheckedRowsMax, &second), std::nullopt);
+}
+
+// Not finite in row 5; a parameter changes behind it.
+struct EndsEarly {
+  double x = 1.0;
+  double gravity = 1.0;
+  int row = 0;
+  void step(double /*dt_s*/) {
+    if (++row == 5) x /= 0.0;
+    if (row == 8) gravity += 1.0;
+  }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("row", row);
+  }
+  template <class See>
+  void parameters(See&& see) {
+    see("gravity", gravity);
+  }
+};
+TEST(DescriptionCheck, LooksAtNothingBehindTheEndOfTheRun) {
+  const DescribedCore core = core_for_test<EndsEarly>();
+  const DescribedSummary run = play(core, scenario_for_test(60), {});
+  ASSERT_TRUE(run.early_end);
+  EXPECT_EQ(description_fault(core, scenario_for_test(60), kCheckedRowsMax, &run), std::nullopt);
 }
 
 template <bool kIsPointer>
