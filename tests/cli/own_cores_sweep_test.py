@@ -213,7 +213,7 @@ class OwnCoresSweep(own_cores_test.OwnCoresProject):
 
     def test_a_member_that_ends_early_keeps_what_it_came_to(self):
         self.use("faulty")
-        self.write("sweep.json", sweep(scenario(60), {"/parameters/fault": {"grid": [6, 9, 4]}}, members=4))  # pointer, step_throws, property_throws, nan
+        self.write("sweep.json", sweep(scenario(60), {"/parameters/fault": {"grid": [0, 3, 4]}}, members=4))  # none, step_throws, property_throws, nan
         outcome = self.sweep("sweep.json", exit_code=DISAGREED)
         self.assertIn("sweep.json: 3 members ended early; member 1: row 32: out of fuel", outcome.err)
         self.assertEqual(self.sweep("sweep.json", "--json", exit_code=DISAGREED).json["ended_early"], 3)

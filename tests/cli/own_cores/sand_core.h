@@ -1,4 +1,4 @@
-// Particles in a vector: their number is the same in every row, until an action changes it.
+// Particles in a vector.
 #pragma once
 
 #include <vector>
@@ -30,13 +30,6 @@ struct hyrax_core {
       part("lies", g.lies);
     });
     see("seen", seen);
-  }
-  template <class See>
-  void actions(See&& see) {
-    see("spawn", [&] {
-      grains.push_back({40, 0, 0, false});
-      seen.push_back(false);
-    });
   }
   template <class See>
   void contacts(See&& see) const {

@@ -11,6 +11,15 @@
 
 namespace hyrax {
 
+/// A core whose state is one place; what is derived from it says how that moves.
+struct OnePlace {
+  double x = 0.0;
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+  }
+};
+
 template <class Core>
 DescribedCore core_for_test() {
   return described_core_of<Core>("tested", {});

@@ -45,15 +45,25 @@ struct Glider {
   }
 };
 
-std::vector<Plot> plots_of(std::int64_t steps, std::vector<DescribedEvent> events) {
-  const DescribedCore core = core_for_test<Glider>();
-  DescribedScenario scenario = scenario_for_test(steps);
-  scenario.inputs = {{0, word_of(400.0)}};
-  scenario.events = std::move(events);
+/// REQUIRES: the scenario outlives the picture.
+template <class Core>
+DescribedPicture drawn(const DescribedScenario& scenario) {
+  static const DescribedCore core = core_for_test<Core>();
   DescribedPicture picture(core.description, scenario);
   DescribedSink* const sink = &picture;
   static_cast<void>(play(core, scenario, {&sink, 1}));
-  return std::get<std::vector<Plot>>(picture.figure("").body);
+  return picture;
+}
+
+std::vector<Plot> plots_of(const DescribedPicture& picture, const DescribedPicture* golden = nullptr) {
+  return std::get<std::vector<Plot>>(picture.figure("", golden).body);
+}
+
+std::vector<Plot> plots_of_glider(std::int64_t steps, std::vector<DescribedEvent> events) {
+  DescribedScenario scenario = scenario_for_test(steps);
+  scenario.inputs = {{0, word_of(400.0)}};
+  scenario.events = std::move(events);
+  return plots_of(drawn<Glider>(scenario));
 }
 
 TEST(DescribedPicture, OfRowsThatAFileHasOfMoreSaysHowManyAndMarksEventsAtTheNext) {
@@ -80,8 +90,8 @@ TEST(DescribedPicture, OfRowsThatAFileHasOfMoreSaysHowManyAndMarksEventsAtTheNex
 }
 
 TEST(DescribedPicture, HasAPathInItsFrameValuesByUnitAndMarks) {
-  const std::vector<Plot> plots =
-      plots_of(60, {event_for_test(45, Act{0, {}}), event_for_test(50, SetValues{{}, {{1, word_of(6.0)}}})});
+  const std::vector<Plot> plots = plots_of_glider(
+      60, {event_for_test(45, Act{0, {}}), event_for_test(50, SetValues{{}, {{1, word_of(6.0)}}})});
   ASSERT_EQ(plots.size(), 3u);  // The path, values without a unit, speeds.
   const Plot& path = plots[0];
   ASSERT_EQ(path.series.size(), 3u);
@@ -120,12 +130,9 @@ struct Moody {
 };
 
 TEST(DescribedPicture, NamesValuesAtItsAxesAndInItsTable) {
-  const DescribedCore core = core_for_test<Moody>();
   const DescribedScenario scenario = scenario_for_test(6);
-  DescribedPicture picture(core.description, scenario);
-  DescribedSink* const sink = &picture;
-  static_cast<void>(play(core, scenario, {&sink, 1}));
-  const auto plots = std::get<std::vector<Plot>>(picture.figure("").body);
+  const DescribedPicture picture = drawn<Moody>(scenario);
+  const std::vector<Plot> plots = plots_of(picture);
   ASSERT_EQ(plots.size(), 4u);  // The path, laps, and a plot for each list of names.
   EXPECT_EQ(plots[1].y.label, "laps");
   EXPECT_TRUE(plots[1].y.ticks.empty());
@@ -138,27 +145,17 @@ TEST(DescribedPicture, NamesValuesAtItsAxesAndInItsTable) {
 }
 
 TEST(DescribedPicture, DrawsTheGoldenRunBehindIfItHasTheSameValues) {
-  const DescribedCore core = core_for_test<Moody>(), other = core_for_test<Glider>();
   const DescribedScenario scenario = scenario_for_test(6), longer = scenario_for_test(8);
-  DescribedPicture now(core.description, scenario), golden(core.description, longer),
-      of_other(other.description, longer);
-  const auto draw = [](const DescribedCore& played, const DescribedScenario& each,
-                       DescribedPicture& picture) {
-    DescribedSink* const sink = &picture;
-    static_cast<void>(play(played, each, {&sink, 1}));
-  };
-  draw(core, scenario, now);
-  draw(core, longer, golden);
-  draw(other, longer, of_other);
-  const Figure figure = now.figure("", &golden);
-  const auto plots = std::get<std::vector<Plot>>(figure.body);
+  const DescribedPicture now = drawn<Moody>(scenario), golden = drawn<Moody>(longer),
+                         of_other = drawn<Glider>(longer);
+  const std::vector<Plot> plots = plots_of(now, &golden);
   ASSERT_EQ(plots[0].series.size(), 2u);
   EXPECT_EQ(plots[0].series[0].name, "position, golden");
   EXPECT_EQ(plots[0].series[0].x.size(), 9u);
   EXPECT_EQ(plots[0].series[1].x.size(), 7u);
   EXPECT_EQ(plots[1].series[0].name, "laps, golden");
-  EXPECT_EQ(figure.legend.back().text, "golden file");
-  EXPECT_EQ(std::get<std::vector<Plot>>(now.figure("", &of_other).body)[0].series.size(), 1u);
+  EXPECT_EQ(now.figure("", &golden).legend.back().text, "golden file");
+  EXPECT_EQ(plots_of(now, &of_other)[0].series.size(), 1u);
   EXPECT_TRUE(now.figure("", &of_other).legend.empty());
 }
 
@@ -183,12 +180,8 @@ struct Marbles {
 };
 
 TEST(DescribedPicture, AContactIsDrawnOnThePathsThatItsNameHas) {
-  const DescribedCore core = core_for_test<Marbles>();
   const DescribedScenario scenario = scenario_for_test(6);
-  DescribedPicture picture(core.description, scenario);
-  DescribedSink* const sink = &picture;
-  static_cast<void>(play(core, scenario, {&sink, 1}));
-  const Plot path = std::get<std::vector<Plot>>(picture.figure("").body).front();
+  const Plot path = plots_of(drawn<Marbles>(scenario)).front();
   ASSERT_EQ(path.series.size(), 4u);  // Both paths, each with its contacts.
   EXPECT_EQ(path.series[1].x.size(), 3u) << "a_floor, a_b, and click, which names none";
   EXPECT_EQ(path.series[3].x, (std::vector{50.0, 50.0}));
@@ -207,12 +200,8 @@ struct Balls {
 };
 template <std::size_t kBalls>
 std::size_t remarks() {
-  const DescribedCore core = core_for_test<Balls<kBalls>>();
   const DescribedScenario scenario = scenario_for_test(1);
-  DescribedPicture picture(core.description, scenario);
-  DescribedSink* const sink = &picture;
-  static_cast<void>(play(core, scenario, {&sink, 1}));
-  return picture.figure("").remarks.size();
+  return drawn<Balls<kBalls>>(scenario).figure("").remarks.size();
 }
 
 TEST(DescribedPicture, SaysOnceThatNotAllValuesAreDrawn) {
@@ -221,7 +210,7 @@ TEST(DescribedPicture, SaysOnceThatNotAllValuesAreDrawn) {
 }
 
 TEST(DescribedPicture, OfALongRunHasRowsAtEvenDistances) {
-  const std::vector<Plot> plots = plots_of(30'000, {});
+  const std::vector<Plot> plots = plots_of_glider(30'000, {});
   const std::vector<double>& t_s = plots[1].series[0].x;
   EXPECT_LE(t_s.size(), DescribedPicture::kPointsMax);
   EXPECT_GT(t_s.size(), DescribedPicture::kPointsMax / 3);

@@ -241,16 +241,11 @@ TEST(DescribedRun, TheStateHashIsThatOfRowsPackedByHand) {
   EXPECT_EQ(rows.blocks[1].keyframe.timeline.time_s(), rows.rows[4096].t_s);
 }
 
-struct Thrower {
-  double x = 0.0;
+struct Thrower : OnePlace {
   int rows_left = 3;
   void step(double /*dt_s*/) {
     x += 1.0;
     if (x == 5.0) throw std::runtime_error("out of fuel");
-  }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
   }
   template <class See>
   void properties(See&& see) const {
@@ -301,9 +296,10 @@ TEST(DescribedRun, ARowThatIsNotFiniteEndsTheRunWhateverItsStepsDoBehindIt) {
   EXPECT_EQ(rows.rows.size(), 101U);
 }
 
+template <std::size_t kElements>
 struct Changeable {
   std::vector<double> xs{1.0, 2.0};
-  void step(double /*dt_s*/) { xs.pop_back(); }
+  void step(double /*dt_s*/) { xs.resize(kElements); }
   template <class See>
   void state(See&& see) {
     see("xs_px", xs);
@@ -311,10 +307,14 @@ struct Changeable {
 };
 TEST(DescribedRun, ARangeWhoseLengthChangesEndsIt) {
   RowsForTest rows;
-  const DescribedSummary summary = play_for_test(core_for_test<Changeable>(), scenario_for_test(3), rows);
-  ASSERT_TRUE(summary.early_end);
-  EXPECT_EQ(summary.early_end->step, 1);
-  EXPECT_EQ(summary.early_end->what, "xs_px: has 1 elements, not the 2 of its description");
+  for (const auto& [core, elements] :
+       {std::pair(core_for_test<Changeable<1>>(), std::string("1")), {core_for_test<Changeable<3>>(), "3"}}) {
+    const DescribedSummary summary = play_for_test(core, scenario_for_test(3), rows);
+    ASSERT_TRUE(summary.early_end);
+    EXPECT_EQ(summary.early_end->step, 1);
+    EXPECT_EQ(summary.early_end->what, "xs_px: has " + elements + " elements, not the 2 of its description");
+  }
+  EXPECT_EQ(rows.rows.size(), 2U);  // Row 0 of each.
 }
 
 // Moves for a second, then stands.

@@ -113,15 +113,10 @@ TEST(DescriptionCheck, FindsStaticState) {
 }
 
 // Only the first run of a program is another.
-struct FirstRun {
-  double x = 0.0;
+struct FirstRun : OnePlace {
   void step(double dt_s) {
     static int calls = 0;
     x += ++calls <= 100 ? dt_s : 2.0 * dt_s;
-  }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
   }
 };
 TEST(DescriptionCheck, FindsStaticStateThatOnlyTheFirstRunShows) {
@@ -243,16 +238,11 @@ TEST(DescriptionCheck, FindsAListWhoseNamesChange) {
 }
 
 template <bool kChanges>
-struct Drifting {
-  double x = 0.0;
+struct Drifting : OnePlace {
   double gravity = 1.0;
   void step(double dt_s) {
     x += gravity * dt_s;
     if (kChanges && x > 0.05) gravity += 1.0;
-  }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
   }
   template <class See>
   void parameters(See&& see) {
@@ -266,14 +256,9 @@ TEST(DescriptionCheck, FindsAParameterThatChanges) {
 }
 
 // A contact is in the row's bits.
-struct HiddenContact {
-  double x = 0.0;
+struct HiddenContact : OnePlace {
   int frame = 0;
   void step(double /*dt_s*/) { ++frame; }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
-  }
   template <class See>
   void contacts(See&& see) const {
     see("late", frame > 10);

@@ -195,27 +195,6 @@ TEST(See, ABodyIsReadSetCopiedAndActedOn) {
   EXPECT_EQ(rows.properties, (std::vector<std::uint8_t>{1, 1, 0, 1}));
 }
 
-struct GrowingCore {
-  std::vector<double> xs{0.0, 0.0, 0.0};
-  void step(double /*dt_s*/) { xs.push_back(1.0); }
-  template <class See>
-  void state(See&& see) {
-    see("xs_px", xs);
-  }
-};
-TEST(See, ARangeOfAnotherLengthIsNamedWithBothLengths) {
-  const DescribedCore core = core_for_test<GrowingCore>();
-  const std::unique_ptr<DescribedBody> body = core.make();
-  body->step(0.1);
-  std::vector<Word> words(3);
-  try {
-    body->read(SettableList::state, words);
-    FAIL();
-  } catch (const RangeLengthChanged& error) {
-    EXPECT_STREQ(error.what(), "xs_px: has 4 elements, not the 3 of its description");
-  }
-}
-
 struct MembersWithoutInitializer {
   double x;
   int count;

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "sim/described/see.h"
+#include "tests/unit/sim/described/core_for_test.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/described/program.h"
 #include "tools/files/text_file.h"
@@ -100,13 +100,9 @@ struct Forgetful {  // Of what goes on it declares a part.
     see("angle_rad", angle);
   }
 };
-struct Explosive {
-  double x = 1.0;
+struct Explosive : OnePlace {
+  Explosive() { x = 1.0; }
   void step(double /*dt_s*/) { x *= 1e300; }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
-  }
 };
 struct Low {
   double y = 0.0;
@@ -120,14 +116,9 @@ struct Low {
     see.always("y stays below 2 px", y < 2.0);
   }
 };
-struct Fussy {
-  double y = 0.0;
-  void step(double dt_s) {
+struct Fussy : OnePlace {
+  static void step(double dt_s) {
     if (dt_s > 0.02) throw std::runtime_error("a frame is too long");
-  }
-  template <class See>
-  void state(See&& see) {
-    see("y_px", y);
   }
 };
 
@@ -206,15 +197,10 @@ TEST_F(DescribedProgram, FuzzDrawsStartsAgainThatAreNoneOfTheCores) {
       << broken.out;
 }
 
-struct Rounding {
-  double y = 0.0;
+struct Rounding : OnePlace {
   void step(double dt_s) {
-    y += dt_s;
-    if (y > 0.1) std::fesetround(FE_UPWARD);
-  }
-  template <class See>
-  void state(See&& see) {
-    see("y_px", y);
+    x += dt_s;
+    if (x > 0.1) std::fesetround(FE_UPWARD);
   }
 };
 
@@ -226,7 +212,7 @@ TEST_F(DescribedProgram, ACoreThatChangesHowTheProcessorRoundsIsExitCode5) {
             std::string::npos)
       << info.out;
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
-  write_text_file("sweep.json", R"({"format": "hyrax-sweep/1", "vary": {"/start/y_px": {"grid": [0, 1, 2]}},
+  write_text_file("sweep.json", R"({"format": "hyrax-sweep/1", "vary": {"/start/x_px": {"grid": [0, 1, 2]}},
       "base": {"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 9}})");
   const Outcome swept = run<Rounding>({"sweep", "sweep.json"});
   EXPECT_EQ(swept.exit_code, 5);
@@ -312,13 +298,9 @@ TEST_F(DescribedProgram, TheStudyOfHardCasesSaysWhichCasesBreakWhichRule) {
 }
 
 // Wind has no highest value; each frame's wind is within its limits.
-struct Windy {
-  double x = 0.0, wind = 1.0;
+struct Windy : OnePlace {
+  double wind = 1.0;
   void step(double dt) { x += wind * dt; }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
-  }
   template <class See>
   void inputs(See&& see) {
     see("wind", wind, {-4.0, std::numeric_limits<double>::infinity()});
@@ -391,13 +373,9 @@ TEST_F(DescribedProgram, ReportShowsTheNumbersOfASweepsMembers) {
   EXPECT_EQ(run<Low>({"report", "moods.h5", "-o", "a.html"}).exit_code, 2);
 }
 
-struct Uncapped {
-  double x = 0.0, cap = std::numeric_limits<double>::infinity();
+struct Uncapped : OnePlace {
+  double cap = std::numeric_limits<double>::infinity();
   void step(double dt_s) { x = std::min(x + dt_s, cap); }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
-  }
   template <class See>
   void inputs(See&& see) {
     see("cap_px", cap);
@@ -488,14 +466,9 @@ struct Misnamed {
     see("dt", y);
   }
 };
-struct Unmade {
+struct Unmade : OnePlace {
   Unmade() { throw std::runtime_error("no table"); }
   void step(double /*dt_s*/) {}
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
-  }
-  double x = 0.0;
 };
 
 TEST_F(DescribedProgram, ACoreThatCannotBeUsedRunsNoCommand) {
