@@ -7,6 +7,7 @@
 #include "sim/core/listing_core.h"
 #include "tests/unit/sim/replay/kept_run.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/result/described.h"
 
 namespace hyrax {
 namespace {
@@ -19,11 +20,12 @@ Core core_with_gravity(double gravity_px_per_s2) {
 
 // A program whose core may be another one than the accepted, which is the shipped one.
 struct Program {
-  [[nodiscard]] Cause cause_of(const StoredRun& golden, const StoredRun& fresh,
-                               const std::string& scenario_change = "", bool is_as_blessed = true) const {
-    return group_by_cause({{golden, fresh, scenario_change, is_as_blessed, names_accepted_core}}, base())
-        .at(0)
-        .cause;
+  [[nodiscard]] std::string cause_of(const StoredRun& golden, const StoredRun& fresh,
+                                     const std::string& scenario_change = "",
+                                     bool is_as_blessed = true) const {
+    const DifferingRun run{golden, fresh, scenario_change, is_as_blessed, names_accepted_core};
+    const Cause cause = group_by_cause({run}, base()).at(0).cause;
+    return "  " + std::string(name_of(cause.kind)) + ": " + cause.detail + "\n";
   }
   [[nodiscard]] CauseBase base() const {
     return {.program = core,
@@ -43,116 +45,98 @@ struct Program {
   bool calls_libm = false;
 };
 
-TEST(Cause, IsUnknownWhereTheCoreIsTheAcceptedOneOrThereIsNone) {
-  Program program;
-  program.is_same_core = true;
-  program.core = core_with_gravity(1250.0);
-  const Scenario scenario = fling_at(60.0, 300);
-  const StoredRun golden = kept_run(scenario), fresh = kept_run(scenario, program.core);
-  EXPECT_EQ(program.cause_of(golden, fresh),
-            (Cause{CauseKind::unknown,
-                   "the core is the accepted one, and its step gives the golden file, but this program does "
-                   "not: its compiler, flags or processor, or a fault of the program"}));
-  program.is_same_core = false;
-  program.has_accepted_core = false;
-  EXPECT_EQ(program.cause_of(golden, fresh), (Cause{CauseKind::unknown, "no accepted core"}));
-  program.has_accepted_core = true;
-  program.names_accepted_core = false;
-  EXPECT_EQ(program.cause_of(golden, fresh).detail, "blessed with another core than the accepted one");
-}
-
 // The golden file's program had another clock, or other inputs.
-TEST(Cause, IsTheClockWhereFrameTimesDiffer) {
-  const Program program;
+std::string causes_of_other_frame_times() {
+  std::string causes = "Other frame times; in the last, in a long run\n";
   for (const std::int64_t steps : {std::int64_t{300}, std::int64_t{12000}}) {
     const Scenario scenario = fling_at(60.0, steps);
-    Scenario slow = scenario;
-    slow.events = {{std::int64_t{0}, Hitch{1.0 / 59.0}}};
-    StoredRun golden = kept_run(slow);
+    StoredRun golden = kept_run(fling_at(60.0, steps, {{std::int64_t{0}, Hitch{1.0 / 59.0}}}));
     golden.scenario = scenario;
     golden.inputs.clear();
-    const std::string detail =
-        steps == 300
-            ? "the clock gives other frame times: dt of row 1 0.01694915254237288 -> 0.016666666666666666 s"
-            : "the clock counts time differently: t of row 4096 68.26694915254237 -> 68.26666666666667 s";
-    EXPECT_EQ(program.cause_of(golden, kept_run(scenario)), (Cause{CauseKind::clock, detail}));
-    if (steps != 300) continue;
-    golden = kept_run(fling_at(59.0, 300, {{std::int64_t{7}, Stop{}}}));
-    EXPECT_EQ(program.cause_of(golden, kept_run(scenario)),
-              (Cause{CauseKind::clock, detail + "; inputs differ: stop in frame 7 -> none"}));
+    causes += Program().cause_of(golden, kept_run(scenario));
   }
+  return causes + "Other frame times, and another input\n" +
+         Program().cause_of(kept_run(fling_at(59.0, 300, {{std::int64_t{7}, Stop{}}})),
+                            kept_run(fling_at(60.0, 300)));
 }
 
-TEST(Cause, IsAnInputThatDiffers) {
-  const Program program;
-  const auto cause_of = [&program](const Event& blessed, const Event& now, bool has_effect_alone) {
-    const Scenario scenario = fling_at(60.0, 300, {now});
-    StoredRun golden = kept_run(fling_at(60.0, 300, {blessed}));
+std::string causes_of_other_inputs() {
+  const auto cause_of = [](const std::vector<Event>& blessed, const std::vector<Event>& now,
+                           bool has_effect_alone = false) {
+    const Scenario scenario = fling_at(60.0, 300, now);
+    StoredRun golden = kept_run(fling_at(60.0, 300, blessed));
     golden.scenario = scenario;
     if (has_effect_alone) golden.inputs = inputs_of(scenario, 300);
-    return program.cause_of(golden, kept_run(scenario));
+    return Program().cause_of(golden, kept_run(scenario));
   };
-  const Event fling{std::int64_t{40}, Fling{{-1500.0, -900.0}}};
-  EXPECT_EQ(cause_of({std::int64_t{41}, fling.action}, fling, false),
-            (Cause{CauseKind::input, "inputs differ: fling in frame 41 -> fling in frame 40"}));
-  EXPECT_EQ(cause_of({std::int64_t{40}, Fling{{-1500.0, -901.0}}}, fling, false),
-            (Cause{CauseKind::input, "inputs differ: fling in frame 40: other values"}));
-  EXPECT_EQ(cause_of({std::int64_t{40}, Fling{{-1500.0, -901.0}}}, fling, true),
-            (Cause{CauseKind::input, "an input has another effect"}));
-  const StoredRun golden = kept_run(fling_at(60.0, 300)), fresh = kept_run(fling_at(60.0, 300, {fling}));
-  EXPECT_EQ(program.cause_of(golden, fresh).detail, "inputs differ: none -> fling in frame 40");
-  // The frame of a hitch has another length, whatever the clock gives.
-  EXPECT_EQ(cause_of({std::int64_t{40}, Hitch{0.2}}, {std::int64_t{40}, Hitch{0.1}}, false).kind,
-            CauseKind::input);
-  const StoredRun hitched = kept_run(fling_at(60.0, 300, {{std::int64_t{40}, Hitch{0.1}}}));
-  EXPECT_EQ(program.cause_of(hitched, golden),
-            (Cause{CauseKind::input, "inputs differ: hitch in frame 40 -> none"}));
-  EXPECT_EQ(program.cause_of(golden, hitched),
-            (Cause{CauseKind::input, "inputs differ: none -> hitch in frame 40"}));
+  const Fling fling{{-1500.0, -900.0}}, faster{{-1500.0, -901.0}};
+  const Event at_40{std::int64_t{40}, fling}, at_41{std::int64_t{41}, fling},
+      faster_at_40{std::int64_t{40}, faster}, hitch{std::int64_t{40}, Hitch{0.2}},
+      shorter{std::int64_t{40}, Hitch{0.1}};
+  return "A fling in another frame, of another velocity, one more\n" + cause_of({at_41}, {at_40}) +
+         cause_of({faster_at_40}, {at_40}) + cause_of({}, {at_40}) +
+         "The same fling, whose effect is another\n" + cause_of({faster_at_40}, {at_40}, true) +
+         "A hitch of another length, one less, one more\n" + cause_of({hitch}, {shorter}) +
+         cause_of({hitch}, {}) + cause_of({}, {hitch});
 }
 
-TEST(Cause, IsTheScenariosOwnText) {
+std::string causes_of_another_scenario() {
   Program program;
   const Scenario scenario = fling_at(60.0, 300);
   Scenario faster = scenario;
   faster.start_velocity.vx_px_per_s += 1.0;
+  const std::string change = "/start/vx_px_per_s 2400 -> 2401";
   const StoredRun golden = kept_run(scenario);
-  EXPECT_EQ(program.cause_of(golden, kept_run(faster), "/start/vx_px_per_s 2400 -> 2401"),
-            (Cause{CauseKind::scenario, "/start/vx_px_per_s 2400 -> 2401"}));
-  for (const std::int64_t steps : {299, 301}) {
-    Scenario other = scenario;
-    other.length = steps;
-    EXPECT_EQ(program.cause_of(golden, kept_run(other), "/steps 300 -> other").kind, CauseKind::scenario);
-  }
+  std::string causes = "Another start, another length\n" + program.cause_of(golden, kept_run(faster), change);
+  for (const std::int64_t steps : {299, 301})
+    causes += program.cause_of(golden, kept_run(fling_at(60.0, steps)), "/steps 300 -> other");
   program.core = core_with_gravity(1250.0);  // It changes the run by itself, whatever the core does.
-  EXPECT_EQ(program.cause_of(golden, kept_run(faster, program.core), "/start/vx_px_per_s 2400 -> 2401").kind,
-            CauseKind::scenario);
-  const StoredRun by_another = kept_run(scenario, core_with_gravity(1300.0));
+  causes += "Another start, and another core\n" +
+            program.cause_of(golden, kept_run(faster, program.core), change) +
+            "And neither core gave the golden file, which the accepted one is, and is not, said to have\n";
   for (const bool is_judged : {true, false}) {
     program.names_accepted_core = is_judged;
-    EXPECT_EQ(
-        program.cause_of(by_another, kept_run(faster), "/a 1 -> 2"),
-        (Cause{CauseKind::unknown, "the scenario changed since it was blessed: /a 1 -> 2; " +
-                                       std::string(is_judged ? "the accepted core" : "this program's core") +
-                                       " does not give the golden file either"}));
+    causes += program.cause_of(kept_run(scenario, core_with_gravity(1300.0)), kept_run(faster), change);
   }
+  return causes;
 }
 
-TEST(Cause, IsUnknownWhereTheAcceptedStepGivesOtherBits) {
-  const Scenario scenario = fling_at(60.0, 300);
-  const StoredRun fresh = kept_run(scenario), golden = kept_run(scenario, core_with_gravity(1300.0));
-  Program of_members, of_libm;
+std::string unknown_causes() {
+  Program same, unplayed, of_another, of_members, of_libm;
+  same.core = core_with_gravity(1250.0);
+  same.is_same_core = true;
+  unplayed.has_accepted_core = of_another.names_accepted_core = false;
   of_members.has_further_members = of_libm.calls_libm = true;
-  const Cause other_bits{CauseKind::unknown,
-                         "the accepted core gives other bits, too: the compiler, its flags, the processor, "
-                         "the C library, or a fault of the program"};
-  for (const Program& program : {of_members, of_libm}) EXPECT_EQ(program.cause_of(golden, fresh), other_bits);
-  const Scenario lasting = fling_at(60.0, 12'000);  // Kept as blocks.
-  EXPECT_EQ(Program().cause_of(kept_run(lasting, core_with_gravity(1300.0)), kept_run(lasting)), other_bits);
-  StoredRun of_contacts = fresh;
+  const Scenario scenario = fling_at(60.0, 300), lasting = fling_at(60.0, 12'000);  // Kept as blocks.
+  const StoredRun shipped = kept_run(scenario), by_1250 = kept_run(scenario, same.core),
+                  by_1300 = kept_run(scenario, core_with_gravity(1300.0));
+  StoredRun of_contacts = shipped;
   of_contacts.contacts[0].overshoot_px += 1.0;
-  EXPECT_EQ(Program().cause_of(of_contacts, fresh),
-            (Cause{CauseKind::unknown, "all rows agree, but what is measured of the contacts differs"}));
+  return "The core is the accepted one; there is no accepted one; it is not the blessed one\n" +
+         same.cause_of(shipped, by_1250) + unplayed.cause_of(shipped, by_1250) +
+         of_another.cause_of(shipped, by_1250) +
+         "The accepted step gives other bits: of a core with further members, with libm, in a long run\n" +
+         of_members.cause_of(by_1300, shipped) + of_libm.cause_of(by_1300, shipped) +
+         Program().cause_of(kept_run(lasting, core_with_gravity(1300.0)), kept_run(lasting)) +
+         "Other contacts alone\n" + Program().cause_of(of_contacts, shipped);
+}
+
+std::string causes_of_changed_golden_files() {
+  const Scenario scenario = fling_at(60.0, 300);
+  const StoredRun fresh = kept_run(scenario);
+  StoredRun golden = fresh, renamed = fresh;
+  golden.rows.x_px[200] += 1.0;
+  golden.state_hash.front() = golden.state_hash.front() == 'a' ? 'b' : 'a';
+  renamed.scenario.start_velocity.vx_px_per_s += 1.0;
+  return "A golden file that was changed: a row, then with checksums that agree; its scenario\n" +
+         Program().cause_of(golden, fresh, "", false) + Program().cause_of(golden, fresh) +
+         Program().cause_of(renamed, fresh, "/start/vx_px_per_s 2401 -> 2400", false);
+}
+
+TEST(Cause, OfRunsThatDifferIsTheOneApproved) {
+  expect_approved("tests/unit/sim/cause/causes.txt",
+                  causes_of_other_frame_times() + causes_of_other_inputs() + causes_of_another_scenario() +
+                      unknown_causes() + causes_of_changed_golden_files());
 }
 
 TEST(Causes, AreGroupedTheMostRunsFirstAndTheUnknownLast) {
@@ -171,22 +155,6 @@ TEST(Causes, AreGroupedTheMostRunsFirstAndTheUnknownLast) {
   EXPECT_EQ(groups[1].runs, std::vector<std::size_t>{3});
   EXPECT_EQ(groups[2].runs, (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(groups[2].cause.detail, kNotRepeated);
-}
-
-TEST(Cause, IsAGoldenFileThatWasChanged) {
-  Program program;
-  const Scenario scenario = fling_at(60.0, 300);
-  StoredRun golden = kept_run(scenario);
-  golden.rows.x_px[200] += 1.0;
-  golden.state_hash.front() = golden.state_hash.front() == 'a' ? 'b' : 'a';
-  const StoredRun fresh = kept_run(scenario);
-  const Cause changed{CauseKind::golden, "the golden file was changed since it was blessed"};
-  EXPECT_EQ(program.cause_of(golden, fresh, "", false), changed);
-  EXPECT_EQ(program.cause_of(golden, fresh),  // Its checksums were made to agree.
-            (Cause{CauseKind::golden, "the golden file's scenario and inputs do not give its rows"}));
-  StoredRun renamed = kept_run(scenario);
-  renamed.scenario.start_velocity.vx_px_per_s += 1.0;
-  EXPECT_EQ(program.cause_of(renamed, fresh, "/start/vx_px_per_s 2401 -> 2400", false), changed);
 }
 
 constexpr auto kRows = static_cast<std::int64_t>(kBlockRows);
