@@ -114,7 +114,8 @@ TEST(Script, OfALongScenarioIsItsFirstFramesWithTheirInputs) {
 }
 
 Result studied(const std::vector<std::string>& names, std::shared_ptr<const StepProgram> core_step = nullptr,
-               std::optional<double> within_px = {}, const CostMeter& measure_costs = metered<steady_ns>) {
+               std::optional<double> within_px = {}, const CostMeter& measure_costs = metered<steady_ns>,
+               bool is_short = true) {
   StudyRequest request{.core = shipped_core(),
                        .is_quick = true,
                        .within_px = within_px,
@@ -124,7 +125,7 @@ Result studied(const std::vector<std::string>& names, std::shared_ptr<const Step
   for (const std::string& name : names) {
     request.scenarios.push_back({name, scenario_named(name)});
     Scenario& scenario = request.scenarios.back().scenario;
-    scenario.length = std::int64_t{60};
+    if (is_short) scenario.length = std::int64_t{60};
     scenario.name += std::to_string(request.scenarios.size());
   }
   for (const Study& study : studies())
@@ -160,33 +161,6 @@ TEST(NeedsStudy, CountsThePathsOfTheStepThatManyScenariosTake) {
   EXPECT_EQ(last_of(studied({"flings/first-fling"})).find("paths"), std::string::npos) << "not recorded";
 }
 
-TEST(NeedsStudy, SaysThatAPathWhichMovesByTheToleranceIsWithinIt) {
-  const Verdict verdict = studied({"flings/first-fling"}, nullptr, 0.0).verdict;
-  EXPECT_EQ(verdict.answer,
-            "first-fling1 needs gravity and drag; without left wall, right wall, top, ground, friction, "
-            "restitution and rest rule it keeps its bits and a step takes 1666.67 of 1666.67 ns.");
-  const auto text = std::get<std::string>(verdict.text.back());
-  EXPECT_NE(text.find("of the exact motion: none of the methods gets that close."), text.npos) << text;
-}
-
-TEST(NeedsStudy, FindsTheRatesBetweenThoseThatAreTimed) {
-  const Scenario fling = scenario_named("flings/first-fling");
-  for (const auto& [within_px, says] :
-       {std::pair(25.0, "gets that close, but at none of the rates that are timed: 18.2 px at 55.65 Hz."),
-        {1.0, "does not get that close at any rate from 15 to 240 Hz: at best 18.2 px at 55.65 Hz."}}) {
-    StudyRequest request{.core = shipped_core(),
-                         .scenarios = {{"f.json", fling}},
-                         .is_quick = true,
-                         .within_px = within_px,
-                         .measure_costs = metered<steady_ns>};
-    for (const Study& study : studies())
-      if (study.name == "needs") {
-        const auto text = std::get<std::string>(study.run(request).verdict.text.back());
-        EXPECT_NE(text.find(says), text.npos) << text;
-      }
-  }
-}
-
 TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
   PartNeed none, noise, saving;
   none.saved_ns_per_step = median_of({-1.0, 0.0, 1.0});
@@ -198,38 +172,24 @@ TEST(NeedsStudy, PrintsASavingOnlyAboveItsNoise) {
   EXPECT_FALSE(PartNeed().saves()) << "not measured";
 }
 
-TEST(NeedsStudy, OnAnUnsteadyClockSaysThatTimesAreNotMeasured) {
-  const Verdict verdict = studied({"flings/first-fling"}, nullptr, {}, metered<unsteady_ns>).verdict;
-  const auto& text = std::get<std::string>(verdict.text.back());
-  EXPECT_NE(text.find("Times of steps: not measured: clock unsteady"), text.npos) << text;
-  EXPECT_NE(text.find("of the exact motion: not measured: clock unsteady"), text.npos) << text;
-  EXPECT_NE(text.find("; that near: velocity Verlet at 60 Hz, "), text.npos) << text;
-  EXPECT_EQ(verdict.answer.find(" ns"), verdict.answer.npos) << verdict.answer;
-  EXPECT_TRUE(verdict.broken.empty()) << "costs break no rule";
-}
-
-TEST(NeedsCoverage, SaysThatNoPartIsWithoutAScenario) {
-  ScenarioNeeds needs;
+TEST(NeedsStudy, SaysWhatIsApproved) {
+  const std::vector<std::string> fling = {"flings/first-fling"};
+  std::string text = "A path that moves by the tolerance is within it\n" +
+                     described(studied(fling, nullptr, 0.0).verdict) + "A clock that is not steady\n" +
+                     described(studied(fling, nullptr, {}, metered<unsteady_ns>).verdict);
+  for (const double within_px : {25.0, 1.0})
+    text += "The whole fling within " + six_digits(within_px) + " px\n" +
+            described(studied(fling, nullptr, within_px, metered<steady_ns>, false).verdict);
+  ScenarioNeeds of_all, of_three;
   for (const std::string& part : coverage_columns())
-    needs.parts.push_back({.part = part, .model_part = {}, .need = Need::needed_jointly});
-  const Verdict verdict = coverage_verdict({needs}, 1.0);
-  EXPECT_EQ(verdict.answer, "16 of 16 parts and inputs are exercised by some of 1 scenario.");
-  EXPECT_EQ(verdict.text.size(), 2u) << "none is named";
-  EXPECT_EQ(std::get<std::vector<std::int64_t>>(std::get<Table>(verdict.text[1]).columns[2].values),
-            std::vector<std::int64_t>(needs.parts.size(), 1))
-      << "needed by";
-}
-
-TEST(NeedsFigure, HasABarWithoutBoundAsLongAsTheLongestAndNoMarkOfToleranceZero) {
-  ScenarioNeeds needs;
-  needs.parts = {{"gravity", ModelPart::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed},
-                 {"ground", ModelPart::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed},
-                 {"drag", ModelPart::drag, {false, 2.0, 1.0, 1, 1}, Need::needed_jointly}};
-  const Plot plot = std::get<std::vector<Plot>>(needs_figure(needs, 0.0).body).front();
-  EXPECT_EQ(plot.series[0].x, (std::vector<double>{941.0, 941.0, 2.0}));
-  EXPECT_EQ(plot.texts[1].text, "without bound");
-  EXPECT_EQ(plot.texts[2].text, "2 px, 1 contact moved, needed with others left out");
-  EXPECT_TRUE(plot.marks.empty());
+    of_all.parts.push_back({.part = part, .model_part = {}, .need = Need::needed_jointly});
+  of_three.parts = {{"gravity", ModelPart::gravity, {false, 941.0, 105.0, 1, 11}, Need::needed},
+                    {"ground", ModelPart::ground, {false, HUGE_VAL, HUGE_VAL, 1, 0}, Need::needed},
+                    {"drag", ModelPart::drag, {false, 2.0, 1.0, 1, 1}, Need::needed_jointly}};
+  text += "Every part has a scenario\n" + described(coverage_verdict({of_all}, 1.0)) +
+          "A bar without bound, and no mark of a tolerance that is zero\n" +
+          described(needs_figure(of_three, 0.0));
+  expect_approved("tests/unit/sim/study/approved/needs-in-words.txt", text);
 }
 
 // The walls that the replay touches. Its rows must be those of the study's script.

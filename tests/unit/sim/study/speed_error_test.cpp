@@ -1,5 +1,5 @@
 // Orders, fronts, answers, and the rules that a study must keep, each with a study that breaks it; its
-// figures where something was not measured or is no error at all.
+// results where something was not measured or is no error at all.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -307,8 +307,6 @@ TEST(MethodBands, ClaimOnlyWhatTheIntervalAllows) {
   EXPECT_EQ(nearness_text({0, 0}), "not decided by 0 flings");
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
-
 // One flight, two methods at three rates each.
 SpeedError small_study() {
   SpeedError study;
@@ -330,49 +328,8 @@ SpeedError small_study() {
   return study;
 }
 
-std::vector<Plot> plots_of(const SpeedError& study, std::size_t problem = 0) {
-  return std::get<std::vector<Plot>>(speed_error_figure(study, problem, "some machine").body);
-}
-
-const Series& series_named(const Plot& plot, const std::string& name) {
-  return *std::find_if(plot.series.begin(), plot.series.end(),
-                       [&](const Series& series) { return series.name == name; });
-}
-
-TEST(SpeedErrorFigure, AFailureIsAGapInItsLine) {
-  SpeedError study = small_study();
-  study.points[1].errors.is_failed = true;
-  const std::vector<Plot> plots = plots_of(study);
-  EXPECT_TRUE(std::isnan(series_named(plots[0], "the paper's step").y[0]));
-  EXPECT_FALSE(std::isnan(series_named(plots[1], "the paper's step").y[0]));
-  EXPECT_TRUE(std::isnan(series_named(plots[1], "the paper's step").y[1]));
-}
-
-TEST(SpeedErrorFigure, ACostThatIsNotMeasuredIsAGapAndHasNoText) {
-  SpeedError study = small_study();
-  study.points[1].cost = {};
-  const Plot plot = plots_of(study)[0];
-  EXPECT_TRUE(std::isnan(series_named(plot, "the paper's step").x[0]));
-  for (const PointText& text : plot.texts) EXPECT_FALSE(std::isnan(text.x)) << text.text;
-  EXPECT_EQ(series_named(plot, "60 Hz").x.size(), 1u) << "of the other method";
-}
-
-TEST(SpeedErrorFigure, WithoutASteadyClockItHasNoCosts) {
-  SpeedError study = small_study();
-  EXPECT_EQ(speed_error_figure(study, 0, "m").legend.size(), 2u);
-  study.probe.drift_rel = 0.4;
-  const Figure figure = speed_error_figure(study, 0, "m");
-  EXPECT_FALSE(has(figure.subtitle, "median"));
-  EXPECT_EQ(figure.legend.size(), 1u) << "no Pareto front";
-  const std::vector<Plot> plots = plots_of(study);
-  EXPECT_TRUE(plots[0].series.empty());
-  EXPECT_EQ(plots[0].when_empty, "not measured: clock unsteady (drift 40 %, at most 25 %)");
-  EXPECT_EQ(plots[1].series.size(), 3u) << "two methods and the rings";
-}
-
 // Of steppers of three tolerances: one of which they change nothing, one that becomes too slow for anyone.
-TEST(SpeedErrorFigure, AFamilyIsOneNamedCurveAPointWhereItsToleranceDoesNothingAndEndsWhereNobodyUsesIt) {
-  SpeedError study = small_study();
+void add_families(SpeedError& study) {
   for (const auto& [family, error_px, cost_ns] : {std::tuple("GSL rk8", 1e-5, 500.0),
                                                   {"GSL rk8", 1.5e-5, 400.0},
                                                   {"GSL rk8", 1e-5, 600.0},
@@ -385,73 +342,42 @@ TEST(SpeedErrorFigure, AFamilyIsOneNamedCurveAPointWhereItsToleranceDoesNothingA
     point.errors.position_px = error_px;
     study.points.push_back(point);
   }
-  const Plot cost = plots_of(study)[0];
-  EXPECT_EQ(series_named(cost, "GSL rk8").x, std::vector<double>{400.0});
-  EXPECT_EQ(series_named(cost, "GSL slow").x, (std::vector<double>{1e4, 1e5}));
-  EXPECT_EQ(std::ranges::count(cost.series, "GSL slower", &Series::name), 0);
-  std::string names;
-  for (const PointText& text : cost.texts) names += text.text + ", ";
-  for (const char* const name : {"the paper's step, ", "velocity Verlet, ", "rk8, ", "slow, "})
-    EXPECT_TRUE(has(names, name)) << names;
-  EXPECT_FALSE(has(names, "slower"));
-  EXPECT_EQ(speed_error_figure(study, 0, "m").remarks.back(),
-            "Not drawn: what costs more than 1,000 times the paper's step at 60 Hz, up to 1,000 ms: of slow, "
-            "slower.");
-  EXPECT_EQ(speed_error_figure(small_study(), 0, "m").remarks.size() + 1,
-            speed_error_figure(study, 0, "m").remarks.size());
 }
 
-TEST(SpeedErrorFigure, ZeroHasALineOfItsOwnBelowTheLeastError) {
-  SpeedError study = small_study();
-  const auto has_text = [&](const std::string& text) {
-    return std::ranges::any_of(plots_of(study)[0].texts,
-                               [&](const PointText& each) { return each.text == text; });
+// A failure or a cost that is not measured is a gap; a family is one named curve, a point where its tolerance
+// does nothing, and ends where nobody uses it; 0 has a line of its own.
+TEST(SpeedErrorResult, OfPartsOfAStudyIsTheOneApproved) {
+  std::string text;
+  const auto add = [&text](const std::string& what, const auto& alter) {
+    SpeedError study = small_study();
+    study.cheapest = {{.problem = 0, .error_px = 1e-9}};
+    alter(study);
+    Verdict verdict = speed_error_verdict(study, "some machine", false);
+    verdict.broken.clear();  // Of invented numbers.
+    text += what + "\n" + described(speed_error_figure(study, 0, "some machine")) + described(verdict) +
+            described(speed_error_tables(study, "some machine").front());
   };
-  EXPECT_FALSE(has_text("no error at all"));
-  study.points[4].errors.position_px = 0.0;
-  study.points[5].errors.position_px = 2e-15;
-  const std::vector<Plot> plots = plots_of(study);
-  for (const Plot& plot : plots) EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-17);
-  EXPECT_TRUE(has_text("no error at all"));
-}
-
-TEST(SpeedErrorVerdict, SaysWhatWasNotMeasuredAndWhatNoMethodReaches) {
-  SpeedError study = small_study();
-  study.cheapest = {{.problem = 0, .error_px = 1e-9}};
-  const std::string steady = described(speed_error_verdict(study, "some machine", false));
-  EXPECT_TRUE(has(steady, "Speed against error on some machine; its clock was steady to 0.0 %."));
-  EXPECT_TRUE(has(steady, "'no method at any rate'")) << steady;
-  EXPECT_TRUE(has(steady, "'at no rate'"));
-  EXPECT_TRUE(has(steady, "cost_at_60_Hz,_ns/s: : 2: '600 (540 .. 720)' x2"));
-  EXPECT_TRUE(has(steady, "set-up,_ns: : 2: '-' x2"));
-  study.comparisons = 1'300;
-  study.ranked_pairs = 1'287;
-  study.points[3].cost = {};
-  study.cheapest[0].as_cheap = {3};
-  const std::string partly = described(speed_error_verdict(study, "some machine", false));
-  EXPECT_TRUE(
-      has(partly,
-          "Costs: 20 processes of 5 rounds (order seed 1); of 1,300 pairs 99.0 % are ranked, each the "
-          "same in all. Of 1 point they are not measured: clock unsteady."))
-      << partly;
-  EXPECT_TRUE(has(partly, "the_cheapest_is: : 1: 'not measured: clock unsteady'")) << partly;
-  study.probe.drift_rel = 0.4;
-  for (WorkPoint& point : study.points) point.cost = {};
-  const std::string unsteady = described(speed_error_verdict(study, "some machine", false));
-  EXPECT_TRUE(has(unsteady,
-                  "Speed against error on some machine; costs are not measured: clock unsteady "
-                  "(drift 40 %, at most 25 %)."));
-  EXPECT_TRUE(has(unsteady, "cost_at_60_Hz,_ns/s: : 2: '-' x2"));
-  EXPECT_FALSE(has(unsteady, "cheapest"));
-}
-
-TEST(SpeedErrorTables, HaveNoErrorsWhereAMethodFailed) {
-  SpeedError study = small_study();
-  study.points[1].errors.is_failed = true;
-  const std::string points = described(speed_error_tables(study, "some machine").front());
-  EXPECT_TRUE(has(points, "failed, 1: 1: the method gave up: 6: 0 1 0 0 0 0\n"));
-  EXPECT_TRUE(
-      has(points, "position_error, px: largest distance from the exact fling: 6 (1 missing): 30 240"));
+  add("all is measured", [](SpeedError&) {});
+  add("a method gave up", [](SpeedError& study) { study.points[1].errors.is_failed = true; });
+  add("a cost is not measured", [](SpeedError& study) { study.points[1].cost = {}; });
+  add("costs are not measured", [](SpeedError& study) {
+    study.comparisons = 1'300;
+    study.ranked_pairs = 1'287;
+    study.points[1].cost = study.points[3].cost = {};
+    study.cheapest[0].as_cheap = {3};
+  });
+  add("the clock is unsteady", [](SpeedError& study) {
+    study.probe.drift_rel = 0.4;
+    for (WorkPoint& point : study.points) point.cost = {};
+  });
+  add("families of tolerances", add_families);
+  add("no error at all", [](SpeedError& study) {
+    study.points[4].errors.position_px = 0.0;
+    study.points[5].errors.position_px = 2e-15;
+    for (const Plot& plot : std::get<std::vector<Plot>>(speed_error_figure(study, 0, "m").body))
+      EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-17) << "below the least error";
+  });
+  expect_approved("tests/unit/sim/study/approved/speed-error-of-parts.txt", text);
 }
 
 }  // namespace
