@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/sim/result/described.h"
 
 namespace hyrax {
 namespace {
@@ -39,66 +38,37 @@ struct MeasuredRun : DriftRun {
   }
 };
 
-std::vector<Plot> plots_of(const DriftRun& run) {
-  return std::get<std::vector<Plot>>(drift_figure(run).body);
-}
-
-TEST(DriftFigure, SaysWhatARunLosesAndWhatLiftsGiveBack) {
-  MeasuredRun run(3);
-  run.scenario.name = "x";
-  EXPECT_EQ(drift_figure(run).title,
-            "x loses 10 px of height a second in flight; lifts out of walls give half back");
-  run.summary.causes.lift = 9.0;
-  EXPECT_EQ(drift_figure(run).title,
-            "x loses 10 px of height a second in flight; lifts out of walls give 30 % back");
-  run.summary.causes.lift = 60.0;
-  EXPECT_EQ(drift_figure(run).title,
-            "x loses 10 px of height a second in flight; lifts out of walls give 2 times that back");
-  run.summary.causes.lift = 0.1;
-  run.summary.secular_px_per_s = 0.25;
-  EXPECT_EQ(drift_figure(run).title, "x gains 0.25 px of height a second in flight");
-}
-
-// At the end of each arc gravity took 10 px more, and its contact then gave 5 back.
-TEST(DriftFigure, HasTheDriftOfFlightsOneAfterTheOther) {
-  const Plot energy = plots_of(MeasuredRun(3))[1];
-  const Series &gravity = energy.series[0], &lift = energy.series[2], &drift = energy.series[4];
-  EXPECT_EQ(gravity.y.back(), -30.0);
-  EXPECT_EQ(lift.y.back(), 15.0);
-  EXPECT_EQ(drift.y.back(), -15.0);
-  EXPECT_EQ(*std::ranges::min_element(drift.y), -20.0) << "of two arcs and the third, less two lifts";
-}
-
-TEST(DriftFigure, EndsWhereTheSpriteIsInRestingContact) {
-  MeasuredRun run(3);
-  run.summary.rests = {{2.0, 3.0}};
-  run.summary.is_resting_at_end = true;
-  const Figure figure = drift_figure(run);
-  EXPECT_EQ(figure.note, "in resting contact from 2 s on");
-  for (const Plot& plot : plots_of(run)) {
-    EXPECT_EQ(plot.x.high, 2.0);
-    for (const Series& series : plot.series) EXPECT_LE(series.x.back(), 2.0) << series.name;
-  }
-  EXPECT_EQ(plots_of(run)[0].top_dots.size(), 1u) << "the bounces before it";
-}
-
-TEST(DriftFigure, LeavesOutWhatRestsInBetween) {
-  MeasuredRun run(3);
-  run.summary.rests = {{1.0, 2.0}};
-  const Plot energy = plots_of(run)[1];
-  EXPECT_EQ(plots_of(run)[0].top_dots.size(), 2u);
-  EXPECT_EQ(energy.series[2].y.back(), 10.0) << "the lifts of two bounces";
-}
-
-TEST(DriftFigure, MarksNoMoreThanReadersCanDistinguish) {
-  EXPECT_EQ(plots_of(MeasuredRun(80))[0].top_dots.size(), 80u);
-  EXPECT_TRUE(plots_of(MeasuredRun(81))[0].top_dots.empty());
-  MeasuredRun run(2);
-  run.scenario = fling_at(60.0, 100, {13, {std::int64_t{5}, Stop{}}});
-  EXPECT_EQ(plots_of(run)[0].marks.size(), 12u);
-  run.scenario = fling_at(
-      60.0, 100, {{std::int64_t{5}, Stop{}}, {std::int64_t{6}, Place{}}, {std::int64_t{90}, Stop{}}});
-  EXPECT_EQ(plots_of(run)[0].marks.size(), 1u) << "not a hand's way, nor what comes after the last flight";
+// At the end of each arc gravity took 10 px more, and its contact then gave 5 back. Of many bounces and
+// inputs it marks no more than readers can distinguish, and neither a hand's way nor what comes after the
+// last flight.
+TEST(DriftFigure, OfRunsAreThoseApproved) {
+  std::string text;
+  const auto add = [&text](const std::string& what, std::size_t arcs, const auto& alter) {
+    MeasuredRun run(arcs);
+    run.scenario.name = "x";
+    alter(run);
+    text += what + "\n" + described(drift_figure(run));
+  };
+  add("half comes back", 3, [](DriftRun&) {});
+  add("30 % come back", 3, [](DriftRun& run) { run.summary.causes.lift = 9.0; });
+  add("more comes back", 3, [](DriftRun& run) { run.summary.causes.lift = 60.0; });
+  add("it gains", 3, [](DriftRun& run) {
+    run.summary.causes.lift = 0.1;
+    run.summary.secular_px_per_s = 0.25;
+  });
+  add("it rests from 2 s on", 3, [](DriftRun& run) {
+    run.summary.rests = {{2.0, 3.0}};
+    run.summary.is_resting_at_end = true;
+  });
+  add("it rests in between", 3, [](DriftRun& run) { run.summary.rests = {{1.0, 2.0}}; });
+  add("80 bounces", 80, [](DriftRun&) {});
+  add("81 bounces", 81, [](DriftRun&) {});
+  const Event stop{std::int64_t{5}, Stop{}}, place{std::int64_t{6}, Place{}}, late{std::int64_t{90}, Stop{}};
+  add("13 inputs", 2, [&](DriftRun& run) { run.scenario = fling_at(60.0, 100, {13, stop}); });
+  add("a hand's way, and late", 2, [&](DriftRun& run) {
+    run.scenario = fling_at(60.0, 100, {stop, place, late});
+  });
+  expect_approved("tests/unit/tools/report/drift_figures.txt", text);
 }
 
 }  // namespace
