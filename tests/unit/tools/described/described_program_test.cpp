@@ -3,10 +3,12 @@
 
 #include <cfenv>
 #include <filesystem>
-#include <fstream>
+#include <iterator>
 #include <limits>
+#include <sstream>
 
 #include "tests/unit/sim/described/core_for_test.h"
+#include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/described/program.h"
 #include "tools/files/text_file.h"
@@ -46,51 +48,22 @@ class DescribedProgram : public testing::Test {
     return outcome;
   }
 
+  template <class Core = hyrax_core>
+  void say(const std::string& command) {
+    std::istringstream words(command);
+    const Outcome outcome = run<Core>({std::istream_iterator<std::string>(words), {}});
+    // Above the lists of `info` is what the machine is.
+    const std::size_t lists = command == "info" ? outcome.out.find("state: ") : 0;
+    said_ += "$ toy-sim " + command + "\n" + outcome.out.substr(std::min(lists, outcome.out.size())) +
+             outcome.err + "exit code " + std::to_string(outcome.exit_code) + "\n";
+  }
+
+  std::string said_ = {};
+
  private:
   const std::filesystem::path before_ = std::filesystem::current_path();
   const TempFolder folder_;
 };
-
-TEST_F(DescribedProgram, NewWritesAScenarioWithTheCoresValues) {
-  EXPECT_EQ(run({"new", "first"}).exit_code, 0);
-  EXPECT_EQ(read_text_file("first.json"), R"({
-  "$schema": "scenario.schema.json",
-  "format": "hyrax-scenario/1",
-  "name": "first",
-  "description": "What happens, and why it is worth testing.",
-  "core": "toy",
-  "inputs": { "width_px": 800, "height_px": 600 },
-  "start": { "x_px": 100, "y_px": 100, "vx_px_per_s": 300, "vy_px_per_s": 0 },
-  "clock": { "rate_hz": 60 },
-  "steps": 600,
-  "record": { "every": 1 },
-  "expect": { "finite": true }
-}
-)");
-  const Outcome validated = run({"validate", "first.json"});
-  EXPECT_EQ(validated.out, "first.json: good, 600 steps\n");
-  const Outcome again = run({"new", "first"});
-  EXPECT_EQ(again.exit_code, 2);
-  EXPECT_EQ(again.err, "first.json: exists; `--force` replaces it\n");
-  EXPECT_EQ(run({"new", "first", "--force"}).exit_code, 0);
-}
-
-TEST_F(DescribedProgram, InfoPrintsEveryListAndWhatTheCheckFinds) {
-  const std::string out = run({"info"}).out;
-  EXPECT_EQ(out.substr(out.find("state: ")),
-            R"(state: x_px (px), y_px (px), vx_px_per_s (px/s), vy_px_per_s (px/s)
-inputs: width_px (px), height_px (px)
-parameters: gravity_px_per_s2 (px/s^2)
-outputs: none
-actions: fling(vx_px_per_s, vy_px_per_s)
-contacts: floor
-properties: always "no ball on the floor is below it"
-undeclared: none
-positions: x_px with y_px
-check of 600 frames at 60 Hz: complete, as far as they show
-)");
-  EXPECT_NE(run({"info", "--json"}).out.find(R"("parameters": [)"), std::string::npos);
-}
 
 struct Forgetful {  // Of what goes on it declares a part.
   double angle = 0.0, speed = 1.0;
@@ -121,16 +94,6 @@ struct Fussy : OnePlace {
     if (dt_s > 0.02) throw std::runtime_error("a frame is too long");
   }
 };
-
-TEST_F(DescribedProgram, InfoSaysWhatIsWrong) {
-  const std::string forgetful = run<Forgetful>({"info"}).out;
-  EXPECT_NE(forgetful.find("inputs: none\n"), std::string::npos);
-  EXPECT_NE(forgetful.find("positions: nothing in px"), std::string::npos);
-  EXPECT_NE(forgetful.find("60 Hz: the state is not complete: set from row 1, angle_rad differs at row 2"),
-            std::string::npos)
-      << forgetful;
-  EXPECT_NE(run<Explosive>({"info"}).out.find("60 Hz: ends at row 2: x_px is not finite"), std::string::npos);
-}
 
 TEST_F(DescribedProgram, FuzzFindsEachKindOfFault) {
   EXPECT_EQ(run({"fuzz", "--runs", "100"}).out.substr(0, 18), "seed 1\n100 runs in");
@@ -205,12 +168,7 @@ struct Rounding : OnePlace {
 };
 
 TEST_F(DescribedProgram, ACoreThatChangesHowTheProcessorRoundsIsExitCode5) {
-  const Outcome info = run<Rounding>({"info"});
-  EXPECT_EQ(info.exit_code, 5);
-  EXPECT_NE(info.out.find("60 Hz: ends at row 7: the core changes how the processor calculates (rounding or "
-                          "flush-to-zero); remove what sets it from the core\n"),
-            std::string::npos)
-      << info.out;
+  EXPECT_EQ(run<Rounding>({"info"}).exit_code, 5);
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
   write_text_file("sweep.json", R"({"format": "hyrax-sweep/1", "vary": {"/start/x_px": {"grid": [0, 1, 2]}},
       "base": {"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 9}})");
@@ -232,19 +190,6 @@ TEST_F(DescribedProgram, WhatFuzzWritesIsGoodAndFailsAgain) {
   EXPECT_EQ(run<Low>({"fuzz", "--runs", "20", "--part", is_odd ? "1/2" : "0/2", "-o", "again"}).exit_code, 1);
   EXPECT_TRUE(std::filesystem::exists("again/" + path.substr(6)));
   EXPECT_NE(read_text_file(path).find("breaks always: \\\"y stays below 2 px\\\""), std::string::npos);
-}
-
-TEST_F(DescribedProgram, CommandsThatItHasNotSayWhatToUse) {
-  EXPECT_EQ(run({"drift", "first.json"}).err,
-            "toy-sim drift: needs the paper's step; toy describes itself: use study frame-rate, diff\n");
-  for (const char* const command : {"drift", "study", "report"})
-    EXPECT_EQ(run({command}).exit_code, 2) << command;
-  EXPECT_EQ(
-      run({"study", "needs"}).err,
-      "toy-sim study needs: needs the paper's step; toy describes itself: use study frame-rate, diff\n");
-  EXPECT_EQ(run({"study", "frame-rates"}).err,
-            "toy-sim study: unknown study (found frame-rates); allowed: frame-rate, hard-cases (did you mean "
-            "frame-rate?)\n");
 }
 
 TEST_F(DescribedProgram, TheStudyOfFrameRatesPlaysTheLibraryOrTheDefaults) {
@@ -274,52 +219,6 @@ TEST_F(DescribedProgram, TheStudyOfFrameRatesPlaysTheLibraryOrTheDefaults) {
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_NE(broken.err.find("defaults at 24 Hz: property \"y stays below 2 px\""), std::string::npos)
       << broken.err;
-}
-
-TEST_F(DescribedProgram, TheStudyOfHardCasesSaysWhichCasesBreakWhichRule) {
-  std::filesystem::create_directory("scenarios");  // Without any.
-  const Outcome good = run({"study", "hard-cases", "--no-figures", "--gate"});
-  EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
-  EXPECT_TRUE(good.out.starts_with("25 hard cases: none is broken.\n")) << good.out;
-  const auto broken = [](const Outcome& outcome) {
-    EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
-    return outcome.err;
-  };
-  const std::string low = broken(run<Low>({"study", "hard-cases", "--quick", "--no-figures", "--gate"}));
-  EXPECT_NE(low.find("defaults: always: \"y stays below 2 px\" at step 121"), std::string::npos) << low;
-  EXPECT_NE(low.find("defaults/dt-10: always: "), std::string::npos) << low;
-  EXPECT_NE(low.find("defaults/highest-y_px: always: \"y stays below 2 px\" at step 61"), std::string::npos);
-  EXPECT_EQ(low.find("defaults/dt-1e-09"), std::string::npos) << low;
-  const std::string fussy = broken(run<Fussy>({"study", "hard-cases", "--quick", "--no-figures", "--gate"}));
-  EXPECT_NE(fussy.find("defaults/hitch-0.5-s: throws: a frame is too long at step 201"), std::string::npos)
-      << fussy;
-  EXPECT_NE(fussy.find("defaults/jitter-missed-0.5: throws: "), std::string::npos) << fussy;
-  EXPECT_EQ(fussy.find("defaults: "), std::string::npos) << fussy;
-}
-
-// Wind has no highest value; each frame's wind is within its limits.
-struct Windy : OnePlace {
-  double wind = 1.0;
-  void step(double dt) { x += wind * dt; }
-  template <class See>
-  void inputs(See&& see) {
-    see("wind", wind, {-4.0, std::numeric_limits<double>::infinity()});
-  }
-  template <class See>
-  void properties(See&& see) const {
-    see.always("no wind from the right", wind >= 0.0);
-  }
-};
-
-TEST_F(DescribedProgram, AHardCaseHasAValueAtALimitThatIsFinite) {
-  write_text_file("windy.json",
-                  R"({"format": "hyrax-scenario/1", "name": "windy", "clock": {"rate_hz": 60}, "steps": 3,
-      "inputs": {"wind": [1, 2, 3]}})");
-  const Outcome outcome =
-      run<Windy>({"study", "hard-cases", "windy.json", "--quick", "--no-figures", "--gate"});
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err,
-            "toy-sim study hard-cases: windy/lowest-wind: always: \"no wind from the right\" at step 0\n");
 }
 
 TEST_F(DescribedProgram, ShrinkKeepsWhatARunSays) {
@@ -382,11 +281,6 @@ struct Uncapped : OnePlace {
   }
 };
 
-TEST_F(DescribedProgram, AnInputWithoutABoundIsLeftOutOfANewScenario) {
-  EXPECT_EQ(run<Uncapped>({"new", "first"}).err, "");
-  EXPECT_EQ(read_text_file("first.json").find("cap_px"), std::string::npos);
-}
-
 struct Fatal {
   double x = 0.0;
   bool is_endless = false;
@@ -436,26 +330,19 @@ TEST_F(DescribedProgram, ShrinkLeavesOutHoldsInputsByTheFrameAndJitter) {
     EXPECT_EQ(text.find(left_out), std::string::npos) << text;
 }
 
-TEST_F(DescribedProgram, TwoFilesOfWhichOneGoesOnLongerContradictNothing) {
-  for (const char* const steps : {"20", "30"}) {
-    write_text_file(
-        "a.json",
-        std::string(R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": )") + steps + "}");
-    EXPECT_EQ(run({"run", "a.json", "-o", std::string(steps) + ".h5"}).exit_code, 0);
+// Wind has no highest value; each frame's wind is within its limits.
+struct Windy : OnePlace {
+  double wind = 1.0;
+  void step(double dt) { x += wind * dt; }
+  template <class See>
+  void inputs(See&& see) {
+    see("wind", wind, {-4.0, std::numeric_limits<double>::infinity()});
   }
-  const Outcome outcome = run({"diff", "20.h5", "30.h5"});
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("the scenarios differ: /steps 20 -> 30\n"), std::string::npos) << outcome.out;
-}
-
-TEST_F(DescribedProgram, AScenarioWhoseInputsChangeByTheFrameHasOneRate) {
-  write_text_file("pushed.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 3,
-                                     "inputs": {"width_px": [800, 700, 600]}})");
-  const Outcome outcome = run({"study", "frame-rate", "pushed.json"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err,
-            "toy-sim study frame-rate: pushed: left out, as an input has a value for each frame.\n");
-}
+  template <class See>
+  void properties(See&& see) const {
+    see.always("no wind from the right", wind >= 0.0);
+  }
+};
 
 struct Misnamed {
   double x = 0.0, y = 0.0;
@@ -471,18 +358,50 @@ struct Unmade : OnePlace {
   void step(double /*dt_s*/) {}
 };
 
-TEST_F(DescribedProgram, ACoreThatCannotBeUsedRunsNoCommand) {
-  const Outcome misnamed = run<Misnamed>({"validate", "first.json"});
-  EXPECT_EQ(misnamed.exit_code, 2);
-  EXPECT_EQ(misnamed.err,
-            "toy-sim: the core toy: state 'X': a name is parts [a-z][a-z0-9_]* joined by dots\n"
-            "toy-sim: the core toy: state 'dt': the name is reserved\n");
-  EXPECT_EQ(run<Misnamed>({"info"}).exit_code, 2);
-  EXPECT_EQ(run<Misnamed>({"--help"}).exit_code, 0);
-  EXPECT_EQ(run<Misnamed>({"--version"}).exit_code, 0);
-  const Outcome unmade = run<Unmade>({"info"});
-  EXPECT_EQ(unmade.exit_code, 2);
-  EXPECT_EQ(unmade.err, "toy-sim: the core throws while it is made: no table\n");
+// Each command as it is typed, all that it prints, and its exit code.
+TEST_F(DescribedProgram, SaysWhatIsApproved) {
+  say("new first");
+  said_ += read_text_file("first.json");
+  for (const char* const command : {"validate first.json", "new first", "new first --force", "info"})
+    say(command);
+  said_ += "A core that forgets its speed, one that explodes, and one that changes the rounding\n";
+  say<Forgetful>("info");
+  say<Explosive>("info");
+  say<Rounding>("info");
+  said_ += "An input without a bound is left out of a new scenario\n";
+  say<Uncapped>("new uncapped");
+  said_ += read_text_file("uncapped.json");
+  said_ += "Commands of the paper's step alone\n";
+  for (const char* const command :
+       {"drift first.json", "study", "report", "study needs", "study frame-rates"})
+    say(command);
+  said_ += "A file that goes on longer\n";
+  for (const std::string& steps : {std::string("20"), std::string("30")}) {
+    write_text_file("a.json",
+                    R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": )" + steps + "}");
+    say("run a.json -o " + steps + ".h5");
+  }
+  say("diff 20.h5 30.h5");
+  said_ += "A scenario whose inputs change by the frame\n";
+  write_text_file("pushed.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 3,
+                                     "inputs": {"width_px": [800, 700, 600]}})");
+  say("study frame-rate pushed.json");
+  said_ += "Cores of which hard cases break a rule\n";
+  write_text_file("windy.json",
+                  R"({"format": "hyrax-scenario/1", "name": "windy", "clock": {"rate_hz": 60}, "steps": 3,
+      "inputs": {"wind": [1, 2, 3]}})");
+  say<Windy>("study hard-cases windy.json --quick --no-figures --gate");
+  std::filesystem::create_directory("scenarios");  // Without any.
+  say("study hard-cases --no-figures --gate");
+  say<Low>("study hard-cases --quick --no-figures --gate");
+  say<Fussy>("study hard-cases --quick --no-figures --gate");
+  said_ += "Cores that cannot be used\n";
+  for (const char* const command : {"validate first.json", "info"}) say<Misnamed>(command);
+  say<Unmade>("info");
+  expect_approved("tests/unit/tools/described/described_program.txt", said_);
+  for (const char* const command : {"--help", "--version"})
+    EXPECT_EQ(run<Misnamed>({command}).exit_code, 0) << command;
+  EXPECT_NE(run({"info", "--json"}).out.find(R"("parameters": [)"), std::string::npos);
 }
 
 }  // namespace
