@@ -165,24 +165,16 @@ class OwnCoresSweep(own_cores_test.OwnCoresProject):
         self.use("balls")
         base = scenario(100, events=[{"step": 90, "stop": {}}])
         for vary, says in (
-                ({"/start/a.x_pz": {"uniform": [0, 1]}}, "sweep.json: member 0: /start/a.x_pz: unknown key (found a.x_pz); allowed: a.x_px, a.y_px"),
                 ({"/start/a.x_pz": {"uniform": [0, 1]}}, "(did you mean a.x_px?)"),
-                ({"/inputs/width_px": {"uniform": [300, 800]}}, "sweep.json: member 11: /inputs/width_px: must be a number 320 .. 4096 (found 317.64"),
-                ({"/inputs/width_px": {"uniform": [319.9999999999, 800]}}, "sweep.json: /vary/~1inputs~1width_px: /inputs/width_px: must be a number 320"),
                 ({"/inputs/width_px": {"grid": [4000, 4097, 12]}}, "sweep.json: member 11: /inputs/width_px: must be a number 320 .. 4096 (found 4097)"),
                 ({"/steps": {"grid": [100, 80, 12]}}, "must be [low, high, n] with low <= high"),
                 ({"/steps": {"grid": [80, 102, 12]}}, "sweep.json: member 0: /events/0/step: must be below the number of steps, 80 (found 90)"),
-                ({"/events/0/step": {"grid": [89, 100, 12]}}, "sweep.json: member 11: /events/0/step: must be"),
                 ({"/clock/rate_hz": {"choice": [60, -1]}}, "/clock/rate_hz: must be greater than 0"),
                 ({"/start/a.x_px": {"choice": ["left"]}}, "sweep.json: /vary/~1start~1a.x_px/choice/0: must be a number (found \"left\")")):
             self.refused(sweep(base, vary), says)
         for core, vary, says in (
-                ("platform", {"/inputs/jump": {"uniform": [0, 1]}}, "sweep.json: /vary/~1inputs~1jump: must be a choice of true and false"),
                 ("platform", {"/inputs/jump": {"choice": [True, 1]}}, "sweep.json: /vary/~1inputs~1jump/choice/1: must be true or false (found 1)"),
                 ("platform", {"/start/player_x_px": {"uniform": [0, 1e39]}}, "/start/player_x_px: must be a number -3.4028235e+38 .. 3.4028235e+38 (found "),
-                ("pet", {"/start/bounces": {"choice": [0.5]}}, "/choice/0: must be a whole number, as the key holds (found 0.5)"),
-                ("pet", {"/start/bounces": {"choice": [2**32]}}, "sweep.json: member 0: /start/bounces: must be a whole number 0 .. 4294967295"),
-                ("pet", {"/start/pose": {"choice": ["stand"]}}, "must be a whole number, as the key holds, or one of sit, fly, land (found \"stand\")"),
                 ("fixed", {"/start/ticks": {"member": True}}, "sweep.json: member 256: /start/ticks: must be a whole number 0 .. 255 (found 256)"),
                 ("fixed", {"/inputs/x": {"member": True}}, "/inputs/x: unknown key (found x)")):
             self.use(core)
