@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 
 #include "sim/described/described_figure.h"
 #include "tests/unit/sim/described/core_for_test.h"
+#include "tests/unit/sim/result/described.h"
 
 namespace hyrax {
 namespace {
@@ -47,73 +49,23 @@ struct Glider {
 
 /// REQUIRES: the scenario outlives the picture.
 template <class Core>
-DescribedPicture drawn(const DescribedScenario& scenario) {
+std::unique_ptr<DescribedPicture> drawn(const DescribedScenario& scenario) {
   static const DescribedCore core = core_for_test<Core>();
-  DescribedPicture picture(core.description, scenario);
-  DescribedSink* const sink = &picture;
+  auto picture = std::make_unique<DescribedPicture>(core.description, scenario);
+  DescribedSink* const sink = picture.get();
   static_cast<void>(play(core, scenario, {&sink, 1}));
   return picture;
 }
 
-std::vector<Plot> plots_of(const DescribedPicture& picture, const DescribedPicture* golden = nullptr) {
-  return std::get<std::vector<Plot>>(picture.figure("", golden).body);
-}
-
-std::vector<Plot> plots_of_glider(std::int64_t steps, std::vector<DescribedEvent> events) {
-  DescribedScenario scenario = scenario_for_test(steps);
-  scenario.inputs = {{0, word_of(400.0)}};
-  scenario.events = std::move(events);
-  return plots_of(drawn<Glider>(scenario));
-}
-
-TEST(DescribedPicture, OfRowsThatAFileHasOfMoreSaysHowManyAndMarksEventsAtTheNext) {
-  struct Recorded : DescribedSink {
-    DescribedPicture picture;
-    Recorded(const DescribedCore& core, const DescribedScenario& scenario)
-        : picture(core.description, scenario) {}
-    void row(const DescribedRow& row) override {
-      if (row.step % 7 == 0) picture.row(row);
-    }
-  };
-  const DescribedCore core = core_for_test<Glider>();
-  DescribedScenario scenario = scenario_for_test(60);
-  scenario.events = {event_for_test(45, Act{0, {}})};
-  Recorded recorded(core, scenario);
-  DescribedSink* const sink = &recorded;
-  static_cast<void>(play(core, scenario, {&sink, 1}));
-  EXPECT_EQ(recorded.picture.rows().long_name, "One row of every 7");
-  const Figure figure = recorded.picture.figure("");
-  EXPECT_TRUE(figure.legend.empty()) << "in which row a contact begins is not known";
-  const auto plots = std::get<std::vector<Plot>>(figure.body);
-  ASSERT_EQ(plots.back().marks.size(), 1u);
-  EXPECT_NEAR(plots.back().marks[0].at, 49.0 / 60.0, 1e-9);
-}
-
-TEST(DescribedPicture, HasAPathInItsFrameValuesByUnitAndMarks) {
-  const std::vector<Plot> plots = plots_of_glider(
-      60, {event_for_test(45, Act{0, {}}), event_for_test(50, SetValues{{}, {{1, word_of(6.0)}}})});
-  ASSERT_EQ(plots.size(), 3u);  // The path, values without a unit, speeds.
-  const Plot& path = plots[0];
-  ASSERT_EQ(path.series.size(), 3u);
-  EXPECT_EQ(path.series[0].x, (std::vector{0.0, 400.0, 400.0, 0.0, 0.0}));
-  EXPECT_EQ(path.series[0].y, (std::vector{0.0, 0.0, 200.0, 200.0, 0.0}));
-  EXPECT_EQ(path.series[1].name, "kite");
-  ASSERT_EQ(path.series[1].x.size(), 61u);
-  EXPECT_EQ(path.series[1].x[30], 30.0 / 60.0 * 60.0);
-  EXPECT_EQ(path.series[1].y[51], 6.0);
-  ASSERT_EQ(path.series[2].x.size(), 1u) << "a contact once, at its first row";
-  EXPECT_GT(path.series[2].x[0], 30.0);
-  EXPECT_EQ(plots[1].series[0].name, "count");
-  EXPECT_EQ(plots[1].series[0].y[60], 60.0);
-  EXPECT_EQ(plots[2].y.label, "px/s");
-  ASSERT_EQ(plots[2].series.size(), 2u);
-  EXPECT_EQ(plots[2].series[1].name, "twice_px_per_s");
-  EXPECT_EQ(plots[2].series[1].y[60], -120.0);
-  ASSERT_EQ(plots[2].marks.size(), 2u);
-  EXPECT_EQ(plots[2].marks[0].text, "turn");
-  EXPECT_NEAR(plots[2].marks[0].at, 46.0 / 60.0, 1e-9);
-  EXPECT_EQ(plots[2].marks[1].text, "set");
-}
+// Of rows that a file has of more.
+struct EverySeventhRow : DescribedSink {
+  DescribedPicture picture;
+  EverySeventhRow(const DescribedCore& core, const DescribedScenario& scenario)
+      : picture(core.description, scenario) {}
+  void row(const DescribedRow& row) override {
+    if (row.step % 7 == 0) picture.row(row);
+  }
+};
 
 struct Moody {
   double x = 0.0, y = 0.0;
@@ -128,36 +80,6 @@ struct Moody {
     see("pose", pose, {"sit", "fly"});
   }
 };
-
-TEST(DescribedPicture, NamesValuesAtItsAxesAndInItsTable) {
-  const DescribedScenario scenario = scenario_for_test(6);
-  const DescribedPicture picture = drawn<Moody>(scenario);
-  const std::vector<Plot> plots = plots_of(picture);
-  ASSERT_EQ(plots.size(), 4u);  // The path, laps, and a plot for each list of names.
-  EXPECT_EQ(plots[1].y.label, "laps");
-  EXPECT_TRUE(plots[1].y.ticks.empty());
-  EXPECT_EQ(plots[2].y.label, "mood");
-  ASSERT_EQ(plots[2].y.ticks.size(), 2u);
-  EXPECT_EQ(plots[2].y.ticks[1].text, "wild");
-  const Table rows = picture.rows();
-  EXPECT_EQ(std::get<std::vector<std::string>>(rows.columns[4].values),
-            (std::vector<std::string>{"calm", "calm", "calm", "calm", "wild", "wild", "wild"}));
-}
-
-TEST(DescribedPicture, DrawsTheGoldenRunBehindIfItHasTheSameValues) {
-  const DescribedScenario scenario = scenario_for_test(6), longer = scenario_for_test(8);
-  const DescribedPicture now = drawn<Moody>(scenario), golden = drawn<Moody>(longer),
-                         of_other = drawn<Glider>(longer);
-  const std::vector<Plot> plots = plots_of(now, &golden);
-  ASSERT_EQ(plots[0].series.size(), 2u);
-  EXPECT_EQ(plots[0].series[0].name, "position, golden");
-  EXPECT_EQ(plots[0].series[0].x.size(), 9u);
-  EXPECT_EQ(plots[0].series[1].x.size(), 7u);
-  EXPECT_EQ(plots[1].series[0].name, "laps, golden");
-  EXPECT_EQ(now.figure("", &golden).legend.back().text, "golden file");
-  EXPECT_EQ(plots_of(now, &of_other)[0].series.size(), 1u);
-  EXPECT_TRUE(now.figure("", &of_other).legend.empty());
-}
 
 struct Marbles {
   double x = 0.0, y = 0.0, other_x = 50.0, other_y = 0.0;
@@ -179,14 +101,6 @@ struct Marbles {
   }
 };
 
-TEST(DescribedPicture, AContactIsDrawnOnThePathsThatItsNameHas) {
-  const DescribedScenario scenario = scenario_for_test(6);
-  const Plot path = plots_of(drawn<Marbles>(scenario)).front();
-  ASSERT_EQ(path.series.size(), 4u);  // Both paths, each with its contacts.
-  EXPECT_EQ(path.series[1].x.size(), 3u) << "a_floor, a_b, and click, which names none";
-  EXPECT_EQ(path.series[3].x, (std::vector{50.0, 50.0}));
-}
-
 template <std::size_t kBalls>
 struct Balls {
   std::array<double, kBalls> x = {}, y = {}, spin = {};
@@ -198,19 +112,41 @@ struct Balls {
     see("spin", spin);
   }
 };
-template <std::size_t kBalls>
-std::size_t remarks() {
-  const DescribedScenario scenario = scenario_for_test(1);
-  return drawn<Balls<kBalls>>(scenario).figure("").remarks.size();
-}
 
-TEST(DescribedPicture, SaysOnceThatNotAllValuesAreDrawn) {
-  EXPECT_EQ(remarks<12>(), 0u);
-  EXPECT_EQ(remarks<13>(), 1u);
+// A path in its frame, values by unit and names, marks; contacts on the paths that their names have; a golden
+// run behind, if it has the same values; twelve paths, and a remark on more.
+TEST(DescribedPicture, OfRunsAreThoseApproved) {
+  DescribedScenario turned = scenario_for_test(60);
+  turned.inputs = {{0, word_of(400.0)}};
+  turned.events = {event_for_test(45, Act{0, {}}), event_for_test(50, SetValues{{}, {{1, word_of(6.0)}}})};
+  const DescribedScenario some = scenario_for_test(6), longer = scenario_for_test(8);
+  const auto moody = drawn<Moody>(some), golden = drawn<Moody>(longer);
+  const auto of_other = drawn<Glider>(longer);
+  const DescribedCore glider = core_for_test<Glider>();
+  EverySeventhRow few(glider, turned);
+  DescribedSink* const sink = &few;
+  static_cast<void>(play(glider, turned, {&sink, 1}));
+  std::string text;
+  const auto add = [&text](const std::string& what, const DescribedPicture& picture,
+                           const DescribedPicture* behind = nullptr) {
+    text += what + "\n" + described(picture.figure("found", behind));
+  };
+  add("a path, a turn and a set", *drawn<Glider>(turned));
+  add("the same of every seventh row", few.picture);
+  text += described(few.picture.rows());
+  add("names of values", *moody);
+  text += described(moody->rows());
+  add("before its golden run", *moody, golden.get());
+  add("before a run of other values", *moody, of_other.get());
+  add("contacts of paths", *drawn<Marbles>(some));
+  add("12 paths", *drawn<Balls<12>>(some));
+  add("13 paths", *drawn<Balls<13>>(some));
+  expect_approved("tests/unit/sim/described/pictures.txt", text);
 }
 
 TEST(DescribedPicture, OfALongRunHasRowsAtEvenDistances) {
-  const std::vector<Plot> plots = plots_of_glider(30'000, {});
+  const DescribedScenario scenario = scenario_for_test(30'000);
+  const auto plots = std::get<std::vector<Plot>>(drawn<Glider>(scenario)->figure("").body);
   const std::vector<double>& t_s = plots[1].series[0].x;
   EXPECT_LE(t_s.size(), DescribedPicture::kPointsMax);
   EXPECT_GT(t_s.size(), DescribedPicture::kPointsMax / 3);
