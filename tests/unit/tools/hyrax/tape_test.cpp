@@ -8,8 +8,11 @@
 #include "sim/replay/replay.h"
 #include "sim/scenario/split_mix64.h"
 #include "tests/unit/sim/replay/some_flings.h"
+#include "tests/unit/tools/files/refusal.h"
+#include "tests/unit/tools/store/temp_folder.h"
 #include "tools/files/scenario_reader.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/files/text_file.h"
 #include "tools/hyrax/pet.h"
 #include "tools/hyrax/playback.h"
 #include "tools/recorder/tape.h"
@@ -192,6 +195,18 @@ TEST(Playback, StaysAwakeWhenFramesAreTooShortForTheirTime) {
   Playback playback(shipped_core(), scenario, kTicksPerS, 0);
   playback.play(10 * kTicksPerS);
   EXPECT_LT(playback.now().row.step, 1'000'000);
+}
+
+TEST(LoadForPet, RefusesOtherConstantsThanThePets) {
+  const TempFolder folder;
+  const std::string path = folder.at("calm.json");
+  Scenario calm = fling_at(60.0, 120);
+  write_text_file(path, scenario_file_text(calm));
+  EXPECT_EQ(load_for_pet(path).name, "fling");
+  calm.parameters.push_back({"GRAVITY", 980.0});
+  write_text_file(path, scenario_file_text(calm), true);
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(load_for_pet(path)); }),
+            path + ": /parameters: hyrax plays its own constants only; hyrax-sim run plays these");
 }
 
 }  // namespace
