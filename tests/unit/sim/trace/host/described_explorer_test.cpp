@@ -255,25 +255,21 @@ TEST_F(DescribedExplorer, TakesWhatIsDeclared) {
   EXPECT_NE(why_incomplete<Core<DeclaredTimer>>(), why_incomplete<Core<Nothing>>());
 }
 
-struct ReadsAndChanges {
+struct Rolls {
   Real x = 0.0;
   void step(const Real& dt) { x += dt; }
   template <class See>
   void state(See&& see) {
     see("x", x);
   }
+};
+struct ReadsAndChanges : Rolls {
   template <class See>
   void outputs(See&& see) {
     see("more", x += 1);
   }
 };
-struct TakesAKind {
-  Real x = 0.0;
-  void step(const Real& dt) { x += dt; }
-  template <class See>
-  void state(See&& see) {
-    see("x", x);
-  }
+struct TakesAKind : Rolls {
   template <class See>
   void actions(See&& see) {
     see("turn", [](Mood) {}, {"mood"});
