@@ -179,13 +179,17 @@ class OwnCoresFiles(InstalledPackage):
         for length, name in ((1900, "short"), (3000, "long")):
             self.write(f"scenarios/{name}.json", {**short, "steps": length})
         self.expect(AGREED, "bless", "scenarios", "--reason", "first")
-        for program_of in ("included", "longer"):  # Another constant; a further value.
+        for program_of in ("longer", "included"):  # A further value; another constant.
             self.use(program_of)
             results = {result["scenario"]: result for result in self.check(DISAGREED)["results"]}
             of_short, of_long = results["scenarios/short.json"], results["scenarios/long.json"]
             for key in ("first_divergence", "class"):
                 self.assertEqual(of_long[key], of_short[key])
             self.assertEqual(of_long["max_px"], of_short["max_px"], "the ball is at rest when the short run ends")
+            self.expect(DISAGREED, "run", "scenarios/long.json", "-o", "now.h5")
+            document = self.expect(DISAGREED, "diff", "golden/long.h5", "now.h5", "--json").json
+            for key in ("first_divergence", "class", "max_px"):
+                self.assertEqual(document[key], of_long[key])
 
     def test_a_constant_of_an_included_file_is_named(self):
         self.expect(AGREED, "bless", "scenarios", "--reason", "first")

@@ -38,26 +38,24 @@ DescribedComparison compare_files(const DescribedCore& core, const DescribedFile
                                   const Tolerance& tolerance) {
   const std::string shape = difference_in_shape(a, b);
   const bool are_all_held = a.holds_every_row() && b.holds_every_row();
-  DescribedComparison result =
-      compare_common(a.head().description, side_of(a), b.head().description, side_of(b), tolerance);
-  result.distance.has_unknown_rows = !are_all_held;
-  if (description_difference(a.head().description, b.head().description).empty()) {
-    // Rows that a file does not hold are replayed.
-    std::vector<std::optional<ComparedSide>> played;
-    for (const DescribedFile* const file : {&a, &b})
-      if (!are_all_held)
-        played.push_back(file->holds_every_row() ? side_of(*file) : played_side(core, file->head()));
-    const bool are_known = are_all_held || (played[0] && played[1]);
-    if (!are_all_held && are_known) {
-      DescribedComparison of_all = compare_runs(a.head().description, *played[0], *played[1], tolerance);
+  const auto compare = [&](const ComparedSide& of_a, const ComparedSide& of_b) {
+    return compare_common(a.head().description, of_a, b.head().description, of_b, tolerance);
+  };
+  DescribedComparison result = compare(side_of(a), side_of(b));
+  bool are_known = are_all_held;
+  if (!are_all_held) {  // Rows that a file does not hold are replayed.
+    const auto all_of_a = all_rows_of(core, a), all_of_b = all_rows_of(core, b);
+    are_known = all_of_a && all_of_b;
+    if (are_known) {
+      DescribedComparison of_all = compare(*all_of_a, *all_of_b);
       if (result.agrees() || !of_all.agrees()) result = std::move(of_all);
     }
-    result.distance.has_unknown_rows = !are_known;
-    const bool is_exact = tolerance.is_exact();
-    if (shape.empty() && result.agrees() && is_exact && a.head().state_hash != b.head().state_hash) {
-      result.difference = are_known ? DifferenceClass::shape : DifferenceClass::values;
-      if (are_known) result.shape = "a file contradicts itself: all rows agree, the state hashes do not";
-    }
+  }
+  result.distance.has_unknown_rows = !are_known;
+  if (shape.empty() && result.agrees() && tolerance.is_exact() &&
+      a.head().state_hash != b.head().state_hash) {
+    result.difference = are_known ? DifferenceClass::shape : DifferenceClass::values;
+    if (are_known) result.shape = "a file contradicts itself: all rows agree, the state hashes do not";
   }
   if (!shape.empty()) result.shape = shape;
   if (!result.shape.empty()) result.difference = DifferenceClass::shape;

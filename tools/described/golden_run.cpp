@@ -111,8 +111,8 @@ ComparedSide side_of(const GoldenContents& run, const DescribedScenario& scenari
   return {batches_of(run.rows), jump_frames(scenario, run.summary.steps), run.contacts};
 }
 
-bool fits_in_memory(const DescribedCore& core, std::int64_t steps) {
-  return steps < kComparedValuesMax / std::ssize(core.description.state.values);
+bool fits_in_memory(const Description& description, std::int64_t steps) {
+  return steps < kComparedValuesMax / std::ssize(description.state.values);
 }
 
 // All rows of the run of a file by this core; nothing where it does not give them.
@@ -121,28 +121,36 @@ std::optional<ComparedSide> replayed_side(const DescribedCore& core, const Descr
   return run.state_hash() == head.state_hash ? std::optional(side_of(run, head.scenario)) : std::nullopt;
 }
 
-// The same by the step of the accepted core of the golden folder, if that is complete.
-std::optional<ComparedSide> side_by_accepted_step(const DescribedCore& core, const DescribedHead& head,
-                                                  const GoldenPlace& place) {
-  const std::optional<AcceptedCore> accepted = undamaged_core(place.folder);
-  std::optional<TracedStep> step = accepted ? read_step(accepted->step) : std::nullopt;
-  if (!step || accepted->model != kDescribedModel || !fits_in_memory(core, head.steps)) return std::nullopt;
-  const DescribedCore described{.description = parse_description(accepted->description, core.description.core,
-                                                                 accepted_core_folder(place.folder))};
-  if (!description_difference(head.description, described.description).empty()) return std::nullopt;
-  return replayed_side(interpreted(described, *std::move(step)), head);
+// The nearest folder above the file that has an accepted core; empty: none.
+std::string golden_folder_above(const std::string& path) {
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::absolute(path, error);
+  while (folder.has_relative_path()) {
+    folder = folder.parent_path();
+    if (std::filesystem::exists(accepted_core_folder(folder.string()) + "/accepted.txt", error))
+      return folder.string();
+  }
+  return "";
 }
 
-// The golden file's run: the rows that it holds, or all of them, played again by this core or by the accepted
-// one's step. Nothing where neither gives them, or the scenario's run would be too large to compare.
+// The same by the step of the accepted core of the file's golden folder, if that is complete.
+std::optional<ComparedSide> side_by_accepted_step(const DescribedFile& file) {
+  const DescribedHead& head = file.head();
+  const std::string folder = golden_folder_above(file.path());
+  const std::optional<AcceptedCore> accepted = folder.empty() ? std::nullopt : undamaged_core(folder);
+  std::optional<TracedStep> step = accepted ? read_step(accepted->step) : std::nullopt;
+  if (!step || accepted->model != kDescribedModel) return std::nullopt;
+  const DescribedCore core{.description = parse_description(accepted->description, head.description.core,
+                                                            accepted_core_folder(folder))};
+  if (!description_difference(head.description, core.description).empty()) return std::nullopt;
+  return replayed_side(interpreted(core, *std::move(step)), head);
+}
+
+// Nothing, too, where the scenario's run would be too large to compare.
 std::optional<ComparedSide> golden_side(const DescribedCore& core, const DescribedScenario& scenario,
-                                        const DescribedFile& file, const GoldenPlace& place) {
-  const DescribedHead& kept = file.head();
-  if (!fits_in_memory(core, step_count(scenario))) return std::nullopt;
-  if (file.holds_every_row())
-    return ComparedSide{file.rows(), jump_frames(kept.scenario, kept.steps), file.contacts()};
-  auto played = played_side(core, kept);
-  return played ? std::move(played) : side_by_accepted_step(core, kept, place);
+                                        const DescribedFile& file) {
+  if (!fits_in_memory(core.description, step_count(scenario))) return std::nullopt;
+  return all_rows_of(core, file);
 }
 
 // A run with all its rows.
@@ -152,13 +160,12 @@ ComparedSide whole_side(const DescribedCore& core, const DescribedScenario& scen
 }
 
 DescribedComparison compare_with_rows(const DescribedCore& core, const DescribedScenario& scenario,
-                                      const GoldenContents& run, const DescribedFile& file,
-                                      const GoldenPlace& place) {
+                                      const GoldenContents& run, const DescribedFile& file) {
   const DescribedHead& kept = file.head();
   const std::vector<DescribedBlock> blocks = file.blocks();
   const bool is_same_scenario = plays_the_same(kept.scenario, scenario);
   DescribedComparison result;
-  if (const auto golden = golden_side(core, scenario, file, place))
+  if (const auto golden = golden_side(core, scenario, file))
     result = compare_runs(core.description, *golden, whole_side(core, scenario, run));
   else if (!blocks.empty() && !run.blocks.empty())
     result = compare_blocks(core.description, blocks, run.blocks);
@@ -178,11 +185,10 @@ DescribedComparison compare_with_rows(const DescribedCore& core, const Described
 
 // Of a golden file of another description: what both have.
 DescribedComparison compare_with_other_shape(const DescribedCore& core, const DescribedScenario& scenario,
-                                             const GoldenContents& run, const DescribedFile& file,
-                                             const GoldenPlace& place) {
+                                             const GoldenContents& run, const DescribedFile& file) {
   const DescribedHead& kept = file.head();
   const auto unknown = batches_of(DescribedRows());
-  const auto golden = golden_side(core, scenario, file, place);
+  const auto golden = golden_side(core, scenario, file);
   const ComparedSide before =
       golden ? *golden : ComparedSide{unknown, jump_frames(kept.scenario, kept.steps), file.contacts()};
   ComparedSide after = golden ? whole_side(core, scenario, run) : side_of(run, scenario);
@@ -246,11 +252,14 @@ std::string scenario_changes(const Description& description, const DescribedScen
   return json_changes(without_texts(description, from), without_texts(description, to));
 }
 
-std::optional<ComparedSide> played_side(const DescribedCore& core, const DescribedHead& head) {
-  if (!fits_in_memory(core, head.steps) ||
-      !description_difference(head.description, core.description).empty())
-    return std::nullopt;
-  return replayed_side(core, head);
+std::optional<ComparedSide> all_rows_of(const DescribedCore& core, const DescribedFile& file) {
+  const DescribedHead& head = file.head();
+  if (file.holds_every_row())
+    return ComparedSide{file.rows(), jump_frames(head.scenario, head.steps), file.contacts()};
+  if (!fits_in_memory(head.description, head.steps)) return std::nullopt;
+  std::optional<ComparedSide> played;
+  if (description_difference(head.description, core.description).empty()) played = replayed_side(core, head);
+  return played ? std::move(played) : side_by_accepted_step(file);
 }
 
 GoldenContents play_for_golden(const DescribedCore& core, const DescribedScenario& scenario,
@@ -280,11 +289,11 @@ GoldenComparison compare_with_golden(const DescribedCore& core, const DescribedS
   const DescribedHead& kept = file.head();
   const std::string difference = description_difference(kept.description, core.description);
   if (!difference.empty()) {
-    static_cast<DescribedComparison&>(result) = compare_with_other_shape(core, scenario, run, file, place);
+    static_cast<DescribedComparison&>(result) = compare_with_other_shape(core, scenario, run, file);
     result.shape = difference + ": bless --accept shape";
     result.difference = DifferenceClass::shape;
   } else {
-    static_cast<DescribedComparison&>(result) = compare_with_rows(core, scenario, run, file, place);
+    static_cast<DescribedComparison&>(result) = compare_with_rows(core, scenario, run, file);
     result.has_other_scenario = !plays_the_same(kept.scenario, scenario);
   }
   const std::string blessed_sum = summary_file_checksum(text).value_or("");

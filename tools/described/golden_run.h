@@ -35,9 +35,10 @@ struct GoldenContents {
 [[nodiscard]] std::string scenario_changes(const Description& description, const DescribedScenario& from,
                                            const DescribedScenario& to);
 
-/// All rows of the run of a file, played again; nothing where this core does not give them, or they are too
-/// many.
-[[nodiscard]] std::optional<ComparedSide> played_side(const DescribedCore& core, const DescribedHead& head);
+/// All rows of the run of a file: those that it holds, or played again by this core, or in a golden folder by
+/// the step of the accepted core. Nothing where neither gives them, or they are too many. REQUIRES: the file
+/// stays open.
+[[nodiscard]] std::optional<ComparedSide> all_rows_of(const DescribedCore& core, const DescribedFile& file);
 
 struct GoldenComparison : DescribedComparison {
   bool is_proved = false;  ///< By the checksums of the summary alone.
