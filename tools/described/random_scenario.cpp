@@ -107,11 +107,22 @@ class Variation {
     }
   }
 
+  // An enum argument is never drawn: it is that of an event of the scenario. Without one it is a hitch.
+  [[nodiscard]] DescribedAction any_act(std::size_t action, const DescribedScenario& scenario) const {
+    const std::vector<ValueInfo>& arguments = description_.actions[action].arguments;
+    if (std::ranges::none_of(arguments, &ValueInfo::is_enum))
+      return Act{action, std::vector<Word>(arguments.size())};
+    for (const DescribedEvent& event : scenario.events)
+      if (const auto* const act = std::get_if<Act>(&event.action); act != nullptr && act->action == action)
+        return *act;
+    return Hitch{};
+  }
+
   DescribedAction any_action(const DescribedScenario& scenario) {
     const std::uint64_t kind = draws_.below(description_.actions.size() + 2);
     DescribedAction action = Hitch{};
     if (kind < description_.actions.size()) {
-      action = Act{kind, std::vector<Word>(description_.actions[kind].arguments.size())};
+      action = any_act(kind, scenario);
     } else if (kind == description_.actions.size() && !description_.inputs.values.empty()) {
       const std::size_t input = draws_.below(description_.inputs.values.size());
       const bool has_array =

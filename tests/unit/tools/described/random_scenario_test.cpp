@@ -59,5 +59,25 @@ TEST(RandomScenario, DrawsEachKindOfValueByItsRule) {
   EXPECT_LE(largest_px, 80.0);
 }
 
+TEST(RandomScenario, AnEnumArgumentIsOneOfTheScenario) {
+  Description pool = pool_description();
+  pool.actions.push_back({"turn", {value_info<std::uint8_t>("side", 0), value_info("by_deg", 0.0)}});
+  pool.actions.back().arguments.front().is_enum = true;
+  std::vector<DescribedScenario> library = library_of(pool);
+  const auto sides_drawn = [&] {
+    std::multiset<Word> sides;
+    for (std::uint64_t run = 0; run < 200; ++run)
+      for (const DescribedEvent& event : random_scenario(pool, library, 1, run).events)
+        if (const auto* const act = std::get_if<Act>(&event.action); act != nullptr && act->action == 3)
+          sides.insert(act->arguments.front());
+    return sides;
+  };
+  EXPECT_EQ(sides_drawn().size(), 0U) << "0 may be none of its values";
+  library.front().events.push_back({std::int64_t{2}, Act{3, {2, word_of(90.0)}}});
+  const std::multiset<Word> sides = sides_drawn();
+  EXPECT_GT(sides.size(), 200U) << "at further times, too";
+  EXPECT_EQ(sides.count(2), sides.size());
+}
+
 }  // namespace
 }  // namespace hyrax
