@@ -70,7 +70,6 @@ STATED = (
     (FORMAT, "`sprite` | yes | `width_px`, `height_px`: integers, {} .. {};", SCENARIO, "kSpriteSideMin_px, kSpriteSideMax_px"),
     (OWN, "up to row {}, `fuzz`", "sim/described/described_run.h", "kCheckedRowsMax"),
     (FORMAT, "Finite, magnitude at most {};", SCENARIO, "kCoordinateMax_px"), (FORMAT, "1 to {} characters", SCENARIO, "kNameLengthMax"),
-    (OWN, "up to row {}, `fuzz`", "sim/described/described_run.h", "kCheckedRowsMax"),
     (FORMAT, "Finite, magnitude at most {};", SCENARIO, "kSpeedMax_px_per_s"), (FORMAT, "number of frames, 0 .. {} |", SCENARIO, "kStepsMax"),
     (FORMAT, "magnitude at most {}. The run", SCENARIO, "kParameterMax"),
     (FORMAT, "`vx_px_per_s`, `vy_px_per_s` ({} if left out)", "tools/files/scenario.schema.json", '"default":'),

@@ -4,7 +4,6 @@
 #include "sim/core/core_of.h"
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
-#include "sim/core/traced_core.h"
 #include "sim/reference/model.h"
 #include "sim/replay/replay.h"
 #include "sim/trace/listing_step.h"

@@ -1,7 +1,6 @@
 // One scenario at many frame rates, by cores whose step converges and whose does not.
 
 #include <gtest/gtest.h>
-#include <cmath>
 
 #include "sim/core/listing_core.h"
 #include "sim/study/frame_rate/frame_rate.h"
