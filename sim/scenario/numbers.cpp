@@ -1,6 +1,5 @@
 #include "sim/scenario/numbers.h"
 
-#include <array>
 #include <charconv>
 #include <limits>
 #include <string>
@@ -11,9 +10,6 @@ namespace {
 constexpr double kNoLimit = std::numeric_limits<double>::max();
 constexpr double kSeedMax = 0x1p64;  // The nearest double to the largest seed.
 constexpr double kFramesMax = static_cast<double>(kStepsMax);
-// By Jitter::Kind.
-constexpr std::array<std::string_view, 3> kAmountPointers = {
-    "/clock/jitter/fraction", "/clock/jitter/sigma_s", "/clock/jitter/probability"};
 
 NumberField timing(NumberField field) {
   field.is_timing = true;
@@ -26,18 +22,16 @@ void visit_world(Scenario& scenario, const auto& visit) {
   visit("/window/height_px", window_field(scenario.window.height_px));
   visit("/sprite/width_px", sprite_field(scenario.sprite.width_px));
   visit("/sprite/height_px", sprite_field(scenario.sprite.height_px));
-  visit("/start/x_px", coordinate_field(scenario.start.x_px));
-  visit("/start/y_px", coordinate_field(scenario.start.y_px));
-  visit("/start/vx_px_per_s", speed_field(scenario.start_velocity.vx_px_per_s));
-  visit("/start/vy_px_per_s", speed_field(scenario.start_velocity.vy_px_per_s));
+  visit_start(scenario,
+              [&](const char* key, const NumberField& field) { visit(std::string("/start/") + key, field); });
   if (auto* const rate = std::get_if<FixedRate>(&scenario.clock.base))
     visit("/clock/rate_hz", timing({&rate->rate_hz, 1.0 / kFrameMax_s, kRateMax_hz}));
   if (auto* const step = std::get_if<FixedStep>(&scenario.clock.base))
     visit("/clock/dt_s", frame_field(step->dt_s));
   if (!scenario.clock.jitter) return;
   Jitter& jitter = *scenario.clock.jitter;
-  visit(kAmountPointers[static_cast<std::size_t>(jitter.kind)],
-        timing({&jitter.amount, 0.0, jitter.kind == Jitter::Kind::normal ? kFrameMax_s : 1.0}));
+  const JitterKeys& keys = kJitterKeys.at(static_cast<std::size_t>(jitter.kind));
+  visit(std::string("/clock/jitter/").append(keys.amount), timing({&jitter.amount, 0.0, keys.amount_max}));
   visit("/clock/jitter/seed", timing({&jitter.seed, 0.0, kSeedMax}));
 }
 

@@ -1,6 +1,7 @@
 // The numbers of a scenario: where each is stored, its limits, and the JSON Pointer of its key.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -63,6 +64,25 @@ struct NumberField {
 
 [[nodiscard]] inline NumberField parameter_field(double& value) {
   return {&value, -kParameterMax, kParameterMax};
+}
+
+/// How files name a jitter's kind and its amount, and the largest amount; the least is 0.
+struct JitterKeys {
+  std::string_view kind;
+  std::string_view amount;
+  double amount_max;
+};
+inline constexpr std::array<JitterKeys, 3> kJitterKeys = {{{"uniform", "fraction", 1.0},  // By Jitter::Kind.
+                                                           {"normal", "sigma_s", kFrameMax_s},
+                                                           {"missed_frames", "probability", 1.0}}};
+
+/// Calls visit(key, NumberField) for each number of the start in the order of the file, as visit_numbers does
+/// for those of an action.
+void visit_start(Scenario& scenario, const auto& visit) {
+  visit("x_px", coordinate_field(scenario.start.x_px));
+  visit("y_px", coordinate_field(scenario.start.y_px));
+  visit("vx_px_per_s", speed_field(scenario.start_velocity.vx_px_per_s));
+  visit("vy_px_per_s", speed_field(scenario.start_velocity.vy_px_per_s));
 }
 
 /// Calls visit(path, NumberField) for each number of an action in the order of the file: the one list of them

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/scenario/frame_clock.h"
+#include "sim/scenario/numbers.h"
 #include "tools/files/unknown_word.h"
 
 namespace hyrax {
@@ -41,20 +42,21 @@ Jitter read_jitter(const JsonPlace& here) {
   }
   const auto seed = here.required("seed").seed();
   const auto kind = here.required("kind").text();
-  const auto rule = std::ranges::find_if(kJitterRules, [&](const JitterRule& r) { return kind == r.kind; });
-  if (rule == kJitterRules.end()) {
+  const auto keys =
+      std::ranges::find_if(kJitterKeys, [&](const JitterKeys& each) { return kind == each.kind; });
+  if (keys == kJitterKeys.end()) {
     std::vector<std::string_view> kinds;
-    for (const JitterRule& each : kJitterRules) kinds.push_back(each.kind);
+    for (const JitterKeys& each : kJitterKeys) kinds.push_back(each.kind);
     if (kind) here.member("kind").wrong(unknown_word("value", *kind, kinds));
     // The keys of all kinds are allowed, each with its own rule.
     static_cast<void>(here.is_object_of({"kind", "fraction", "sigma_s", "probability", "seed"}));
-    for (const JitterRule& each : kJitterRules)
-      static_cast<void>(here.member(each.amount_key).number(each.amount));
+    for (const JitterKeys& each : kJitterKeys)
+      static_cast<void>(here.member(each.amount).number({0.0, each.amount_max}));
     return {};
   }
-  static_cast<void>(here.is_object_of({"kind", rule->amount_key, "seed"}));
-  return {static_cast<Jitter::Kind>(rule - kJitterRules.begin()),
-          here.required(rule->amount_key).number(rule->amount).value_or(0.0), seed.value_or(0)};
+  static_cast<void>(here.is_object_of({"kind", keys->amount, "seed"}));
+  return {static_cast<Jitter::Kind>(keys - kJitterKeys.begin()),
+          here.required(keys->amount).number({0.0, keys->amount_max}).value_or(0.0), seed.value_or(0)};
 }
 
 // REQUIRES: an array. It may have millions of frames, so no list of their places is made.
@@ -126,8 +128,8 @@ std::optional<std::int64_t> read_length(const JsonPlace& document, bool is_clock
 }
 
 Json to_json(const Jitter& jitter) {
-  const JitterRule& rule = kJitterRules.at(static_cast<std::size_t>(jitter.kind));
-  return Object{{"kind", rule.kind}, {std::string(rule.amount_key), jitter.amount}, {"seed", jitter.seed}};
+  const JitterKeys& keys = kJitterKeys.at(static_cast<std::size_t>(jitter.kind));
+  return Object{{"kind", keys.kind}, {std::string(keys.amount), jitter.amount}, {"seed", jitter.seed}};
 }
 
 Json to_json(const Clock& clock) {

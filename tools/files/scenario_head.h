@@ -17,16 +17,6 @@ inline constexpr std::string_view kScenarioFormat = "hyrax-scenario/1";
 inline constexpr NumberRule kNotNegativeRule{0.0};
 inline constexpr NumberRule kFrameRule{0.0, kFrameMax_s};
 
-/// How a jitter's kind is written, in the order of Jitter::Kind.
-struct JitterRule {
-  std::string_view kind;
-  std::string_view amount_key;
-  NumberRule amount;
-};
-inline constexpr std::array<JitterRule, 3> kJitterRules = {{{"uniform", "fraction", {0.0, 1.0}},
-                                                            {"normal", "sigma_s", {0.0, kFrameMax_s}},
-                                                            {"missed_frames", "probability", {0.0, 1.0}}}};
-
 // Errors are added to the problems of the place; the values in question are then 0 or missing.
 
 /// Whether the document names another core than `own_core`, which is an error of its own; the other errors of

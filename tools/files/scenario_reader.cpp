@@ -34,18 +34,26 @@ Resize read_resize(const JsonPlace& here) {
   return resize;
 }
 
+// @param visit_all calls its argument for each number that the place holds, as visit_numbers does.
+void read_numbers(const JsonPlace& here, std::initializer_list<std::string_view> optional_keys,
+                  const auto& visit_all) {
+  std::vector<std::string_view> keys;
+  visit_all([&](std::string_view key, const NumberField&) { keys.push_back(key); });
+  if (!here.is_object_of(keys)) return;
+  visit_all([&](std::string_view key, const NumberField& field) {
+    const bool is_optional = std::ranges::find(optional_keys, key) != optional_keys.end();
+    const JsonPlace place = is_optional ? here.member(key) : here.required(key);
+    field.set(place.number({field.low, field.high}).value_or(0.0));
+  });
+}
+
 Action read_action(const JsonPlace& here, std::size_t kind) {
   Action action = make_action(kind);
   if (auto* const resize = std::get_if<Resize>(&action)) {
     *resize = read_resize(here);
     return action;
   }
-  std::vector<std::string_view> keys;
-  visit_numbers(action, [&](std::string_view key, const NumberField&) { keys.push_back(key); });
-  if (!here.is_object_of(keys)) return action;
-  visit_numbers(action, [&](std::string_view key, const NumberField& field) {
-    field.set(here.required(key).number({field.low, field.high}).value_or(0.0));
-  });
+  read_numbers(here, {}, [&](const auto& visit) { visit_numbers(action, visit); });
   return action;
 }
 
@@ -90,16 +98,6 @@ void read_events(const JsonPlace& here, const FramesRead& frames, Scenario& scen
   for (std::size_t event = 0; event < times.size(); ++event) scenario.events[event].when = times[event].when;
 }
 
-void read_start(const JsonPlace& here, Scenario& scenario) {
-  if (!here.is_object_of({"x_px", "y_px", "vx_px_per_s", "vy_px_per_s"})) return;
-  constexpr NumberRule kCoordinateRule{-kCoordinateMax_px, kCoordinateMax_px};
-  constexpr NumberRule kSpeedRule{-kSpeedMax_px_per_s, kSpeedMax_px_per_s};
-  scenario.start = {here.required("x_px").number(kCoordinateRule).value_or(0.0),
-                    here.required("y_px").number(kCoordinateRule).value_or(0.0)};
-  scenario.start_velocity = {here.member("vx_px_per_s").number(kSpeedRule).value_or(0.0),
-                             here.member("vy_px_per_s").number(kSpeedRule).value_or(0.0)};
-}
-
 // Which names there are the core says.
 void read_parameters(const JsonPlace& here, Scenario& scenario) {
   here.each_member([&](const std::string& name, const JsonPlace& place) {
@@ -117,7 +115,8 @@ Scenario read_document(const JsonPlace& document, const std::string& fallback_na
   read_names(document, fallback_name, scenario);
   scenario.window = read_window(document.required("window"));
   scenario.sprite = read_sprite(document.required("sprite"));
-  read_start(document.required("start"), scenario);
+  read_numbers(document.required("start"), {"vx_px_per_s", "vy_px_per_s"},
+               [&](const auto& visit) { visit_start(scenario, visit); });
   read_events(document.member("events"), read_frames(document, scenario), scenario);
   read_parameters(document.member("parameters"), scenario);
   read_record(document, scenario);

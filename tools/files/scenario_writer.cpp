@@ -13,18 +13,21 @@ Json to_json(const Size& size) {
   return Object{{"width_px", static_cast<std::int64_t>(size.width_px)},
                 {"height_px", static_cast<std::int64_t>(size.height_px)}};
 }
-Json action_json(Action action) {
+
+// @param visit_all calls its argument for each number, as visit_numbers does.
+Json numbers_json(const auto& visit_all) {
   Json object = Object();
-  visit_numbers(action, [&](std::string_view path, const NumberField& field) {
+  visit_all([&](std::string_view path, const NumberField& field) {
     set_at(object, std::string("/").append(path),
            std::visit([](const auto* at) { return Json(*at); }, field.at));
   });
   return object;
 }
 
-Json to_json(const Event& event) {
+Json to_json(Event event) {
   Object object = event_time_json(event.when);
-  object.emplace_back(name_of(event.action), action_json(event.action));
+  object.emplace_back(name_of(event.action),
+                      numbers_json([&](const auto& visit) { visit_numbers(event.action, visit); }));
   return object;
 }
 
@@ -48,15 +51,12 @@ Json to_json(const Expect& expect) {
 
 }  // namespace
 
-Json to_json(const Scenario& scenario) {
+Json to_json(Scenario scenario) {
   Object document;
   add_names(scenario, document);
   document.emplace_back("window", to_json(scenario.window));
   document.emplace_back("sprite", to_json(scenario.sprite));
-  document.emplace_back("start", Object{{"x_px", scenario.start.x_px},
-                                        {"y_px", scenario.start.y_px},
-                                        {"vx_px_per_s", scenario.start_velocity.vx_px_per_s},
-                                        {"vy_px_per_s", scenario.start_velocity.vy_px_per_s}});
+  document.emplace_back("start", numbers_json([&](const auto& visit) { visit_start(scenario, visit); }));
   add_frames(scenario, document);
   Json::Array events;
   for (const Event& event : scenario.events) events.push_back(to_json(event));

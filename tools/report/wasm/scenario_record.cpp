@@ -37,9 +37,7 @@ class Record {
   void part(Scenario& scenario) {
     part(scenario.window);
     part(scenario.sprite);
-    for (double* const number : {&scenario.start.x_px, &scenario.start.y_px,
-                                 &scenario.start_velocity.vx_px_per_s, &scenario.start_velocity.vy_px_per_s})
-      part(*number);
+    visit_start(scenario, [&](auto, const NumberField& field) { part(*std::get<double*>(field.at)); });
     part(scenario.record_every);
     one_of(scenario.length);
     one_of(scenario.clock.base);
