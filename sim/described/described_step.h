@@ -18,8 +18,4 @@ struct DescribedStep {
 /// successors, the same on every machine. NaNs are alike.
 [[nodiscard]] DescribedStep described_step(const DescribedCore& core);
 
-/// The core with this step, which is interpreted, without outputs and properties. REQUIRES: a complete step
-/// with the members and functions of the core's own.
-[[nodiscard]] DescribedCore interpreted(const DescribedCore& core, TracedStep step);
-
 }  // namespace hyrax

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sim/described/described_step.h"
+#include "sim/described/interpreted_core.h"
 #include "sim/described/scripted_body.h"
 #include "sim/trace/step_text.h"
 #include "tools/described/value_json.h"

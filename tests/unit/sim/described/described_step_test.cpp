@@ -1,4 +1,5 @@
 #include "sim/described/described_step.h"
+#include "sim/described/interpreted_core.h"
 
 #include <gtest/gtest.h>
 
