@@ -25,7 +25,8 @@ Look look_of(std::size_t curve) {
           .dash = kDashes[curve / kTones.size() % kDashes.size()]};
 }
 
-constexpr Look kGoldenLook = {.tone = Tone::quiet, .width_px = 4, .dash = Dash::dots};
+// A golden curve has the tone of the run's own.
+constexpr Look golden_look(Tone tone) { return {.tone = tone, .width_px = 4, .dash = Dash::dots}; }
 
 // A number, or the name that it has.
 std::string value_text(const ValueInfo& value, double number) {
@@ -122,7 +123,7 @@ Plot DescribedPicture::path_plot(const std::vector<PositionPair>& pairs,
       series.y.push_back(point.values[pairs[pair].y]);
     };
     if (golden != nullptr) {
-      Series before{.name = named(pairs[pair]) + ", golden", .look = kGoldenLook};
+      Series before{.name = named(pairs[pair]) + ", golden", .look = golden_look(path.look.tone)};
       for (const Point& point : golden->points_) add(before, point);
       plot.series.push_back(std::move(before));
     }
@@ -159,7 +160,7 @@ std::vector<Plot> DescribedPicture::value_plots(const std::vector<PositionPair>&
     };
     Series series = curve(values[value]->name, look_of(plot.texts.size()), points_);
     if (golden != nullptr)
-      plot.series.push_back(curve(series.name + ", golden", kGoldenLook, golden->points_));
+      plot.series.push_back(curve(series.name + ", golden", golden_look(series.look.tone), golden->points_));
     if (plot.texts.empty()) {
       plot.y.label = series.name + (unit.empty() ? "" : ", " + unit);
       name_values(*values[value], plot.y);
@@ -182,7 +183,7 @@ Figure DescribedPicture::figure(const std::string& subtitle, const DescribedPict
   const bool is_golden_alike = golden != nullptr && !golden->points_.empty() &&
                                description_difference(golden->description_, description_).empty();
   if (!is_golden_alike) golden = nullptr;
-  Figure figure{.title = scenario_.name, .subtitle = subtitle, .has_rows = true};
+  Figure figure{.title = scenario_.name, .subtitle = subtitle, .row_count = points_.size()};
   const std::vector<PositionPair> pairs = position_pairs(description_);
   std::vector<Plot> plots;
   if (!pairs.empty()) plots.push_back(path_plot(pairs, golden));
@@ -196,7 +197,7 @@ Figure DescribedPicture::figure(const std::string& subtitle, const DescribedPict
   if (!contacts_.empty() && !pairs.empty())
     figure.legend.push_back(
         {"position at the first row of a contact", {.form = Form::points, .marker = Marker::ring}});
-  if (golden != nullptr) figure.legend.push_back({"golden file", kGoldenLook});
+  if (golden != nullptr) figure.legend.push_back({"golden file", golden_look(Tone::quiet)});
   figure.body = std::move(plots);
   return figure;
 }

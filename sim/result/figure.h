@@ -186,7 +186,7 @@ struct Figure {
       {};  ///< Plots are side by side, those of equal scales in twos; of one x, stacked.
   std::vector<LegendEntry> legend = {};
   std::vector<std::string> remarks = {};  ///< Sentences below.
-  bool has_rows = false;                  ///< Lines have a point a row: a page has a slider over them.
+  std::size_t row_count = 0;  ///< Lines of as many points have one a row: a page has a slider over them.
 };
 
 }  // namespace hyrax

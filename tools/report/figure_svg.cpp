@@ -83,7 +83,9 @@ std::string figure_svg(const Figure& figure) {
 
 std::string figure_html(const Figure& figure) {
   constexpr double kLeft = kSheetMargin - 12;  // Before a sheet's texts; a font may be wider than text_width.
-  std::string html = std::string("<div class=\"picture\"") + (figure.has_rows ? " data-rows" : "") + ">\n";
+  std::string html = "<div class=\"picture\"";
+  if (figure.row_count > 0) html += " data-rows=\"" + std::to_string(figure.row_count) + "\"";
+  html += ">\n";
   const auto add = [&](const char* css_class, double width) {
     Sheet sheet{.width = width};
     sheet.height = draw_data(sheet.svg, figure, width, 0.0) + 4;

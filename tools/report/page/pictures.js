@@ -41,9 +41,9 @@
     make('a', { href: URL.createObjectURL(blob), download: `${name}.${kind.toLowerCase()}` }).click();
   }
 
-  // A dot on each line of as many places as there are rows, and what they are there.
+  // A dot on each line that has a place a row, and what they are there.
   function addSlider(picture, svgs, readout) {
-    const length = Math.max(...linesOf(svgs[0]).map(({ places }) => places.length)), slider = make('input', { type: 'range', class: 'time', min: 0, max: length - 1, value: 0, 'aria-label': 'Row' });
+    const length = Number(picture.dataset.rows), slider = make('input', { type: 'range', class: 'time', min: 0, max: length - 1, value: 0, 'aria-label': 'Row' });
     slider.oninput = () => svgs.forEach(svg => {
       svg.querySelectorAll('.moment').forEach(dot => dot.remove());
       const lines = [...svg.querySelectorAll('[data-x]')].flatMap(plot => linesOf(plot).filter(({ places }) => places.length === length).map(({ name, places }) => ({ plot, name, at: places[slider.value] })));

@@ -142,8 +142,8 @@ TEST(FigureHtml, SaysWhereValuesAreAndWhetherItHasRows) {
     EXPECT_NEAR(std::stod(line.str(place)), std::stod(found.str(end)), 0.03)
         << "its line goes from one end of the axes to the other";
   EXPECT_EQ(html.find("data-rows"), html.npos);
-  figure.has_rows = true;
-  EXPECT_NE(figure_html(figure).find("<div class=\"picture\" data-rows>"), html.npos);
+  figure.row_count = 2;
+  EXPECT_NE(figure_html(figure).find("<div class=\"picture\" data-rows=\"2\">"), html.npos);
 }
 
 PlotScale scale_of(const Axis& axis, const std::vector<double>& values, double length_px = 400.0) {
