@@ -1,6 +1,6 @@
 // The page's core: the C++ of hyrax-sim as WebAssembly. Lists pass through its memory.
 import { gunzipSync } from 'fflate';
-import { bytes, rowFields } from './data.js';
+import { bytes, rowFields, walls } from './data.js';
 import { element, root } from './document.js';
 
 export class Core {
@@ -79,9 +79,10 @@ export class Core {
   playTo = step => this.calls.play_to(step);
   finish() {
     this.calls.finish();
-    const [steps, every, firstDifference, compared, complete, nonFinite, atRestSince, implementation_px, truncation_px, model_px, energy_drift_rel, left, right, top, ground] =
+    const [steps, every, firstDifference, compared, complete, nonFinite, atRestSince, implementation_px, truncation_px, model_px, energy_drift_rel, ...counts] =
       Array.from(this.#output(), value => (Number.isNaN(value) ? null : value));
-    return { steps, every, compared, firstDifference, isComplete: complete === 1, nonFinite, stateHash: this.#text(), atRestSince, contacts: { left, right, top, ground },
+    const [contacts, bounces] = [0, 4].map(first => Object.fromEntries(walls.map((wall, at) => [wall, counts[first + at]])));
+    return { steps, every, compared, firstDifference, isComplete: complete === 1, nonFinite, stateHash: this.#text(), atRestSince, contacts, bounces,
       errors: { implementation_px, truncation_px, model_px, energy_drift_rel } };
   }
 

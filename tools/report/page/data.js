@@ -13,6 +13,9 @@ export function doubles(base64) {
   return Float64Array.from({ length: view.byteLength / 8 }, (_, i) => view.getFloat64(8 * i, true));
 }
 
+/** In the order of all lists by wall. */
+export const walls = ['left', 'right', 'top', 'ground'];
+
 export const rowFields = ['step', 't', 'dt', 'x', 'y', 'vx', 'vy', 'contact'];
 
 export const rowsOf = run => Object.fromEntries(rowFields.map(field => [field, doubles(run.rows[field])]));

@@ -1,8 +1,8 @@
 // What the lists of a run's page say, as plain values: contacts, inputs, what was exercised, how it was made.
+import { walls } from './data.js';
 import { count } from './numbers.js';
 
 export const shownMax = 200;
-const wallNames = { 1: 'left', 2: 'right', 4: 'top', 8: 'ground' };
 
 // The errors of each contact that ends an arc, by step and wall.
 const errorsOf = list => new Map(Array.from(list?.step ?? [], (step, i) => [`${step} ${list.wall[i]}`, i]));
@@ -18,7 +18,7 @@ export function contactsOf({ run, contacts, contactErrors, check }) {
     const [before, after] = isInX ? [contacts.vx_before[i], contacts.vx_after[i]] : [contacts.vy_before[i], contacts.vy_after[i]];
     const error = errors.get(`${step} ${wall}`);
     const measured = error === undefined ? [null, null] : [1000 * contactErrors.time_error[error], contactErrors.effective_restitution[error]];
-    return { step, last: contacts.last_step[i] > step ? `to ${contacts.last_step[i]}` : '', wall, name: wallNames[wall],
+    return { step, last: contacts.last_step[i] > step ? `to ${contacts.last_step[i]}` : '', wall, name: walls[Math.log2(wall)],
       numbers: [contacts.t[i], before, after, contacts.overshoot[i], ...measured] };
   });
   return { heads, rows, all };

@@ -53,7 +53,7 @@ export function playedHere(core, record, { stateHash, constants, inputs = [] }) 
   const result = Object.fromEntries(partsPlayed(core).map(([name, get]) => [name, get()])), { check, rows } = result, last = rows.step.length - 1;
   return { ...result, milliseconds: performance.now() - begin, outcome: check.stateHash === stateHash ? 'agrees' : 'differs',
     run: { name: 'fling', constants, steps: check.steps, row_count: last + 1, expect: null, inputs, errors: core.isMeasuring ? check.errors : null, non_finite: check.nonFinite,
-      result: { contacts: check.contacts, final: { x_px: rows.x[last], y_px: rows.y[last] }, at_rest_since_s: check.atRestSince } } };
+      result: { contacts: check.contacts, bounces: check.bounces, final: { x_px: rows.x[last], y_px: rows.y[last] }, at_rest_since_s: check.atRestSince } } };
 }
 
 /** Where a run is at a time, and which way it looks. */

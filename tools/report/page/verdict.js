@@ -1,7 +1,6 @@
 // The verdict as plain values: tiles that say first what a reader wants to know.
+import { walls } from './data.js';
 import { count, rounded } from './numbers.js';
-
-const walls = ['left', 'right', 'top', 'ground'];
 
 const tile = (label, value, note, state = '') => ({ label, value, note, state });
 
@@ -43,10 +42,11 @@ function errorTile(label, worst, meaning) {
   return tile(label, worst === null ? '–' : `${rounded(worst, 3)} px`, worst === null ? 'no flight arc' : meaning);
 }
 
-function contactsTile(contacts) {
-  const total = walls.reduce((sum, wall) => sum + contacts[wall], 0);
-  const parts = walls.filter(wall => contacts[wall]).map(wall => `${wall} ${contacts[wall]}`);
-  return tile('Contacts', String(total), parts.join(', ') || 'it met no wall');
+function bouncesTile({ contacts, bounces }) {
+  const [met, bounced] = [contacts, bounces].map(counts => walls.reduce((sum, wall) => sum + counts[wall], 0));
+  const parts = walls.filter(wall => bounces[wall]).map(wall => `${wall} ${bounces[wall]}`);
+  if (met > bounced) parts.push(count(met - bounced, 'resting contact'));
+  return tile('Bounces', String(bounced), parts.join(', ') || 'it met no wall');
 }
 
 function restTile({ result: { final, at_rest_since_s: since }, non_finite: nonFinite }) {
@@ -75,7 +75,7 @@ export function verdictOf(result) {
     causes: [run.non_finite && `${run.non_finite}; the run ended there`, difference].filter(Boolean),
     verdicts: [replayTile(result), ...(result.file ? [goldenTile(run.golden), expectTile(run.expect)] : [])],
     figures: [
-      contactsTile(run.result.contacts),
+      bouncesTile(run.result),
       restTile(run),
       ...(errors ? [errorTile('Implementation error', errors.implementation_px, 'from the exact solution of its step'),
         errorTile('Truncation error', errors.truncation_px, 'from the ODE at this frame rate'),

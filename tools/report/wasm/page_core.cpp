@@ -198,7 +198,8 @@ HYRAX_EXPORT(finish) void finish() {
                    or_nan(run.summary.at_rest_since_s),    or_nan(run.errors.implementation_px),
                    or_nan(run.errors.truncation_px),       or_nan(run.errors.model_px),
                    or_nan(run.errors.energy_drift_rel_max)};
-  for (const Wall wall : kWalls) page().output.push_back(static_cast<double>(run.summary.contacts[wall]));
+  for (const WallCounts* const counts : {&run.summary.contacts, &run.summary.bounces})
+    for (const Wall wall : kWalls) page().output.push_back(static_cast<double>((*counts)[wall]));
 }
 
 /// Column `index` of what is drawn: rows, contacts, errors of rows and of contacts, and causes of energy

@@ -31,8 +31,8 @@ test('a record goes in with rows and digests, row by row', () => {
 });
 
 test('what a run came to has each number under its name', () => {
-  const { core } = cored({ finish: { list: [9, 2, NaN, 5, 1, NaN, 1.5, 0.1, 0.2, 0.3, NaN, 11, 12, 13, 14], text: 'abc' } });
-  assert.deepEqual(core.finish(), { steps: 9, every: 2, compared: 5, firstDifference: null, isComplete: true, nonFinite: null, stateHash: 'abc', atRestSince: 1.5, contacts: { left: 11, right: 12, top: 13, ground: 14 },
+  const { core } = cored({ finish: { list: [9, 2, NaN, 5, 1, NaN, 1.5, 0.1, 0.2, 0.3, NaN, 11, 12, 13, 14, 1, 2, 3, 4], text: 'abc' } });
+  assert.deepEqual(core.finish(), { steps: 9, every: 2, compared: 5, firstDifference: null, isComplete: true, nonFinite: null, stateHash: 'abc', atRestSince: 1.5, contacts: { left: 11, right: 12, top: 13, ground: 14 }, bounces: { left: 1, right: 2, top: 3, ground: 4 },
     errors: { implementation_px: 0.1, truncation_px: 0.2, model_px: 0.3, energy_drift_rel: null } });
   assert.equal(cored({ finish: { list: [9, 2, 0, 5, 0] } }).core.finish().isComplete, false);
 });

@@ -16,7 +16,7 @@ function opened(state = {}) {
   let frames = 0;
   const core = { useConstants: say('constants'), measureBy() {}, liveStart: say('start'), liveGrab: say('grab'), liveDrag: say('drag'), liveRelease: say('release', () => ({ x: 41, y: 31, vx: 300, vy: -400 })), liveVelocity: say('velocity', () => ({ vx: 6, vy: 8 })),
     liveFrame: say('frame', dt => ({ t: ++frames / 10, x: 40 + frames, y: 30, vx: 1, vy: 2, contact: 0, frames, ...state })), liveScenario: () => ({ record, stateHash: 'ab' }),
-    flight: say('flight', (_, rate) => flown(rate)), load: say('load', () => 1), playTo: say('play'), finish: () => ({ stateHash: 'ab', contacts: {}, steps: 1 }), rows: () => ({ step: [0], t: [0], x: [1], y: [2] }), contacts: () => ({}),
+    flight: say('flight', (_, rate) => flown(rate)), load: say('load', () => 1), playTo: say('play'), finish: () => ({ stateHash: 'ab', contacts: {}, bounces: {}, steps: 1 }), rows: () => ({ step: [0], t: [0], x: [1], y: [2] }), contacts: () => ({}),
     errors: () => ({}), contactErrors: () => ({}), causes: () => ({}) };
   const canvas = new Element('canvas');
   const view = { painter: { canvas, scale: 4, pointOf: ({ clientX, clientY }) => [clientX, clientY] }, sizes: [{ step: 0, window: [100, 80], sprite: [10, 20] }], player: { pause() {}, play: say('loop') }, moment: { body: () => ({ x: 5, y: 5, vx: 0, vy: 0 }) },

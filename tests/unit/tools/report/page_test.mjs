@@ -286,7 +286,7 @@ test('numbers are written as the program writes them', () => {
 
 // Of a tile: label, value, note, and whether it is good or bad.
 const tiles = all => all.map(({ label, value, note, state }) => `${label}: ${value}; ${note}${state && `; ${state}`}`);
-const ended = (since, contacts) => ({ contacts: { left: 0, right: 0, top: 0, ground: 0, ...contacts }, final: { x_px: 1.5, y_px: 2.25 }, at_rest_since_s: since });
+const ended = (since, contacts, bounces = contacts) => ({ contacts: { left: 0, right: 0, top: 0, ground: 0, ...contacts }, bounces: { left: 0, right: 0, top: 0, ground: 0, ...bounces }, final: { x_px: 1.5, y_px: 2.25 }, at_rest_since_s: since });
 const verdict = ({ run, ...rest } = {}) => verdictOf({ file: {}, outcome: 'none', ...rest,
   run: { golden: null, expect: [], row_count: 2, steps: 8, errors: null, result: ended(null, { left: 1, right: 2, top: 3 }), ...run } });
 
@@ -317,9 +317,9 @@ test('the verdict says what was replayed, how far it agrees, and what the golden
 test('the figures of a run have their units, the largest cause first', () => {
   const figures = rest => tiles(verdict(rest).figures);
   const place = 'x 1.5, y 2.25 px', drift = 'Energy drift: 1.25 %; largest of';
-  assert.deepEqual(figures(), ['Contacts: 6; left 1, right 2, top 3', `Ends: not settled; ${place}`]);
-  assert.deepEqual(figures({ run: { result: ended(0) } }), ['Contacts: 0; it met no wall', `Comes to rest: after 0 s; ${place}`]);
-  assert.deepEqual(figures({ run: { result: ended(5, { ground: 4 }), non_finite: 'x is NaN' } }), ['Contacts: 4; ground 4', 'Ends: not finite; x is NaN; bad']);
+  assert.deepEqual(figures(), ['Bounces: 6; left 1, right 2, top 3', `Ends: not settled; ${place}`]);
+  assert.deepEqual(figures({ run: { result: ended(0) } }), ['Bounces: 0; it met no wall', `Comes to rest: after 0 s; ${place}`]);
+  assert.deepEqual(figures({ run: { result: ended(5, { ground: 4 }, { ground: 3 }), non_finite: 'x is NaN' } }), ['Bounces: 3; ground 3, 1 resting contact', 'Ends: not finite; x is NaN; bad']);
   const run = { errors: { implementation_px: 1e-9, truncation_px: 2.5, model_px: 3.5, energy_drift_rel: 0.0125 } };
   assert.deepEqual(figures({ run, causes }).slice(2), ['Implementation error: 1e−9 px; from the exact solution of its step',
     'Truncation error: 2.5 px; from the ODE at this frame rate', 'Model error: 3.5 px; from the ODE with the drag of 60 Hz',
