@@ -52,7 +52,7 @@ ShownResult shown_file(const DescribedCore& core, const ReportRequest& request, 
 // Its members are not played on the page.
 ShownResult shown_sweep(const DescribedCore& core, const std::string& path) {
   const EnsembleReader reader(path, swept_core(core).read_contents);
-  return member_result(reader, member_numbers(reader), std::string(file_name(path).stem), "runs");
+  return member_result(reader, member_numbers(reader), std::string(file_name(path).stem), "run");
 }
 
 ExitCode report(const DescribedCore& core, const ReportRequest& request) {

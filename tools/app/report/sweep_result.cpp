@@ -67,7 +67,7 @@ ShownResult sweep_result(const Core& core, const std::string& path) {
   const EnsembleReader reader(path);
   const Sweep sweep = parse_sweep(reader.head().sweep_text, path, SweepCheck::first_member).sweep;
   const std::vector<MemberNumbers> numbers = member_numbers(reader);
-  ShownResult result = member_result(reader, numbers, sweep.base.name, "flings");
+  ShownResult result = member_result(reader, numbers, sweep.base.name, "fling");
   const std::string& computed_by = reader.head().core;
   const bool is_own = computed_by == core.record.checksum();
   if (!is_own)

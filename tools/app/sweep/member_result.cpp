@@ -84,14 +84,13 @@ ShownResult member_result(const EnsembleReader& reader, const std::vector<Member
   const SweepPlan& sweep = reader.plan();
   std::string varied;
   for (const VariedKey& key : sweep.vary) varied += (varied.empty() ? "" : ", ") + key.pointer;
-  ShownResult result{
-      .title = title,
-      .subtitle = fmt::format("{} {} that differ in {}", count_text(sweep.members), noun, varied),
-      .tables = {member_table(numbers)},
-      .figures = member_figures(numbers, reader.rows()),
-      .origin = {{"file", reader.path()},
-                 {"seed of the draws", std::to_string(sweep.seed)},
-                 {"sweep", reader.head().sweep_text}}};
+  ShownResult result{.title = title,
+                     .subtitle = fmt::format("{}, varied in {}", counted(sweep.members, noun), varied),
+                     .tables = {member_table(numbers)},
+                     .figures = member_figures(numbers, reader.rows()),
+                     .origin = {{"file", reader.path()},
+                                {"seed of the draws", std::to_string(sweep.seed)},
+                                {"sweep", reader.head().sweep_text}}};
   auto& text = result.verdict.text;
   if (reader.head().is_part)
     text.emplace_back(fmt::format("Part {} of {} of the sweep: {} members.", reader.head().part.index,

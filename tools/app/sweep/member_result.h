@@ -18,7 +18,7 @@ namespace hyrax {
 /// One of every so many rows is in the samples.
 [[nodiscard]] std::int64_t rows_between_samples(const EnsembleReader& reader);
 
-/// Their ranges and distributions. @param noun as "flings".
+/// Their ranges and distributions. @param noun of a member, as "fling".
 [[nodiscard]] ShownResult member_result(const EnsembleReader& reader,
                                         const std::vector<MemberNumbers>& numbers, const std::string& title,
                                         const std::string& noun);

@@ -265,7 +265,7 @@ TEST_F(DescribedProgram, ReportShowsTheNumbersOfASweepsMembers) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string page = read_text_file("moods.html");
   for (const char* const text :
-       {"4 runs that differ in /start/x_px", "final x_px", "contacts far", ">calm<", ">wild<"})
+       {"4 runs, varied in /start/x_px", "final x_px", "contacts far", ">calm<", ">wild<"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   EXPECT_EQ(run<Moody>({"report", "moods.h5", "--against", "moods.h5", "-o", "a.html"}).err,
             "toy-sim report: --against: allowed for trajectories only (found moods.h5)\n");
