@@ -101,13 +101,13 @@ class Measurer {
 
 // Of a flight by its own errors, with walls over many flings: of one, impacts fall on any part of a frame.
 // Nothing where the errors, or their medians, do not become smaller with every shorter frame.
-std::optional<OrderFit> fit_order(const Core& core, const Problem& problem, const MethodKind& kind,
-                                  const std::vector<double>& rates_hz) {
+std::optional<OrderFit> fit_order(const Core& core, const std::vector<Problem>& flings,
+                                  const MethodKind& kind, const std::vector<double>& rates_hz) {
   constexpr std::size_t kPointsMin = 3;
   std::vector<double> orders;
   std::vector<std::vector<double>> by_rate(rates_hz.size());
   OrderFit fit;
-  for (const Problem& fling : problems_like(problem, problem.is_free_flight ? 1 : kOrderFlings)) {
+  for (const Problem& fling : flings) {
     std::vector<double> dt_s, errors;
     for (std::size_t rate = 0; rate < rates_hz.size(); ++rate) {
       const MethodErrors at =
@@ -139,18 +139,21 @@ std::optional<OrderFit> fit_order(const Core& core, const Problem& problem, cons
 }
 
 void fit_orders(const Core& core, SpeedError& study, const SpeedErrorOptions& options) {
-  for (std::size_t problem = 0; problem < study.problems.size(); ++problem)
+  for (std::size_t problem = 0; problem < study.problems.size(); ++problem) {
+    const Problem& played = study.problems[problem];
+    const std::vector<Problem> flings =
+        problems_like(played, played.is_free_flight ? 1 : options.order_flings);
     for (std::size_t method = 0; method < study.methods.size(); ++method) {
-      const Problem& played = study.problems[problem];
       const MethodKind& kind = study.methods[method];
       if (kind.is_adaptive() || kind.is_reference()) continue;
       std::optional<OrderFit> fit =
-          fit_order(core, played, kind, played.is_free_flight ? options.rates_hz : options.order_rates_hz);
+          fit_order(core, flings, kind, played.is_free_flight ? options.rates_hz : options.order_rates_hz);
       if (!fit) continue;
       fit->problem = problem;
       fit->method = method;
       study.orders.push_back(*fit);
     }
+  }
 }
 
 void scan_rates(const Core& core, SpeedError& study, const std::vector<double>& rates_hz) {

@@ -91,7 +91,7 @@ struct PowerFit {
 };
 
 /// Over the rates at which the error is more than rounding; none where shorter frames do not always make it
-/// smaller. With walls it is the median over kOrderFlings flings like the problem, without a standard error,
+/// smaller. With walls it is the median over flings like the problem, without a standard error,
 /// with their 10 and 90 % as `least` and `most`, where the medians of their errors become smaller.
 struct OrderFit : PowerFit {
   std::size_t problem = 0;
@@ -161,7 +161,8 @@ struct SpeedErrorOptions {
   std::vector<double> rates_hz;             ///< Each kRowRate_hz times a power of two, from the lowest.
   std::vector<double> band_rates_hz = {};   ///< Rates of `bands`; empty: there are none.
   std::vector<double> order_rates_hz = {};  ///< To which orders with walls are fitted; empty: there are none.
-  CostOptions cost = {};                    ///< Its processes: as many as the comparisons take.
+  std::int64_t order_flings = kOrderFlings;  ///< Like a problem, of which orders with walls are medians.
+  CostOptions cost = {};                     ///< Its processes: as many as the comparisons take.
   std::vector<double> errors_asked_px = {100.0, 10.0, 1.0,
                                          0.1,   0.01, 1e-6};  ///< What is cheapest below each?
 };

@@ -269,6 +269,7 @@ Result run_speed_error(const StudyRequest& request) {
     options.rates_hz = {15.0, 30.0, 60.0, 240.0, 960.0};
     options.band_rates_hz = {60.0};
     options.order_rates_hz = {60.0, 120.0, 240.0};
+    options.order_flings = 20;
     options.cost.sample_ns = 5'000;
   }
   options.cost.is_only = request.is_costs_only;
