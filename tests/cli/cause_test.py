@@ -24,8 +24,9 @@ class CauseTest(CheckTest):
     """The program with a changed core."""
 
     def altered(self, core, *arguments, exit_code=DISAGREED, command=("check",)):
-        """The outcome of `check`, or of another command, with that core."""
-        outcome = run(ALTERED, *command, *arguments, cwd=self.folder, env={**os.environ, "HYRAX_ALTERED_CORE": core})
+        """The outcome of `check` without random flings, or of another command, with that core."""
+        no_flings = ("--flings", "0") if command == ("check",) else ()
+        outcome = run(ALTERED, *command, *arguments, *no_flings, cwd=self.folder, env={**os.environ, "HYRAX_ALTERED_CORE": core})
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         return outcome
 

@@ -172,11 +172,11 @@ class Beyond(ProgramTest):
             self.assertEqual(shares[1]["median_px"] is None, shares[1]["share"] == 0)
 
     def test_it_is_left_out_with_a_reason_or_where_the_core_did_not_change(self):
-        for core, options, why in ((CHANGED, ("--core", "--flings", "0"), "--flings 0"),
-                                   (CHANGED, ("scenarios/flings/first-fling.json",), "the library was not played whole"),
-                                   (CORES["static_variable"], (), "this program's step is not complete: memory outside the body"),
-                                   (SHIPPED_CORE, (), None)):
-            core, = core.run("check", "--json", *options).json["cores"]
+        for core, flings, arguments, why in ((CHANGED, 0, ("--core",), "--flings 0"),
+                                             (CHANGED, 9, ("scenarios/flings/first-fling.json",), "the library was not played whole"),
+                                             (CORES["static_variable"], 9, (), "this program's step is not complete: memory outside the body"),
+                                             (SHIPPED_CORE, 9, (), None)):
+            core, = core.run("check", "--json", "--flings", str(flings), *arguments).json["cores"]
             self.assertTrue(core["beyond"]["why"].startswith(why) if why else "beyond" not in core, core)
 
     def test_text_has_one_paragraph(self):
