@@ -1,7 +1,5 @@
 #include "sim/compare/comparison.h"
 
-#include <algorithm>
-
 namespace hyrax {
 namespace {
 

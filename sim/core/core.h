@@ -15,8 +15,8 @@
 namespace hyrax {
 
 /// A class that moves the sprite, as a plain value: made of any class with the interface of class physics
-/// (core_of.h), of a traced step (traced_core.h) or of constants (listing_core.h). A program's `main` makes
-/// its own and passes it on.
+/// (core_of.h), of a traced step (traced_stepper.h) or of constants (listing_core.h). A program's `main`
+/// makes its own and passes it on.
 struct Core {
   /// Of its model: kPhysicsModel, or that of a core of one's own (sim/trajectory/physics_model.h).
   std::string_view name = {};

@@ -3,13 +3,16 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "sim/core/core.h"
 #include "sim/core/stepper.h"
 #include "sim/motion/state.h"
 #include "sim/trace/step_player.h"
+#include "sim/trace/traced_step.h"
 
 namespace hyrax {
 
@@ -41,5 +44,8 @@ class TracedStepper : public StepperOver {
 
   std::vector<std::shared_ptr<const StepProgram>> steps_;
 };
+
+/// Nothing if the step is not playable. REQUIRES: a step as canonical() or read_step() return it.
+[[nodiscard]] std::optional<Core> traced_core(const TracedStep& step);
 
 }  // namespace hyrax

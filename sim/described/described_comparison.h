@@ -10,7 +10,7 @@
 #include "sim/compare/comparison.h"
 #include "sim/compare/expectations.h"
 #include "sim/compare/trajectory_comparer.h"
-#include "sim/described/described_rows.h"
+#include "sim/described/described_run.h"
 
 namespace hyrax {
 

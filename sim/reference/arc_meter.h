@@ -12,9 +12,7 @@
 #include "sim/reference/arc_solution.h"
 #include "sim/reference/double_double.h"
 #include "sim/reference/drift.h"
-#include "sim/reference/energy_causes.h"
 #include "sim/reference/flight.h"
-#include "sim/reference/flight_solver.h"
 #include "sim/reference/largest.h"
 #include "sim/reference/model.h"
 

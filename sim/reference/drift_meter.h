@@ -9,7 +9,7 @@
 #include "sim/reference/arc_cutter.h"
 #include "sim/reference/arc_meter.h"
 #include "sim/reference/drift.h"
-#include "sim/reference/flight_solver.h"
+#include "sim/reference/flight.h"
 #include "sim/reference/model.h"
 #include "sim/trajectory/resting_contact.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string_view>
 
-#include "sim/reference/flight_solver.h"
+#include "sim/reference/flight.h"
 #include "sim/reference/model.h"
 
 namespace hyrax {

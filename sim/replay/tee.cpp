@@ -1,7 +1,7 @@
-#include "sim/replay/tee.h"
+#include "sim/replay/replay.h"
 
 #include <algorithm>
-#include <cassert>
+#include <limits>
 
 namespace hyrax {
 namespace {

@@ -1,7 +1,6 @@
 // An expression as a reader of the header would write it.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 

@@ -69,7 +69,7 @@ WORDS = {
         ("tools/app/runs/scenario_run.cpp", "`run` compares as well, unless `--(set)` was given", '"values were (set)"'),
         ("sim/compare/equal_times.h", "at the (row times of either), each run on the (straight line between) its rows"),
         ("tools/store/golden_summary.h", "with the lines of the summary itself, (all but the reason's) text"),
-        ("tools/app/causes/difference_group.h", r"Runs that become (non-finite) come (first)\.", "Runs that become (non-finite) (first);"),
+        ("tools/app/causes/core_check.h", r"Runs that become (non-finite) come (first)\.", "Runs that become (non-finite) (first);"),
         ("tools/app/core/accepted_core.h", r"and `(accepted\.txt)`, (written last), with its constants, the reason and (checksums of all)"),
         ("tools/store/trajectory_parts.cpp", "(clamps in the step that made the row): ([^|]*) vy set to 0 by the rest rule",
          "(clamps in the step that made the row): (.*?) put to rest"), (COMPARISON, r"`contacts` \| (a contact moved, appeared or vanished) \|"),

@@ -1,11 +1,9 @@
-#include <fmt/format.h>
 
 #include "tools/app/library/blessing.h"
 #include "tools/described/commands.h"
 #include "tools/described/core_verdict.h"
 #include "tools/described/scenario_json.h"
 #include "tools/files/printable.h"
-#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

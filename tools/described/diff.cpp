@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "sim/result/number_text.h"
 #include "tools/app/comparison/comparison_text.h"
 #include "tools/described/commands.h"

@@ -18,7 +18,6 @@
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
 #include "tools/platform/atomic_file.h"
-#include "tools/platform/path.h"
 #include "tools/store/golden_summary.h"
 
 namespace hyrax {

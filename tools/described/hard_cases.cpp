@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "sim/described/described_comparison.h"
 #include "sim/described/scripted_body.h"

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "sim/described/described_run.h"
 #include "sim/described/described_step.h"

@@ -1,7 +1,5 @@
 #include "tools/described/program.h"
 
-#include <atomic>
-
 #include "sim/core/core.h"
 #include "tools/app/command_line/command_program.h"
 #include "tools/described/commands.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/result/number_text.h"
 #include "sim/trajectory/run_summary.h"

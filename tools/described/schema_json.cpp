@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "scenario_schema.h"
 #include "tools/described/scenario_json.h"

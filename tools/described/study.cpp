@@ -1,11 +1,6 @@
 // The command study of a core that describes itself, and its frame-rate.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 #include "sim/described/described_ladder.h"
-#include "sim/result/display_rates.h"
 #include "sim/study/frame_rate/ladder_result.h"
 #include "tools/app/study/study_command.h"
 #include "tools/described/commands.h"

@@ -3,7 +3,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <initializer_list>
 #include <new>
 #include <optional>
 #include <stdexcept>

@@ -1,8 +1,9 @@
-// The paths of a scenario's golden file.
+// The paths of a scenario's golden file, and golden files without a scenario.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hyrax {
 
@@ -41,5 +42,21 @@ struct GoldenPlace {
 /// Whether a scenario is judged by its `expect.state_hash` instead of a golden file. Not if one part of a
 /// golden file exists: the other was removed after it was blessed.
 [[nodiscard]] bool is_judged_by_hash(bool expects_hash, const std::optional<GoldenPlace>& place);
+
+inline constexpr char kUnreferencedSentence[] =
+    "no scenario for this golden file: the scenario was deleted, moved or renamed";
+
+struct UnreferencedGolden {
+  std::string path;           ///< Without its suffix; of a golden folder that cannot be read, the folder.
+  std::string error;          ///< "FOLDER: cannot be read: REASON"; else empty.
+  std::string scenario_path;  ///< Where its scenario would be.
+};
+
+/// The golden files without a scenario, each once, in name order: for every folder among `arguments` that is
+/// named `scenarios` or below one, those in the corresponding golden folder, recursively. They are a
+/// disagreement: an accepted result is not checked any more. golden/core/, the accepted core, is left out.
+/// @param golden_folder empty if none was given.
+[[nodiscard]] std::vector<UnreferencedGolden> find_unreferenced(const std::vector<std::string>& arguments,
+                                                                const std::string& golden_folder);
 
 }  // namespace hyrax

@@ -15,7 +15,6 @@
 #include "tools/platform/path.h"
 #include "tools/report/drift_figure.h"
 #include "tools/report/figure_svg.h"
-#include "tools/report/page_file.h"
 #include "tools/report/result_page.h"
 #include "tools/run_core/run_core.h"
 #include "tools/store/output_guard.h"

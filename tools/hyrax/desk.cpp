@@ -1,6 +1,5 @@
 #include "tools/hyrax/desk.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace hyrax {

@@ -4,7 +4,6 @@
 
 #include "tools/files/failure.h"
 #include "tools/files/json.h"
-#include "tools/platform/atomic_file.h"
 #include "tools/platform/path.h"
 
 namespace hyrax {

@@ -1,7 +1,6 @@
 // The hyrax on a desk: what hand, menu, clock and screen do to it.
 #pragma once
 
-#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <vector>

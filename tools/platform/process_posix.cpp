@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
-#include <string_view>
 
 #include <sys/resource.h>
 

@@ -2,17 +2,53 @@
 // Windows: a header of hyrax::recorder, which README.md describes.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "sim/described/described_run.h"
+#include "sim/described/described_scenario.h"
 #include "sim/described/see.h"
-#include "tools/recorder/core_tape.h"
 #include "tools/recorder/program_recorder.h"
 
 namespace hyrax {
+
+/// All values after a frame. Refers to the core's description.
+struct CoreMoment {
+  const Description* description = nullptr;
+  KeptRow row = {};
+  std::vector<Word> inputs = {};
+  std::vector<Word> parameters = {};
+  bool is_held = false;
+};
+
+/// As Tape (tape.h).
+class CoreTape {
+ public:
+  using Start = CoreMoment;
+  using Input = DescribedAction;
+  using Document = DescribedScenario;
+
+  explicit CoreTape(const CoreMoment& start);
+
+  void add_input(const DescribedAction& action) { inputs_.push_back({frames(), action}); }
+  void add_frame(const KeptRow& row);
+  [[nodiscard]] std::int64_t frames() const {
+    return static_cast<std::int64_t>(rows_.size() / row_bytes_) - 1;
+  }
+
+  [[nodiscard]] DescribedScenario scenario(const std::string& name) const;
+
+ private:
+  CoreMoment start_;
+  std::vector<DescribedEvent> inputs_;
+  std::vector<std::byte> rows_;  // Packed, row 0 first.
+  std::size_t row_bytes_ = 0;
+};
 
 /// The part that knows no class.
 class MomentRecorder : public ProgramRecorder<CoreTape> {

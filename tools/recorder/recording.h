@@ -79,7 +79,7 @@ class ScenarioSaver : public SaverOf<Scenario> {
 /// replays as it is. After kPartFrames frames the recording continues in a new part, NAME-2.json or the next
 /// free number, so that each save is short. `finish` joins all parts into one file. Other files are neither
 /// replaced nor removed.
-/// @tparam AnyTape keeps the frames: Tape (tape.h), or CoreTape (core_tape.h).
+/// @tparam AnyTape keeps the frames: Tape (tape.h), or CoreTape (core_recorder.h).
 template <class AnyTape>
 class RecordingOf {
  public:

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "sim/reference/energy_causes.h"
+#include "sim/reference/drift.h"
 #include "sim/result/number_text.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"

@@ -9,15 +9,14 @@
 #include <cstring>
 #include <iterator>
 #include <optional>
-#include <span>
 
 #include <fmt/format.h>
 
 #include "tools/files/failure.h"
 #include "tools/files/printable.h"
 #include "tools/files/sweep_reader.h"
+#include "tools/store/build_facts.h"
 #include "tools/store/isolated_read.h"
-#include "tools/store/provenance.h"
 
 namespace hyrax {
 namespace {

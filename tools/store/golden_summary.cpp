@@ -8,7 +8,6 @@
 #include "tools/files/scenario_writer.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
-#include "tools/store/input_record.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {

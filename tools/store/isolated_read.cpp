@@ -1,6 +1,5 @@
 #include "tools/store/isolated_read.h"
 
-#include <cerrno>
 #include <cstdint>
 #include <exception>
 #include <filesystem>

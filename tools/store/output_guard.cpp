@@ -5,7 +5,6 @@
 #include <deque>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
 #include "tools/files/failure.h"
 #include "tools/files/golden_place.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/result/table.h"
-#include "tools/store/provenance.h"
+#include "tools/store/build_facts.h"
 
 namespace hyrax {
 

@@ -11,8 +11,8 @@
 #include "tools/files/text_file.h"
 #include "tools/platform/file_state.h"
 #include "tools/platform/path.h"
-#include "tools/store/input_record.h"
 #include "tools/store/isolated_read.h"
+#include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_parts.h"
 
 namespace hyrax {

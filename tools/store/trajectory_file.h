@@ -10,8 +10,8 @@
 #include "sim/scenario/schedule.h"
 #include "sim/trajectory/columns.h"
 #include "sim/trajectory/row.h"
+#include "tools/store/build_facts.h"
 #include "tools/store/hdf5.h"
-#include "tools/store/provenance.h"
 #include "tools/store/trajectory_format.h"
 
 namespace hyrax {

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "sim/motion/state.h"
+#include "sim/scenario/schedule.h"
 #include "sim/trajectory/stored_run.h"
 
 namespace hyrax {
@@ -43,5 +47,21 @@ void visit_numbers(auto& keyframe, const auto& visit) {
   visit("sprite_height", keyframe.sprite.height_px);
   visit("is_held", keyframe.is_held);
 }
+
+/// Names of the kinds, by code.
+[[nodiscard]] std::span<const std::string_view> input_kind_names();
+
+/// `a` and `b`: a velocity, a position, a size, or a dt; 0 where the kind has no number.
+struct InputRecord {
+  std::int64_t frame = 0;
+  std::uint8_t kind = 0;
+  double a = 0.0;
+  double b = 0.0;
+};
+
+/// REQUIRES: a resize is of the window or of the sprite.
+[[nodiscard]] InputRecord record_of(const Input& input);
+/// Nothing where no input has this record.
+[[nodiscard]] std::optional<Input> input_of(const InputRecord& record);
 
 }  // namespace hyrax

@@ -3,8 +3,8 @@
 #include <cassert>
 
 #include "tools/files/scenario_writer.h"
-#include "tools/store/input_record.h"
-#include "tools/store/provenance.h"
+#include "tools/store/build_facts.h"
+#include "tools/store/trajectory_format.h"
 
 namespace hyrax {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/result/display_rates.h"
+#include "sim/study/frame_rate/ladder_result.h"
 
 namespace hyrax {
 namespace {

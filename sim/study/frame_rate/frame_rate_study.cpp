@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "sim/core/listing_core.h"
-#include "sim/result/display_rates.h"
 #include "sim/result/number_text.h"
 #include "sim/study/frame_rate/frame_rate.h"
 #include "sim/study/frame_rate/ladder_result.h"

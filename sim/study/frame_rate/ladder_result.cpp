@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/result/display_rates.h"
 #include "sim/result/number_text.h"
 
 namespace hyrax {

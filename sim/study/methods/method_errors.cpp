@@ -1,7 +1,6 @@
 #include "sim/study/methods/method_errors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 

@@ -1,8 +1,6 @@
 #include "sim/study/needs/needs.h"
 
-#include <algorithm>
 #include <array>
-#include <utility>
 
 #include "sim/cause/watched_core.h"
 #include "sim/compare/comparison.h"

@@ -1,11 +1,9 @@
 #include "sim/trace/host/described_explorer.h"
 
-#include <algorithm>
 #include <cstring>
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sim/trace/decision_tree.h"

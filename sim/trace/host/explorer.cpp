@@ -1,8 +1,6 @@
 #include "sim/trace/host/explorer.h"
 
 #include <algorithm>
-#include <cstring>
-#include <utility>
 
 #include "sim/trace/host/recorder.h"
 

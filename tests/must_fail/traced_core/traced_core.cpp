@@ -12,7 +12,7 @@
 
 #include "sim/cause/header_change.h"
 #include "sim/core/core_of.h"
-#include "sim/core/traced_core.h"
+#include "sim/core/traced_stepper.h"
 #include "sim/trace/step_text.h"
 #include "tools/hyrax-sim/program.h"
 

@@ -3,7 +3,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "tests/robustness/fuzz/fuzz_target.h"
 #include "tests/robustness/fuzz/input_file.h"
-#include "tools/app/play/golden_run.h"
+#include "tools/app/play/play.h"
 #include "tools/store/golden_file.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

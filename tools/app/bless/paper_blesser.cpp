@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "sim/cause/cause.h"
+#include "sim/cause/cause_groups.h"
 #include "sim/trajectory/physics_model.h"
-#include "tools/app/causes/difference_group.h"
+#include "tools/app/causes/core_check.h"
 #include "tools/app/check/check_verdict.h"
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"

@@ -6,17 +6,11 @@
 #include <utility>
 
 #include "sim/cause/run_match.h"
-#include "sim/core/contact_stepper.h"
-#include "sim/core/traced_core.h"
-#include "sim/result/figure.h"
-#include "sim/study/reference_model.h"
+#include "sim/core/traced_stepper.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/physics_model.h"
-#include "tools/files/golden_place.h"
 #include "tools/files/printable.h"
 #include "tools/files/scenario_writer.h"
-#include "tools/files/table_text.h"
-#include "tools/platform/path.h"
 
 namespace hyrax {
 namespace {

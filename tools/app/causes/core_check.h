@@ -1,4 +1,4 @@
-// This program's core against the accepted one of a golden folder.
+// This program's core against the accepted one of a golden folder, and the causes of runs that differ.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,8 @@
 #include "sim/search/beyond_library.h"
 #include "sim/trace/step_difference.h"
 #include "tools/app/core/accepted_core.h"
+#include "tools/app/golden/golden_pair.h"
+#include "tools/app/library/difference_group.h"
 
 namespace hyrax {
 
@@ -124,5 +126,19 @@ class CoreChecks {
 [[nodiscard]] std::string beyond_text(const BeyondLibrary& beyond);
 /// {"flings", "other_bits", ...}
 [[nodiscard]] Json beyond_json(const BeyondLibrary& beyond);
+
+/// The verdict on a scenario of such a group.
+[[nodiscard]] inline const PairVerdict& pair_of(const ScenarioVerdict& scenario) {
+  return static_cast<const PairVerdict&>(scenario);
+}
+
+/// The non_finite_text of a run that differs; empty where it stays finite.
+[[nodiscard]] std::string non_finite_text(const PairVerdict& scenario);
+
+/// Runs that become non-finite first; then known causes by their size, then unknown ones. The cores take the
+/// runs that differ because of them.
+/// @param scenarios whose runs are not their golden files'; they outlive the groups.
+[[nodiscard]] std::vector<DifferenceGroup> group_by_cause(const std::vector<const PairVerdict*>& scenarios,
+                                                          CoreChecks& cores);
 
 }  // namespace hyrax

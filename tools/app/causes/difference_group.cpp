@@ -1,8 +1,7 @@
-#include "tools/app/causes/difference_group.h"
+#include "tools/app/causes/core_check.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 #include "sim/cause/cause_groups.h"

@@ -2,10 +2,8 @@
 
 #include "sim/cause/watched_core.h"
 #include "sim/replay/replay.h"
-#include "sim/trace/step_program.h"
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/library/check_flow.h"
 #include "tools/app/runs/scenario_run.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/scenario_reader.h"

@@ -9,10 +9,10 @@
 
 #include "sim/core/core.h"
 #include "sim/trace/step_player.h"
-#include "tools/app/causes/difference_group.h"
+#include "tools/app/causes/core_check.h"
 #include "tools/app/golden/golden_pair.h"
 #include "tools/app/library/check_flow.h"
-#include "tools/files/unreferenced_golden.h"
+#include "tools/files/golden_place.h"
 
 namespace hyrax {
 

@@ -1,7 +1,6 @@
 #include "tools/app/clock/new_scenario.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "sim/result/number_text.h"
 #include "tools/app/command_line/shell_command.h"

@@ -4,13 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
 #include <map>
 #include <span>
 
-#include "sim/core/traced_core.h"
+#include "sim/core/traced_stepper.h"
 #include "sim/trace/step_program.h"
 #include "sim/trace/step_text.h"
 #include "sim/trajectory/state_hash.h"

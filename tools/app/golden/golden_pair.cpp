@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/cause/cause.h"
+#include "sim/cause/cause_groups.h"
 #include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/study/reference_model.h"

@@ -8,7 +8,7 @@
 #include "sim/core/core.h"
 #include "sim/trajectory/stored_run.h"
 #include "tools/app/library/scenario_verdict.h"
-#include "tools/app/play/golden_run.h"
+#include "tools/app/play/play.h"
 
 namespace hyrax {
 

@@ -1,16 +1,13 @@
 #include "tools/app/library/check_flow.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <new>
 
-#include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/part.h"
+#include "tools/app/command_line/print.h"
 #include "tools/app/command_line/shell_command.h"
-#include "tools/app/command_line/workers.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/text_file.h"
 #include "tools/platform/path.h"

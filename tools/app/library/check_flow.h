@@ -14,7 +14,7 @@
 #include "tools/app/command_line/options.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/library/difference_group.h"
-#include "tools/files/unreferenced_golden.h"
+#include "tools/files/golden_place.h"
 #include "tools/store/output_guard.h"
 
 namespace hyrax {

@@ -1,12 +1,11 @@
 // Scenarios whose runs are not their golden files', grouped by cause: what `check` and `bless` show.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/cause/cause.h"
+#include "sim/cause/cause_groups.h"
 #include "tools/app/library/report_documents.h"
 #include "tools/app/library/scenario_verdict.h"
 

@@ -15,8 +15,8 @@
 
 #include "sim/scenario/sweep.h"
 #include "tools/app/command_line/options.h"
-#include "tools/app/command_line/progress.h"
-#include "tools/app/command_line/workers.h"
+#include "tools/app/command_line/part.h"
+#include "tools/app/command_line/print.h"
 #include "tools/files/json.h"
 
 namespace hyrax {

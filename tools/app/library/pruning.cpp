@@ -10,7 +10,6 @@
 #include "tools/files/scenario_reader.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"
-#include "tools/files/unreferenced_golden.h"
 #include "tools/platform/file_state.h"
 #include "tools/platform/path.h"
 

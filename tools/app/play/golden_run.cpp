@@ -1,4 +1,4 @@
-#include "tools/app/play/golden_run.h"
+#include "tools/app/play/play.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,13 +6,11 @@
 #include <optional>
 
 #include "sim/compare/run_comparer.h"
-#include "sim/core/core.h"
 #include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
 #include "tools/app/expect/judged_run.h"
-#include "tools/app/play/play.h"
 #include "tools/files/scenario_changes.h"
 
 namespace hyrax {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "sim/result/number_text.h"
-#include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/print.h"
 
 namespace hyrax {
 namespace {

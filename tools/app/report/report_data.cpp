@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "sim/core/core.h"
-#include "sim/core/traced_core.h"
+#include "sim/core/traced_stepper.h"
 #include "sim/replay/fingerprint.h"
 #include "sim/scenario/schedule.h"
 #include "sim/study/reference_model.h"

@@ -8,7 +8,6 @@
 #include <exception>
 #include <functional>
 #include <numeric>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,7 +18,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/search/run_check.h"
 #include "sim/search/scenario_edit.h"
-#include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/print.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/controlled_core.h"
 #include "tools/app/expect/judged_run.h"

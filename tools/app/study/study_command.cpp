@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/print.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/files/scenario_list.h"
 #include "tools/files/table_text.h"

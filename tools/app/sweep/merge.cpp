@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/print.h"
 #include "tools/app/sweep/sweep_run.h"
 #include "tools/files/failure.h"
 #include "tools/files/printable.h"

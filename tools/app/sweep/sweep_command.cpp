@@ -4,7 +4,6 @@
 
 #include "sim/result/number_text.h"
 #include "tools/app/command_line/part.h"
-#include "tools/app/command_line/workers.h"
 #include "tools/app/sweep/sweep_run.h"
 #include "tools/files/text_file.h"
 #include "tools/platform/path.h"

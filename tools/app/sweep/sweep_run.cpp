@@ -8,8 +8,8 @@
 #include <mutex>
 #include <utility>
 
-#include "tools/app/command_line/progress.h"
-#include "tools/app/command_line/workers.h"
+#include "tools/app/command_line/part.h"
+#include "tools/app/command_line/print.h"
 #include "tools/platform/path.h"
 
 namespace hyrax {

@@ -8,7 +8,7 @@
 
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
-#include "sim/core/traced_core.h"
+#include "sim/core/traced_stepper.h"
 #include "sim/reference/drift_columns.h"
 #include "sim/reference/exact_fling.h"
 #include "sim/replay/fingerprint.h"

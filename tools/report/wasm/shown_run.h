@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "sim/reference/drift.h"
 #include "sim/reference/drift_meter.h"
-#include "sim/reference/energy_causes.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"

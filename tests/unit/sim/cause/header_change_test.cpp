@@ -8,7 +8,7 @@
 #include "sim/cause/header_change.h"
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
-#include "sim/core/traced_core.h"
+#include "sim/core/traced_stepper.h"
 #include "sim/replay/replay.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"

@@ -12,7 +12,7 @@
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
 #include "sim/core/stepper_of.h"
-#include "sim/core/traced_core.h"
+#include "sim/core/traced_stepper.h"
 #include "sim/replay/replay.h"
 #include "sim/trace/step_text.h"
 #include "tests/unit/sim/replay/some_flings.h"

@@ -9,7 +9,7 @@
 
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
-#include "sim/reference/energy_causes.h"
+#include "sim/reference/drift.h"
 #include "sim/reference/gsl_flight.h"
 #include "tests/unit/sim/reference/test_run.h"
 #include "tests/unit/sim/replay/some_flings.h"

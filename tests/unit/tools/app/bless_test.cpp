@@ -5,7 +5,7 @@
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/app/bless/paper_blesser.h"
-#include "tools/app/play/golden_run.h"
+#include "tools/app/play/play.h"
 #include "tools/files/scenario_writer.h"
 #include "tools/files/summary_text.h"
 #include "tools/files/text_file.h"

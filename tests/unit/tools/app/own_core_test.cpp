@@ -7,7 +7,7 @@
 
 #include "sim/cause/watched_core.h"
 #include "sim/core/shipped_core.h"
-#include "sim/core/traced_core.h"
+#include "sim/core/traced_stepper.h"
 #include "sim/trace/step_program.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/result/described.h"
@@ -15,7 +15,6 @@
 #include "tests/unit/tools/files/refusal.h"
 #include "tests/unit/tools/store/temp_folder.h"
 #include "tools/app/causes/core_check.h"
-#include "tools/app/causes/difference_group.h"
 #include "tools/app/core/accepted_core.h"
 #include "tools/app/core/core_requirements.h"
 #include "tools/app/expect/judged_run.h"

@@ -11,7 +11,7 @@
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/store/temp_folder.h"
-#include "tools/app/command_line/progress.h"
+#include "tools/app/command_line/print.h"
 #include "tools/app/play/play.h"
 #include "tools/app/report/report_page.h"
 #include "tools/app/runs/scenario_run.h"

@@ -8,8 +8,8 @@
 #include "sim/core/shipped_core.h"
 #include "tests/unit/sim/replay/plain_replay.h"
 #include "tests/unit/tools/store/stored_flings.h"
-#include "tools/store/input_record.h"
 #include "tools/store/trajectory_file.h"
+#include "tools/store/trajectory_format.h"
 #include "tools/store/trajectory_parts.h"
 
 namespace hyrax {

@@ -1,4 +1,4 @@
-#include "tools/store/input_record.h"
+#include "tools/store/trajectory_format.h"
 
 #include <algorithm>
 #include <array>
