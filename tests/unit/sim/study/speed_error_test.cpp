@@ -374,7 +374,8 @@ TEST(SpeedErrorResult, OfPartsOfAStudyIsTheOneApproved) {
   add("no error at all", [](SpeedError& study) {
     study.points[4].errors.position_px = 0.0;
     study.points[5].errors.position_px = 2e-15;
-    for (const Plot& plot : std::get<std::vector<Plot>>(speed_error_figure(study, 0, "m").body))
+    const Figure figure = speed_error_figure(study, 0, "m");
+    for (const Plot& plot : std::get<std::vector<Plot>>(figure.body))
       EXPECT_DOUBLE_EQ(plot.y.zero_at, 1e-17) << "below the least error";
   });
   expect_approved("tests/unit/sim/study/approved/speed-error-of-parts.txt", text);
