@@ -138,10 +138,11 @@ class ReportTest(browser.BrowserTest):
         thrown, release = documents[again], next(event["release"] for event in documents[flung]["events"] if "release" in event)
         self.assertEqual({name: thrown["start"][name] for name in release}, release)
 
-        total = sum(self.expect(AGREED, "run", flung, "-o", "flung.h5", "--json").json["runs"][0]["contacts"].values())
+        (played,) = self.expect(AGREED, "run", flung, "-o", "flung.h5", "--json").json["runs"]
+        total, bounces = (sum(played[counts].values()) for counts in ("contacts", "bounces"))
         self.assertGreater(total, 1)
         self.assertEqual(contacts, total)
-        self.assertIn(f"Contacts\n{total}\n", verdict.replace("\n\n", "\n"))
+        self.assertIn(f"Bounces\n{bounces}\n", verdict.replace("\n\n", "\n"))
         self.assertIn("same bits", verdict)
         self.assertNotIn("Golden", verdict)
         error = self.expect(AGREED, "drift", "flung.h5", "--json").json["runs"][0]["worst"]["truncation_px"]

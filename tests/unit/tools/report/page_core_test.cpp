@@ -141,12 +141,12 @@ TEST(PageCore, GivesWhatTheReplayAndTheReferenceGive) {
   EXPECT_EQ(played.steps, 700.0);
   EXPECT_EQ(played.reached, 700.0);
   EXPECT_EQ(played.hash, hex(summary.state_hash));
-  ASSERT_EQ(played.came_to.size(), 15u);
+  ASSERT_EQ(played.came_to.size(), 19u);
   for (const std::size_t none : {2u, 5u, 6u}) EXPECT_TRUE(std::isnan(played.came_to[none])) << none;
   EXPECT_EQ(Numbers(played.came_to.begin(), played.came_to.begin() + 2), (Numbers{700.0, 1.0}));
   EXPECT_EQ(Numbers(played.came_to.begin() + 7, played.came_to.end()),
             (Numbers{errors.implementation_px->value, errors.truncation_px->value, errors.model_px->value,
-                     errors.energy_drift_rel_max->value, 1.0, 2.0, 0.0, 9.0}));
+                     errors.energy_drift_rel_max->value, 1.0, 2.0, 0.0, 9.0, 1.0, 2.0, 0.0, 6.0}));
   NumbersByName rows{{"step", each(trace.rows(), &Row::step)},
                      {"contact", each(trace.rows(), &Row::contact)}};
   for (const RowColumn& column : kRowColumns)

@@ -14,8 +14,8 @@ const contacts = { step: [95, 200], wall: [2, 8], last_step: [95, 210], t: [0.95
 const filed = changed => Object.fromEntries(rowFields.map(name => [name, base64({ ...rows, ...changed }[name])]));
 const run = (name, more) => ({ name, title: `${name}: Title of ${name}`, description: '', file: `/folder/${name}.h5`, rows: filed(), record: base64([100, 80, 10, 20, 0, 0, 0, 0]), blocks: '', steps: 400, row_count: 41, state_hash: 'ab',
   physics: 'paper', provenance: {}, inputs: [], constants: [500], errors: null, golden: null, expect: [], margin: '2 px', non_finite: '',
-  result: { contacts: { left: 0, right: 1, top: 0, ground: 1 }, final: { x_px: 80, y_px: 40 }, at_rest_since_s: null, exercised: ['drag'], never_touched: [], not_computed: [] }, ...more });
-const checked = { every: 10, compared: 41, nonFinite: null, atRestSince: null, errors: null, firstDifference: null, isComplete: true, steps: 400, stateHash: 'ab', contacts: { left: 0, right: 1, top: 0, ground: 1 } };
+  result: { contacts: { left: 0, right: 1, top: 0, ground: 1 }, bounces: { left: 0, right: 1, top: 0, ground: 1 }, final: { x_px: 80, y_px: 40 }, at_rest_since_s: null, exercised: ['drag'], never_touched: [], not_computed: [] }, ...more });
+const checked = { every: 10, compared: 41, nonFinite: null, atRestSince: null, errors: null, firstDifference: null, isComplete: true, steps: 400, stateHash: 'ab', contacts: { left: 0, right: 1, top: 0, ground: 1 }, bounces: { left: 0, right: 1, top: 0, ground: 1 } };
 
 let frames = 0;
 const body = () => ({ t: 0, x: 45, y: 0, vx: 0, vy: 0, contact: 0, frames: ++frames });
@@ -100,7 +100,7 @@ test('each list of a run is at its place, and leads to its step', async () => {
     ['coverage', 'ExerciseddragNever touchednothingNot computednothingMargin2 px'], ['expectations', 'does not hold x'],
     ['made', 'commandreport a.h5reporthyrax-sim 1filea.h5, 41 rowsphysicspaperstate hash of the fileabof this browserabbuilt byg++scenarioSave a.json'],
     ['contacts', 'StepWallt, sBefore, px/sAfter, px/sOvershoot, pxLate by, msRestitution95 right0.95130.510.75200 to 210ground2680.25––']]) assert.equal(text(id), expected, id);
-  assert.match(text('verdict'), /Contacts2right 1, ground 1/);
+  assert.match(text('verdict'), /Bounces2right 1, ground 1/);
   assert.deepEqual([element('description').hidden, element('inputs').hidden], [false, false]);
   assert.deepEqual(element('contacts').querySelectorAll('span').filter(each => each.classes.includes('wall')).map(({ attributes }) => attributes.style), ['color: var(--vermilion); clip-path: polygon(100% 50%, 0% 100%, 0% 0%)', 'color: var(--orange); clip-path: polygon(50% 100%, 0% 0%, 100% 0%)']);
   const buttons = ['contacts', 'inputs-list', 'made'].flatMap(id => element(id).querySelectorAll('button'));
