@@ -22,7 +22,7 @@ void visit_world(Scenario& scenario, const auto& visit) {
   visit("/window/height_px", window_field(scenario.window.height_px));
   visit("/sprite/width_px", sprite_field(scenario.sprite.width_px));
   visit("/sprite/height_px", sprite_field(scenario.sprite.height_px));
-  visit_start(scenario,
+  visit_start(scenario.start, scenario.start_velocity,
               [&](const char* key, const NumberField& field) { visit(std::string("/start/") + key, field); });
   if (auto* const rate = std::get_if<FixedRate>(&scenario.clock.base))
     visit("/clock/rate_hz", timing({&rate->rate_hz, 1.0 / kFrameMax_s, kRateMax_hz}));

@@ -78,11 +78,11 @@ inline constexpr std::array<JitterKeys, 3> kJitterKeys = {{{"uniform", "fraction
 
 /// Calls visit(key, NumberField) for each number of the start in the order of the file, as visit_numbers does
 /// for those of an action.
-void visit_start(Scenario& scenario, const auto& visit) {
-  visit("x_px", coordinate_field(scenario.start.x_px));
-  visit("y_px", coordinate_field(scenario.start.y_px));
-  visit("vx_px_per_s", speed_field(scenario.start_velocity.vx_px_per_s));
-  visit("vy_px_per_s", speed_field(scenario.start_velocity.vy_px_per_s));
+void visit_start(Position& start, Velocity& velocity, const auto& visit) {
+  visit("x_px", coordinate_field(start.x_px));
+  visit("y_px", coordinate_field(start.y_px));
+  visit("vx_px_per_s", speed_field(velocity.vx_px_per_s));
+  visit("vy_px_per_s", speed_field(velocity.vy_px_per_s));
 }
 
 /// Calls visit(path, NumberField) for each number of an action in the order of the file: the one list of them

@@ -116,7 +116,7 @@ Scenario read_document(const JsonPlace& document, const std::string& fallback_na
   scenario.window = read_window(document.required("window"));
   scenario.sprite = read_sprite(document.required("sprite"));
   read_numbers(document.required("start"), {"vx_px_per_s", "vy_px_per_s"},
-               [&](const auto& visit) { visit_start(scenario, visit); });
+               [&](const auto& visit) { visit_start(scenario.start, scenario.start_velocity, visit); });
   read_events(document.member("events"), read_frames(document, scenario), scenario);
   read_parameters(document.member("parameters"), scenario);
   read_record(document, scenario);

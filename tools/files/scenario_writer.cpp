@@ -24,10 +24,11 @@ Json numbers_json(const auto& visit_all) {
   return object;
 }
 
-Json to_json(Event event) {
+Json to_json(const Event& event) {
   Object object = event_time_json(event.when);
+  Action action = event.action;
   object.emplace_back(name_of(event.action),
-                      numbers_json([&](const auto& visit) { visit_numbers(event.action, visit); }));
+                      numbers_json([&](const auto& visit) { visit_numbers(action, visit); }));
   return object;
 }
 
@@ -51,12 +52,15 @@ Json to_json(const Expect& expect) {
 
 }  // namespace
 
-Json to_json(Scenario scenario) {
+Json to_json(const Scenario& scenario) {
   Object document;
   add_names(scenario, document);
   document.emplace_back("window", to_json(scenario.window));
   document.emplace_back("sprite", to_json(scenario.sprite));
-  document.emplace_back("start", numbers_json([&](const auto& visit) { visit_start(scenario, visit); }));
+  Position start = scenario.start;
+  Velocity velocity = scenario.start_velocity;
+  document.emplace_back("start",
+                        numbers_json([&](const auto& visit) { visit_start(start, velocity, visit); }));
   add_frames(scenario, document);
   Json::Array events;
   for (const Event& event : scenario.events) events.push_back(to_json(event));

@@ -37,7 +37,8 @@ class Record {
   void part(Scenario& scenario) {
     part(scenario.window);
     part(scenario.sprite);
-    visit_start(scenario, [&](auto, const NumberField& field) { part(*std::get<double*>(field.at)); });
+    visit_start(scenario.start, scenario.start_velocity,
+                [&](auto, const NumberField& field) { part(*std::get<double*>(field.at)); });
     part(scenario.record_every);
     one_of(scenario.length);
     one_of(scenario.clock.base);
