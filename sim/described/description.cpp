@@ -6,6 +6,7 @@
 #include <span>
 
 namespace hyrax {
+
 double shown_number_of(ValueType type, Word word) {
   double number = number_of(type, word);
   if (type != ValueType::float32) return number;

@@ -17,6 +17,7 @@
 
 namespace hyrax {
 
+/// Memory that outlives its owner: a loop that makes the same buffers again and again takes no new pages.
 /// Owns a value that an owner in this thread has given up, or a new one. It holds what it held then.
 template <class Value>
 class Reused {

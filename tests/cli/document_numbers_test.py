@@ -111,6 +111,7 @@ STATED = (
     (STUDIES, "the study plays {} flings like it", "sim/study/speed_error/speed_error.h", "kBandFlings"),
     *((document, words, "sim/study/speed_error/speed_error.h", "kOrderFlings") for document, words in (
         ("CHANGELOG.md", "medians of {} flings"), (STUDIES, "with walls of each of {} flings"), (STUDIES, "in the median of {} flings"))),
+    (STUDIES, "flings ({} with `--quick`)", "sim/study/speed_error/speed_error_study.cpp", "options.order_flings"),
     (CORE, "(median of {} flings", "sim/study/speed_error/speed_error.h", "kBandFlings"),
     (STUDIES, "in each of the {} flings, too", "sim/study/speed_error/speed_error.h", "kBandFlings"),
     (STUDIES, "With more than {}\nscenarios", "sim/study/needs/needs_study.cpp", "kScenariosWithMethodsMax"),
@@ -172,7 +173,7 @@ NO_SOURCE = {
         "3 4 1 0 0 0 0 1 0"), SWEEPS: "0 1 1 4 64 2 12.2 96",
     CORE: "6 1 1200 2 0.999 0.999 3 4 0 0 5 0 0 6 0.8 0 3 0 6.2 3.2.2 0 5 5 0 1 0.6 60 240 779 0.0885 137 60 227", "tests/browser/README.md": "1,000,001",
     DRIFT: "1e-11 1 44 60 200 10 90 2 0 1 1 1 100 1 1 0 19:209 2010 2.10 2.11 0 2 0 1 2 60 2nd 2006", BENCHMARKS: "2 12.2.0 10 600", HYRAX: "10 11 60 8", "tools/platform/README.md": "64 10 11 16 260 8",
-    STUDIES: ("95 22:209 1927 95 7:122 1936 10 90 20 21 2 1 46,812 17 5 60 8 60 8 60 15 0 60 4 60 "
+    STUDIES: ("95 22:209 1927 95 7:122 1936 10 90 21 2 1 46,812 17 5 60 8 60 8 60 15 0 60 4 60 "
         "0.5 1.5 95 0 52 2e7 24 60 144 240 60 100 1 100 50 16 60 0 0 0 3 75 8 960 60"),
     "tests/must_fail/README.md": "0", OWN: "2,000 980 0 2.0 2.0 0 20 320.0 4096.0 0 1 20.0 600 120 120 1000 60 300 0 100 120 0 64 1e-9 1 1e-5 16 32 4,096 100,000 1 2 4 8 256 301 8 0 1e9 100,000 3",
     TESTS: ("1e9 40 16 0.1.0 12 107 107 14 22 107 107 12 107 107 12 107 107 12 106 106 12 106 106 12 106 106 12 106 "
