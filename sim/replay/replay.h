@@ -13,6 +13,7 @@
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/scenario.h"
 #include "sim/trajectory/resting_contact.h"
+#include "sim/trajectory/reused.h"
 #include "sim/trajectory/row_sink.h"
 #include "sim/trajectory/run_summary.h"
 
