@@ -1,19 +1,20 @@
-#!/usr/bin/python3
-"""The JSON Schema of scenario files against the verdicts of the reader.
-
-Usage: schema_test.py SCHEMA.json
-"""
+"""The JSON Schema of scenario files, and that of a core that describes itself, against the verdicts of their readers."""
 
 import copy
 import json
-import pathlib
 import re
-import sys
 import unittest
 
 import jsonschema
 
-TABLE = pathlib.Path(__file__).with_name("verdicts.json")
+from program import SOURCE
+
+SCHEMA = SOURCE / "tools/files/scenario.schema.json"
+FILES, DESCRIBED = SOURCE / "tests/unit/tools/files", SOURCE / "tests/unit/tools/described"
+
+
+def read(path):
+    return json.loads(path.read_text(encoding="utf-8"))
 
 
 def tokens(pointer):
@@ -63,37 +64,32 @@ def objects_of(schema, place=""):
 class Schema(unittest.TestCase):
     """The schema's verdicts."""
 
-    @classmethod
-    def setUpClass(cls):
-        cls.schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
-        jsonschema.Draft202012Validator.check_schema(cls.schema)
-        cls.validator = jsonschema.Draft202012Validator(cls.schema)
-        cls.table = json.loads(TABLE.read_text(encoding="utf-8"))
-
     def test_agrees_with_the_reader_over_the_table(self):
         """But for what only the reader detects: where the schema refuses that, too, remove `only_reader`."""
-        differing = [entry["name"] for entry in entries_of(self.table)
-                     if self.validator.is_valid(document_of(entry, self.table)) != ("refused" not in entry or "only_reader" in entry)]
-        self.assertEqual(differing, [])
+        for schema, folder, refused in ((SCHEMA, FILES, "refused"), (DESCRIBED / "pool_schema.json", DESCRIBED, "faults")):
+            jsonschema.Draft202012Validator.check_schema(read(schema))
+            validator, table = jsonschema.Draft202012Validator(read(schema)), read(folder / "verdicts.json")
+            differing = [entry["name"] for entry in entries_of(table)
+                         if validator.is_valid(document_of(entry, table)) != (refused not in entry or "only_reader" in entry)]
+            self.assertEqual(differing, [], schema)
 
     def test_takes_every_scenario_file_which_names_it(self):
-        paths = sorted((SCHEMA.parents[2] / "scenarios").rglob("*.json"))
+        paths, validator = sorted((SOURCE / "scenarios").rglob("*.json")), jsonschema.Draft202012Validator(read(SCHEMA))
         self.assertGreaterEqual(len(paths), 30)
         for path in paths:
             with self.subTest(path=str(path)):
-                document = json.loads(path.read_text(encoding="utf-8"))
-                self.validator.validate(document)
-                self.assertEqual((path.parent / document.get("$schema", "")).resolve(), SCHEMA)
+                validator.validate(read(path))
+                self.assertEqual((path.parent / read(path).get("$schema", "")).resolve(), SCHEMA)
 
     def test_every_object_is_closed(self):
-        self.assertEqual([place for place, inner in objects_of(self.schema) if "properties" in inner and "additionalProperties" not in inner
+        self.assertEqual([place for place, inner in objects_of(read(SCHEMA)) if "properties" in inner and "additionalProperties" not in inner
                           and not {"if", "then", "else", "dependentSchemas"} & set(place.split("/"))], [])
 
     def test_titles_have_the_units_and_the_axes_of_their_keys(self):
         axes = {"x": r"\b(Left|right|x)\b", "y": r"\b(Top|downwards|y)\b"}
         units = {"_px_per_s": "px/s", "_px_max": "px", "_px": "px", "_hz": "Hz", "_s": "s"}
         titled = []
-        for place, inner in objects_of(self.schema):
+        for place, inner in objects_of(read(SCHEMA)):
             key, title = place.rpartition("/")[2], inner.get("title", "")
             unit = re.search(r", (px/s|px|s|Hz)$", title)
             of_key = next((units[suffix] for suffix in units if key.endswith(suffix)), None)
@@ -104,8 +100,3 @@ class Schema(unittest.TestCase):
                 self.assertEqual([each for each, words in axes.items() if re.search(words, title)], [axis[1]], key)
         self.assertGreater(len(titled), 8)
         self.assertEqual([key for key, unit, of_key in titled if unit != of_key], [])
-
-
-if __name__ == "__main__":
-    SCHEMA = pathlib.Path(sys.argv[1]).resolve()
-    unittest.main(argv=sys.argv[:1])
