@@ -4,21 +4,18 @@ import csv
 import math
 import shutil
 import sys
-import unittest
 
 import h5py
 import numpy as np
 
 import own_cores_test
-import program
 from process import succeed
-from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, SOURCE
+from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, fling
 from sweep_program import NO_CLUSTER
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import sweep as oracle  # noqa: E402 pylint: disable=wrong-import-position
 
-HYRAX_SIM = program.PROGRAM
 ALL = ["final", "contacts", "at_rest", "extremes", "state_hash"]
 
 
@@ -77,10 +74,6 @@ class OwnCoresSweep(own_cores_test.OwnCoresProject):
             succeed("cmake", "--build", cls.project / "build", "--target", "balls-sim")
             (cls.project / "build/balls-sim").rename(cls.project / f"build/{name}-sim")
             (cls.project / "build/first-sim").rename(cls.project / "build/balls-sim")
-
-    def tearDown(self):
-        program.PROGRAM = HYRAX_SIM
-        super().tearDown()
 
     def sweep(self, *arguments, exit_code=AGREED, **options):
         return self.expect(exit_code, "sweep", *arguments, env=NO_CLUSTER, **options)
@@ -194,11 +187,11 @@ class OwnCoresSweep(own_cores_test.OwnCoresProject):
         self.use("pet")
         self.sweep("--merge", first, "-o", "all.h5", exit_code=BAD_INPUT, says="is a sweep of the core balls: join its parts with balls-sim")
         self.expect(BAD_INPUT, "report", first, "-o", "a.html", says=f"{first}: ")
-        program.PROGRAM = HYRAX_SIM
+        self.program = PROGRAM
         says = f"{first}: is a sweep of the core balls, which describes itself: balls-sim joins its parts; no page shows it"
         self.sweep("--merge", first, "-o", "all.h5", exit_code=BAD_INPUT, says=says)
         self.expect(BAD_INPUT, "report", first, "-o", "a.html", says=says)
-        self.write("paper.json", {"format": "hyrax-sweep/1", "base": program.fling(), "vary": {}})
+        self.write("paper.json", {"format": "hyrax-sweep/1", "base": fling(), "vary": {}})
         self.sweep("paper.json", "--part", "0/1")
         self.use("balls")
         self.sweep("--merge", "paper.part-0-of-1.h5", "-o", "all.h5", exit_code=BAD_INPUT, says="join its parts with hyrax-sim")
@@ -219,7 +212,3 @@ class OwnCoresSweep(own_cores_test.OwnCoresProject):
         self.write("sweep.json", sweep(scenario(60, parameters={"fault": "property_throws"}), {"/start/x_px": {"grid": [0, 1, 2]}}, members=2))
         self.sweep("sweep.json", exit_code=DISAGREED, says="sweep.json: member 1: row 0: lost; nothing written")
         self.assertEqual((self.folder / "sweep.h5").read_bytes(), (self.folder / "before.h5").read_bytes())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,14 +1,13 @@
 """Cores that describe themselves, each held to a loop of its own, in a project that uses the package."""
 
 import csv
+import json
 import math
 import os
 import shutil
-import unittest
 
 import numpy as np
 
-import program
 from installed_package import InstalledPackage
 from process import run, succeed
 from program import AGREED, DISAGREED, SOURCE
@@ -245,20 +244,17 @@ class OwnCoresProject(InstalledPackage):
         for core, (document, _) in LOOPS.items():
             path = cls.project / core / "scenarios/one.json"
             path.parent.mkdir(parents=True)
-            path.write_text(program.json.dumps(document), encoding="utf-8")
+            path.write_text(json.dumps(document), encoding="utf-8")
         outcome = cls.configure(cls.project, "-DCMAKE_BUILD_TYPE=Quick", "-DCMAKE_CXX_FLAGS_QUICK=-O0")
         assert outcome.exit_code == 0, outcome
         succeed("cmake", "--build", cls.project / "build")
         return " ".join(outcome.err.split())
 
     def use(self, core):
-        program.PROGRAM = self.project / f"build/{core}-sim"
+        self.program = self.project / f"build/{core}-sim"
 
 
 class OwnCores(OwnCoresProject):
-    def tearDown(self):
-        program.PROGRAM = self.project / "build/pet-sim"
-
     def rows(self, document):
         """Of a run as CSV: the columns, and the numbers of each row after step, t_s, dt_s."""
         self.write("one.json", document)
@@ -350,7 +346,3 @@ class OwnCores(OwnCoresProject):
                     self.assertNotEqual(outcome.exit_code, 0)
                     first = next(line for line in outcome.err.splitlines() if "error" in line)
                     self.assertIn(sentence, first.replace('\\"', '"'), path)
-
-
-if __name__ == "__main__":
-    unittest.main()

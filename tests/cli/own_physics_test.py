@@ -8,13 +8,11 @@ import time
 import h5py
 import numpy as np
 
-import program
 from installed_package import PLAIN, InstalledPackage
 from process import run, succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE, fling
 
 EXAMPLE = SOURCE / "tests/cli/own_physics"
-HYRAX_SIM = program.PROGRAM
 CTEST_FAILED = 8
 
 FLING = "scenarios/flings/first-fling.json"
@@ -136,10 +134,6 @@ class OwnPhysics(InstalledPackage):
     def setUp(self):
         super().setUp()
         shutil.copytree(self.example / "scenarios", self.folder / "scenarios")
-        program.PROGRAM = self.program
-
-    def tearDown(self):
-        program.PROGRAM = HYRAX_SIM
 
     def test_the_project_is_red_until_blessed_then_green_then_red_for_another_constant(self):
         project = self.example  # The other tests use copies of its programs.
@@ -164,7 +158,7 @@ class OwnPhysics(InstalledPackage):
         self.assertIn(f"to accept it    {project}/build/elastic_box-sim bless scenarios", text)
 
     def test_rows_are_those_of_the_core_bit_for_bit(self):
-        scenario = program.fling(window={"width_px": 800, "height_px": 600}, steps=3000,
+        scenario = fling(window={"width_px": 800, "height_px": 600}, steps=3000,
                                  sprite={"width_px": 100, "height_px": 100},
                                  start={"x_px": 350.25, "y_px": 251, "vx_px_per_s": 401.5, "vy_px_per_s": -303.25})
         self.expect(AGREED, "run", self.write("fling.json", scenario), "-o", "run.h5", "--no-skip")
@@ -174,25 +168,25 @@ class OwnPhysics(InstalledPackage):
             self.assertEqual(stored.tobytes(), rows.tobytes())
 
     def test_golden_files_of_another_core_are_refused_by_both(self):
-        self.write("scenarios/still.json", program.fling(name="still", steps=0))  # It has the same bits in both.
+        self.write("scenarios/still.json", fling(name="still", steps=0))  # It has the same bits in both.
         self.bless("scenarios")
         self.assertIn("\nphysics: elastic_box\n", (self.folder / "golden/billiard.txt").read_text(encoding="utf-8"))
         before = self.state_of("golden")
-        program.PROGRAM = HYRAX_SIM
+        self.program = PROGRAM
         outcome = self.expect(BAD_INPUT, "check")
         self.assertIn("golden/billiard.h5: attribute physics: is of another core (found elastic_box); this program's "
                       "core is hyrax-physics/1", outcome.out)
         self.expect(BAD_INPUT, "check", "scenarios/still.json")
         self.expect(DISAGREED, "bless", "scenarios", "--reason", "by mistake")
         self.assertEqual(self.state_of("golden"), before)
-        program.PROGRAM = self.program
+        self.program = OwnPhysics.program
         outcome = self.expect(BAD_INPUT, "check", SOURCE / FLING)
         self.assertIn("is of another core (found hyrax-physics/1); this program's core is elastic_box", outcome.out)
 
     def test_what_needs_the_papers_step_is_refused_in_the_programs_own_name(self):
         self.expect(BAD_INPUT, "drift", says="elastic_box-sim drift: needs the paper's step")
         self.expect(BAD_INPUT, "run", "--drifts", says="see `elastic_box-sim run --help`")
-        path = self.write("scenarios/bounded.json", program.fling(expect={"truncation_px_max": 1.0}))
+        path = self.write("scenarios/bounded.json", fling(expect={"truncation_px_max": 1.0}))
         self.expect(BAD_INPUT, "run", path, says=f"{path}: /expect/truncation_px_max: needs the paper's step, with any constants")
         first_screen = self.expect(AGREED).out
         self.assertIn("This program's core is elastic_box, not the paper's step", first_screen)
@@ -211,7 +205,7 @@ class OwnPhysics(InstalledPackage):
         self.bless("scenarios")
         self.assertEqual(run("sh", "-c", entry, cwd=self.folder).exit_code, AGREED)
         (self.folder / "golden/billiard.txt").unlink()
-        self.assertEqual(run("sh", "-c", entry, cwd=self.folder).exit_code, program.GOLDEN_MISSING)
+        self.assertEqual(run("sh", "-c", entry, cwd=self.folder).exit_code, GOLDEN_MISSING)
         files = re.search("^ +files: (.*)$", config, re.MULTILINE)[1]
         for path in ("scenarios/long/many-bounces.json", "golden/billiard.h5", "elastic_box.h"):
             self.assertRegex(path, files)
@@ -239,7 +233,7 @@ class OwnPhysics(InstalledPackage):
         header = (EXAMPLE / "elastic_box.h").read_text(encoding="utf-8")
         outcome = self.built(header.replace("double", "float"), "add_compile_options([[-DTEXT=\"a b\"]] -Wall -Wextra -Wpedantic -Werror")
         self.assertEqual(outcome.exit_code, 0, outcome)
-        program.PROGRAM = self.folder / "build/box-sim"
+        self.program = self.folder / "build/box-sim"
         self.expect(AGREED, "run", "scenarios/billiard.json", "-o", "run.h5")
         with h5py.File(self.folder / "run.h5") as file:
             self.assertRegex(file["provenance"].attrs["flags"], "-Werror.* -ffp-contract=off")
@@ -251,7 +245,7 @@ class OwnPhysics(InstalledPackage):
         # With another core it has another hash.
         self.write("box.h", (EXAMPLE / "elastic_box.h").read_text(encoding="utf-8").replace("RESTITUTION = 1.0", "RESTITUTION = 0.999"))
         self.assertEqual(self.built((self.folder / "box.h").read_text(encoding="utf-8")).exit_code, 0)
-        program.PROGRAM = self.folder / "build/box-sim"
+        self.program = self.folder / "build/box-sim"
         self.expect(DISAGREED, "run", "my-fling.json", "-o", "other.h5")
 
     def test_one_name_is_one_core(self):

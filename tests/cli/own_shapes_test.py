@@ -11,12 +11,11 @@ import numpy as np
 import program
 from installed_package import PLAIN, InstalledPackage
 from process import succeed
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, SOURCE
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, NOT_STRICT, PROGRAM, SOURCE
 
 sys.path.insert(0, str(SOURCE / "tests/oracle"))
 import replay  # noqa: E402 pylint: disable=wrong-import-position
 
-HYRAX_SIM = program.PROGRAM
 HARD = str(SOURCE / "scenarios/hard")
 
 SHIPPED = (SOURCE / "sim/physics/physics.h").read_text(encoding="utf-8")
@@ -94,11 +93,8 @@ class Shapes(InstalledPackage):
         self.write("sweep.json", {"format": "hyrax-sweep/1", "base": "fling.json", "members": 300, "seed": 3, "vary": {
             "/start/vx_px_per_s": {"uniform": [-2000, 2000]}, "/clock/rate_hz": {"choice": [60, 144]}}})
 
-    def tearDown(self):
-        program.PROGRAM = HYRAX_SIM
-
     def use(self, name):
-        program.PROGRAM = self.build / f"{name}-sim"
+        self.program = self.build / f"{name}-sim"
 
     def expect_sweep_as_runs(self):
         """A member of the sweep has the bits of its own run. Returns the steps computed and all steps."""
@@ -120,7 +116,7 @@ class Shapes(InstalledPackage):
         self.use("moon")
         constants = [value for _, value in MOON.values()]
         rows = moon_rows(600, 60, (350.25, 251.0, 1401.5, -903.25), (1792.0, 952.0))
-        self.assertIn(f"reference and energy ({program.PROGRAM} drift)", self.expect(AGREED, "run", "fling.json").out)
+        self.assertIn(f"reference and energy ({self.program} drift)", self.expect(AGREED, "run", "fling.json").out)
         self.expect(AGREED, "run", "fling.json", "-o", "run.h5", "--drift")
         with h5py.File(self.folder / "run.h5") as file:
             stored = np.column_stack([file[f"trajectory/{name}"] for name in ("x", "y", "vx", "vy")])
@@ -134,7 +130,7 @@ class Shapes(InstalledPackage):
         # Another program measures the file by its constants, and replays it with them where rows are missing.
         self.write("seldom.json", {**self.fling(), "record": {"every": 100}})
         self.expect(AGREED, "run", "seldom.json", "-o", "seldom.h5")
-        program.PROGRAM = HYRAX_SIM
+        self.program = PROGRAM
         for path in ("run.h5", "seldom.h5"):
             outcome = self.expect(AGREED, "drift", path, "--json")
             self.assertEqual(outcome.json["runs"][0]["worst"], drift["worst"], path)
@@ -190,7 +186,7 @@ class Shapes(InstalledPackage):
         self.write("CMakeLists.txt", PLAIN.format(arguments="scenarios PHYSICS moon.h", language="CXX"))
         self.assertEqual(self.configure(self.folder).exit_code, 0)
         succeed("cmake", "--build", self.folder / "build")
-        program.PROGRAM = self.folder / "build/moon-sim"
+        self.program = self.folder / "build/moon-sim"
         document = self.expect(DISAGREED, "check", "--json", "--flings", "0").json
         (group,) = document["groups"]
         self.assertEqual((group["operation"], group["detail"]), ("core", "BOUNCE 0.75 -> 0.8"))
@@ -243,7 +239,7 @@ class Shapes(InstalledPackage):
         self.use("leak")
         outcome = self.expect(DISAGREED, "fuzz", "--runs", "200")
         self.assertIn("breaks an invariant: in-bounds", outcome.out)
-        self.assertIn(f"\n  {program.PROGRAM} study hard-cases ", outcome.out)
+        self.assertIn(f"\n  {self.program} study hard-cases ", outcome.out)
         self.expect(DISAGREED, "study", "hard-cases", HARD, "--quick", "--no-figures", "--gate", says="in-bounds is broken by ")
 
     def test_fuzz_writes_the_scenario_in_which_a_core_throws(self):

@@ -58,6 +58,7 @@ class ProgramTest(unittest.TestCase):
     """A folder, and the program run in it. A test that compares nothing fails, for one whose lists are all empty does."""
 
     maxDiff = None
+    program = PROGRAM  # A test may set another one for itself.
     compared = 0
     blessed_once = {}  # By the names of a `project` in an empty folder, its golden files.
 
@@ -80,11 +81,11 @@ class ProgramTest(unittest.TestCase):
 
     def hyrax_sim(self, *arguments, **options):
         """Runs the program in the folder."""
-        return run(PROGRAM, *arguments, **{"cwd": self.folder, **options})
+        return run(self.program, *arguments, **{"cwd": self.folder, **options})
 
     def begin(self, *arguments, **options):
         """Starts the program in the folder and does not wait for it."""
-        process = Process(PROGRAM, *arguments, **{"cwd": self.folder, **options})
+        process = Process(self.program, *arguments, **{"cwd": self.folder, **options})
         self.addCleanup(process.end)
         return process
 
@@ -115,7 +116,7 @@ class ProgramTest(unittest.TestCase):
 
     def expect_below(self, limit_bytes, exit_code, *arguments):
         """Runs the program; expects this exit code, and less memory than that, a sanitizer's aside."""
-        outcome, peak_bytes, _ = run_measured(PROGRAM, *arguments, cwd=self.folder)
+        outcome, peak_bytes, _ = run_measured(self.program, *arguments, cwd=self.folder)
         self.assertEqual(outcome.exit_code, exit_code, outcome)
         if not self.is_sanitized():
             self.assertLess(peak_bytes, limit_bytes)
@@ -138,7 +139,7 @@ class ProgramTest(unittest.TestCase):
         # HDF5 1.10 leaks the memory of a file that it could not finish writing.
         environment = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", "")}
         lines = "\n".join([f"mount -t tmpfs {mount} tmpfs disk", *script])
-        return run(*unshare, "sh", "-ec", lines, "sh", PROGRAM, cwd=self.folder, env=environment)
+        return run(*unshare, "sh", "-ec", lines, "sh", self.program, cwd=self.folder, env=environment)
 
     def write(self, path, content):
         """Writes a document or a text below the folder; returns its path as it would be typed there."""

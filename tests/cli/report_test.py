@@ -14,21 +14,20 @@ import struct
 
 import h5py
 
-import program
 from process import run
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, needs_page
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, needs_page
 from sweep_members import base
 from sweep_program import document
-
-program.PROGRAM = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
 
 
 class ReportTest(ProgramTest):
     """A run, and what cannot be reported of it."""
 
+    program = pathlib.Path(os.environ["HYRAX_SIM_WITHOUT_PAGE"]).resolve()
+
     def setUp(self):
         super().setUp()
-        self.write("fling.json", program.fling())
+        self.write("fling.json", fling())
         self.expect(AGREED, "run", "fling.json")
 
     def test_refused_it_says_why_in_one_sentence_and_writes_nothing(self):
@@ -70,7 +69,7 @@ class ReportTest(ProgramTest):
         before = self.state_of(".")
         self.expect(BAD_INPUT, "report", "fling.h5", "-o", "golden/a.html", says="golden")
         self.expect(BAD_INPUT, "run", "scenarios/a.json", "-o", "a.h5", "--report", "golden/a.html", says="golden")
-        self.write("scenario.html", program.fling())
+        self.write("scenario.html", fling())
         self.expect(BAD_INPUT, "report", "fling.h5", "-o", "scenario.html", says="would overwrite a scenario")
         (self.folder / "scenario.html").unlink()
         self.assertEqual(self.state_of("."), before)
@@ -89,7 +88,7 @@ class Numbers(ProgramTest):
 
     def test_are_those_of_the_file_bit_for_bit(self):
         for steps in (10, 11, 12):  # Of any length modulo three bytes.
-            self.write("fling.json", program.fling(steps=steps))
+            self.write("fling.json", fling(steps=steps))
             self.expect(AGREED, "run", "fling.json")
             page = self.page_by("report", "fling.h5", "--against", "fling.h5", "-o", "page.html")
             self.assertEqual(page["command"], "hyrax-sim report fling.h5 --against fling.h5 -o page.html")
@@ -127,7 +126,7 @@ class Numbers(ProgramTest):
         self.assertEqual(base64.b64decode(sweep["inputs"][0]["values"]), wanted)
 
     def test_the_command_in_the_page_writes_it_again(self):
-        self.write("scenarios/fling.json", program.fling())
+        self.write("scenarios/fling.json", fling())
         self.expect(AGREED, "bless", "scenarios/fling.json", "--golden", "accepted", "--reason", "first")
         for options in (("--set", "/steps=20", "--set", "/clock/rate_hz=144"), ("--golden", "accepted")):
             page = self.page_by("run", "scenarios/fling.json", *options, "--report", "page.html")

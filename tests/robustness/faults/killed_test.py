@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Killed while it writes, the program leaves the old file or the complete new one, never another.
 
 HYRAX_KILL_AT_CALL names the library that kills it at a chosen call, kill_at_call.c; HYRAX_KILLS says at how many calls
@@ -10,9 +9,8 @@ import re
 import shutil
 import signal
 
-import program
 from process import preloading
-from program import AGREED, ANOTHER_START, DISAGREED, ProgramTest, fling, main
+from program import AGREED, ANOTHER_START, DISAGREED, ProgramTest, fling
 from traced import SHIPPED, TRACED, traced
 
 LIBRARY = os.environ["HYRAX_KILL_AT_CALL"]
@@ -180,8 +178,7 @@ class AcceptedCore(Killed):
             self.write_before(f"scenarios/{name}.json", fling(name=name))
         self.expect(AGREED, "bless", "scenarios", "--reason", "the first", cwd=self.folder / "before")
         os.environ.update(traced(SHIPPED.replace("GRAVITY = 1200.0", "GRAVITY = 1250.0")).environment)
-        self.addCleanup(setattr, program, "PROGRAM", program.PROGRAM)
-        program.PROGRAM = TRACED
+        self.program = TRACED
 
     def state(self):
         """How many golden files are the new ones, and of the core."""
@@ -207,7 +204,3 @@ class AcceptedCore(Killed):
             self.expect(AGREED, "check", cwd=self.folder / "now")
         self.assertLessEqual({(4, 0), (4, 1), (4, 2), (4, 3)}, seen)
         self.assertGreater(len(seen), 5)
-
-
-if __name__ == "__main__":
-    main()
