@@ -4,7 +4,7 @@ import os
 import pathlib
 
 from process import succeed
-from program import SOURCE, ProgramTest, main
+from program import SOURCE, ProgramTest
 
 BUILD = pathlib.Path(os.environ["HYRAX_BUILD"])
 
@@ -22,7 +22,3 @@ class PageBuildTest(ProgramTest):
                          "tools/CMakeFiles/hyrax_page.dir/report/page_template.cpp.o").out
         for page in ("runs", "sweeps"):
             self.assertIn(f"page/{page}.html", inputs)
-
-
-if __name__ == "__main__":
-    main()

@@ -325,7 +325,3 @@ class ReportTest(browser.BrowserTest):
         (page,) = self.open({**self.report("fling"), "actions": [["tab", 10]]})
         self.assertEqual(page["values"][0], ["mode-replay", "mode-fling", "replay", "first", "back", "play", "forward",
                                              "speed", "time", "Change frame rate, start and parameters"])
-
-
-if __name__ == "__main__":
-    program.main()

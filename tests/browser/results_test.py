@@ -198,7 +198,3 @@ class ResultsTest(browser.BrowserTest):
             (page,) = self.open({"file": str(self.folder / f"{name}.html"), "bypass_csp": True, "actions": [["evaluate", "document.querySelectorAll('main img, main script').length"], ["evaluate", "document.querySelector('main').textContent"]]})
             self.assertEqual((page["values"][0], page["errors"], page["requests"]), (0, [], []))
             self.assertIn("<img src=x onerror=alert(", page["values"][1])
-
-
-if __name__ == "__main__":
-    program.main()

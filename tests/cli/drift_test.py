@@ -140,9 +140,3 @@ class Files(DriftTest):
     def test_the_text_fits_a_terminal(self):
         for line in self.expect(AGREED, "drift", *(SOURCE / f"scenarios/{folder}" for folder in ("flings", "hard"))).out.splitlines():
             self.assertLessEqual(len(line), WIDTH_MAX, line)
-
-    def test_the_model_error_is_said_to_stay_where_it_stays(self):
-        for rate_hz, stays in ((20, False), (60, True)):
-            out = self.expect(AGREED, "drift", self.write("scenario.json", flight(rate_hz))).out
-            self.assertIn(f"half the error costs 2.0 times the steps ({2 * rate_hz} Hz)", out)
-            self.assertEqual("drag acts once a frame, however short" in out, stays)

@@ -35,7 +35,3 @@ class Targets(unittest.TestCase):
         for target, lines in rules.items():
             for file, needed in lines:
                 self.assertTrue(before[target] & makers.get(needed, {target}), f"{target}: {file} needs {needed}")
-
-
-if __name__ == "__main__":
-    unittest.main()

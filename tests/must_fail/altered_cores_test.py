@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The list of altered cores: each is chosen by its name.
 
 `study hard-cases --gate` is red on every one that changes results, except those that are named here with the reason.
@@ -9,7 +8,7 @@ import unittest
 
 from altered import CONTROLS, ONLY_CONSTANTS, SAME_BITS, changed_steps, run_altered, studied
 from process import succeed
-from program import AGREED, DISAGREED, SOURCE, ProgramTest, fling, main
+from program import AGREED, DISAGREED, SOURCE, ProgramTest, fling
 
 # Short scenarios: hard cases, a stop and a grab.
 CASES = [f"scenarios/{name}.json" for name in (
@@ -81,7 +80,3 @@ class EveryCore(ProgramTest):
                 named = re.findall(r"constant: ([A-Z_]+) \S+ -> \S+", of_core.out)
                 self.assertEqual((of_core.out[:14], len(named)), ("core: changed\n", 2 if core == "two_constants" else 1), of_core)
                 self.assertTrue(all(f"constant: {name} " in outcome.out for name in named), outcome)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The commands for `git bisect run` in golden/README.md find the commits that changed a result.
 
 They run in a repository whose commits differ in a file, `core`: the name of the altered core that tools/check "builds".
@@ -11,7 +10,7 @@ import shutil
 
 from altered import ALTERED
 from process import skip_unless_installed, succeed
-from program import SOURCE, ProgramTest, main
+from program import SOURCE, ProgramTest
 
 SCENARIO = "flings/first-fling"
 # Core and message of each commit, from the good one on.
@@ -64,7 +63,3 @@ class Bisect(ProgramTest):
         for who in ("AUTHOR", "COMMITTER"):
             variables |= {f"GIT_{who}_NAME": "A", f"GIT_{who}_EMAIL": "a@example.org"}
         return succeed("bash", "-c", commands, cwd=self.folder / "project", env={**os.environ, **variables}).out
-
-
-if __name__ == "__main__":
-    main()

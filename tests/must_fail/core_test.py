@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Programs with an altered core: what `check` says of runs that become infinite, sweeps, and how often a run is played."""
 
 import os
@@ -8,7 +7,7 @@ import h5py
 
 from altered import ALTERED, run_altered
 from process import run
-from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, ProgramTest, fling
 from traced import SHIPPED, traced
 
 FIRST_FLING = "scenarios/flings/first-fling.json"
@@ -129,7 +128,3 @@ class Replays(ProgramTest):
                         ("--drift", "--reference", "gsl"), ("-o", "fling.csv", "--drift")):
             with self.subTest(options=options):
                 self.assertEqual(self.updates("run", self.scenario(), *options), STEPS)
-
-
-if __name__ == "__main__":
-    main()

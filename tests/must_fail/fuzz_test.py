@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """`fuzz` finds each altered core that breaks an invariant, and writes a small scenario that still fails; of other constants,
 `check --core` says what changed, and `shrink` keeps the difference.
 
@@ -12,7 +11,7 @@ import shutil
 
 from altered import ALTERED, ONLY_CONSTANTS, SAME_BITS, changed_steps, run_altered
 from process import run
-from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling, main
+from program import AGREED, DISAGREED, PROGRAM, SOURCE, ProgramTest, fling
 
 # What it does depends on the steps of other runs, so that no scenario shows it alone.
 HIDDEN_STATE = {"hidden_state"}
@@ -85,7 +84,3 @@ class Fuzz(ProgramTest):
                 hashes = {run(program, "run", small, "--json", "-o", "run.h5", cwd=self.folder, env={**os.environ, "HYRAX_ALTERED_CORE": core})
                           .json["runs"][0]["state_hash"] for program in (PROGRAM, ALTERED)}
                 self.assertEqual(len(hashes), 2, f"{core}: both programs agree on the shrunk scenario")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,9 +1,8 @@
-#!/usr/bin/python3
 """An exact fling that misses a wall is a fault of the program, whatever asks for it."""
 
 from altered import CONTROLS
 from process import run
-from program import DISAGREED, SOURCE, ProgramTest, main
+from program import DISAGREED, SOURCE, ProgramTest
 
 PROGRAM_FAULT = 70
 
@@ -21,7 +20,3 @@ class Unsound(ProgramTest):
         self.assertEqual(outcome.exit_code, DISAGREED, outcome)
         self.assertEqual({sentence.partition(" is broken")[0] for sentence in outcome.json["broken"]},
                          {f"corners/exact-{end}-{side}: exact-corner" for end in ("upper", "lower") for side in ("left", "right")})
-
-
-if __name__ == "__main__":
-    main()

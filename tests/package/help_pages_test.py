@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The man page and the bash completion: each command and option that the program's help names is in both."""
 
 import gzip
@@ -8,7 +7,9 @@ import shlex
 import tempfile
 
 from process import run, skip_without, succeed
-from program import PROGRAM, SOURCE, ProgramTest, main
+from program import PROGRAM, SOURCE, ProgramTest
+
+skip_without("groff")
 
 MAKER = SOURCE / "tools/cmake/help_pages.py"
 
@@ -82,8 +83,3 @@ class HelpPages(ProgramTest):
         outcome = run("/usr/bin/python3", "-B", MAKER, "/bin/false", self.folder / "none")
         self.assertNotEqual(outcome.exit_code, 0)
         self.assertFalse((self.folder / "none").exists())
-
-
-if __name__ == "__main__":
-    skip_without("groff")
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The workflows of .github, which have not been run there: what can be checked of them here."""
 
 import pathlib
@@ -73,7 +72,3 @@ class Workflows(unittest.TestCase):
             self.assertIn("has not been run on GitHub yet.", path.read_text().splitlines()[0], path)
         readme = " ".join(pathlib.Path(SOURCE / "README.md").read_text().split())
         self.assertIn("The GitHub workflows in `.github/` have not been run there.", readme)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """hyrax-sim itself on arm64: built with Debian's packages for it and run by an emulator, it has the results of this machine."""
 
 import dataclasses
@@ -10,7 +9,7 @@ import h5py
 from building import TIMEOUT_S, build
 from playing import library
 from process import Failed, TimedOut, run, skip_for_lack_of, skip_without, succeed
-from program import AGREED, PROGRAM, main
+from program import AGREED, PROGRAM
 from rows import BUILDS, EMULATED_STEPS_MAX, PROJECT
 from sweep_members import ALL, base
 from sweep_program import NO_CLUSTER, SweepTest, document
@@ -20,6 +19,7 @@ SYSROOT = FOLDER / "sysroot"
 REPLAY = next(row for row in BUILDS if row.name == "aarch64")
 ROW = dataclasses.replace(REPLAY, program="bin/hyrax-sim", settings=(
     *REPLAY.settings, "HYRAX_SIM=ON", "HYRAX_TESTS=OFF", f"HYRAX_SYSROOT={SYSROOT}"))
+skip_without(ROW.compiler, *ROW.runner, "apt-get", "dpkg-deb")
 JITTERS = ({}, {"kind": "uniform", "fraction": 0.1}, {"kind": "normal", "sigma_s": 0.002},
            {"kind": "missed_frames", "probability": 0.1})  # Each clock is a kernel of its own.
 
@@ -89,8 +89,3 @@ class Arm64(SweepTest):
             self.sweep("sweep.json", "-o", f"arm64-{number}.h5")
             succeed(PROGRAM, "sweep", "sweep.json", "-o", f"here-{number}.h5", cwd=self.folder, env=NO_CLUSTER)
             self.assertEqual(*(digests_of(self.folder / f"{name}-{number}.h5") for name in ("arm64", "here")))
-
-
-if __name__ == "__main__":
-    skip_without(ROW.compiler, *ROW.runner, "apt-get", "dpkg-deb")
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The kernels of sweeps on other processors' vectors: their unit test, cross-compiled and run by an emulator."""
 
 import os
@@ -17,6 +16,9 @@ LIBRARIES = ("ensemble", "replay", "shipped", "core_record", "core", "physics", 
 def emulator_of(triple):
     """For example qemu-ppc64le."""
     return "qemu-" + triple.split("-")[0].replace("powerpc64", "ppc64")
+
+
+skip_without(*(f"{triple}-g++" for triple in PROCESSORS), *map(emulator_of, PROCESSORS))
 
 
 class Kernels(unittest.TestCase):
@@ -39,8 +41,3 @@ class Kernels(unittest.TestCase):
                 outcome = run(emulator_of(triple), folder / "kernels_test", timeout=600)
                 self.assertEqual(outcome.exit_code, 0, outcome)
                 self.assertIn("[  PASSED  ]", outcome.out)
-
-
-if __name__ == "__main__":
-    skip_without(*(f"{triple}-g++" for triple in PROCESSORS), *map(emulator_of, PROCESSORS))
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The matrix of platforms notices what it must: its own controls.
 
 HYRAX_REPLAY names the program to play with.
@@ -94,7 +93,3 @@ class Rows(unittest.TestCase):
     def test_each_row_has_a_name_of_its_own(self):
         names = [row.folder for row in (*BUILDS, *CONTROLS)]
         self.assertEqual(len(names), len(set(names)))
-
-
-if __name__ == "__main__":
-    unittest.main()

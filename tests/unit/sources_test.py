@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """The sources of sim/ and tools/: nothing is defined that none of them uses, and gravity is a number in two places alone."""
 
 import collections
@@ -46,7 +45,3 @@ class Sources(unittest.TestCase):
         holders = [str(path) for path, text in self.sources.items()
                    if path.suffix in (".h", ".cpp") and GRAVITY.search(re.sub(r'"[^"\n]*"', "", text))]
         self.assertEqual(holders, ["sim/physics/physics.h", "sim/reference/model.h"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -40,11 +40,6 @@ class CommandLine(HyraxTest):
             self.expect_of_hyrax(BAD_INPUT, *options, says="mine.json: exists already; name another file")
             self.assertEqual((self.folder / path).read_bytes(), mine)
 
-    def test_a_replay_compares_the_hash(self):
-        self.expect_of_hyrax(AGREED, "--replay", self.write("fling.json", fling()), "--exit", says="fling: state hash ")
-        other = self.write("other.json", fling(expect={"state_hash": HASH_OF_FLING}))
-        self.expect_of_hyrax(DISAGREED, "--replay", other, "--exit", says=f"; expected {HASH_OF_FLING}")
-
     def test_a_replay_in_the_window_gives_the_same_verdict(self):
         other = self.write("short.json", fling(steps=30, expect={"state_hash": HASH_OF_FLING}))
         self.expect_of_hyrax(DISAGREED, other, says="differs")

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A golden file with one bit flipped anywhere, or a row dropped, doubled, swapped or made a NaN, is detected.
 
 HYRAX_DAMAGE=all flips thousands of bits instead of a sample.
@@ -15,7 +14,7 @@ import h5py
 import numpy
 
 from damage_test import LONG, SHORT
-from program import ProgramTest, main
+from program import ProgramTest
 
 _IS_ALL = os.environ.get("HYRAX_DAMAGE") == "all"
 _H5_FLIPS = 6000 if _IS_ALL else 150
@@ -170,7 +169,3 @@ class Damage(ProgramTest):
             unseen = [(name, verdict) for name, verdict in zip(names, verdicts, strict=True)
                       if verdict in ("agreed", "noted")]
             self.assertEqual(unseen, [], document["name"])
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """mutation.py distinguishes all fates, in a project of one source, two programs and two tests.
 
 Its unit test checks the sign of -5 and of 5 only, so a change that matters only at 0 survives.
@@ -134,7 +133,3 @@ class Fates(unittest.TestCase):
         self.assertEqual(exit_code, 1, said)
         self.assertIn("| all | 3 | 0 | 0 | 0 | 0 | 0 | 3 |", said)
         self.assertIn("FAULT: no mutant was tried within 0 minutes", said)
-
-
-if __name__ == "__main__":
-    unittest.main()

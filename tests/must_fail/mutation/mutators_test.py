@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Which mutants a few lines have, and which reasons hold."""
 
 import unittest
@@ -53,7 +52,3 @@ class Slips(unittest.TestCase):
                                  ("swapped arguments", "b, size.wide"), ("wrong member", "high"),
                                  ("named size", "(kBlock - 1)"), ("named size", "(kBlock + 1)"),
                                  ("neighbouring enumerator", "left")])
-
-
-if __name__ == "__main__":
-    unittest.main()

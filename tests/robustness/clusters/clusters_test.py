@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Sweeps in parts, by real schedulers: the parts join to the file of one process, whatever happens to tasks."""
 
 import os
@@ -6,8 +5,10 @@ import pathlib
 import time
 
 from process import skip_for_lack_of, skip_without, succeed
-from program import AGREED, GOLDEN_MISSING, PROGRAM, ProgramTest, fling, main
+from program import AGREED, GOLDEN_MISSING, PROGRAM, ProgramTest, fling
 from slurm import Cluster
+
+skip_without("mpirun", "slurmctld", "slurmd", "sbatch", "munged")
 
 JOBS = pathlib.Path(os.environ["HYRAX_JOBS"])
 TASKS, KILLED = 8, 3
@@ -80,8 +81,3 @@ class Clusters(ProgramTest):
             cluster.command("scontrol", "update", f"JobId={job}_{KILLED}", "StartTime=now")
             self.wait_until(states, lambda: all(part.exists() for part in parts) and set(states().values()) <= {"COMPLETED"})
         self.assert_same_as_one_process(parts)
-
-
-if __name__ == "__main__":
-    skip_without("mpirun", "slurmctld", "slurmd", "sbatch", "munged")
-    main()

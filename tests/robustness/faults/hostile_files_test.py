@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Files made to harm their reader: every command reports damage, quickly and with little memory.
 
 Fuzzers found the first of them, which the HDF5 library crashes on or never comes back from.
@@ -9,7 +8,7 @@ import shutil
 
 import h5py
 
-from program import AGREED, BAD_INPUT, SOURCE, ProgramTest, fling, main
+from program import AGREED, BAD_INPUT, SOURCE, ProgramTest, fling
 
 FOUND = SOURCE / "tests/robustness/fuzz/found"
 CRASHES = (FOUND / "golden/crash-in-heap-header.h5", FOUND / "trajectory/crash-in-heap-object.h5")
@@ -112,7 +111,3 @@ class CostlyScenario(ProgramTest):
         self.run_and_compare(steps=60_000_000, events=[{"at_s": 59_000_000, "stop": {}}],
                              clock={"dt_s": 1, "jitter": {"kind": "normal", "sigma_s": 0.1, "seed": 1}})
         self.expect_below(30e6, AGREED, "run", "scenarios/fling.json")
-
-
-if __name__ == "__main__":
-    main()

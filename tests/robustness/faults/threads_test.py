@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Threads, in a build with the thread sanitizer: `check --jobs` has no data race, and a program that has one is caught.
 
 HYRAX_RACY names that program, racy.cpp.
@@ -8,7 +7,7 @@ import os
 import shutil
 
 from process import run
-from program import AGREED, SOURCE, ProgramTest, fling, main
+from program import AGREED, SOURCE, ProgramTest, fling
 
 RACY = os.environ["HYRAX_RACY"]
 RACE_FOUND = 66  # The exit code of the sanitizer.
@@ -40,7 +39,3 @@ class Threads(ProgramTest):
         outcome = run(RACY)
         self.assertEqual(outcome.exit_code, RACE_FOUND, outcome)
         self.assertIn("WARNING: ThreadSanitizer: data race", outcome.err)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """An output that cannot be written is exit 3 with a message, and existing files are unchanged: `bless` and
 `check --junit`, with limits and other users. For `run` see run_failure_test. Several processes may write the same output."""
 
@@ -7,7 +6,7 @@ import resource
 import shutil
 
 from process import run, skip_for_lack_of
-from program import AGREED, ANOTHER_START, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling, main
+from program import AGREED, ANOTHER_START, CANNOT_ACCESS, DISAGREED, PROGRAM, ProgramTest, fling
 
 # HDF5 1.10 leaks the memory of a file that it could not finish writing.
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0:" + os.environ.get("ASAN_OPTIONS", "")}
@@ -198,7 +197,3 @@ class SeveralWriters(ProgramTest):
                     self.assertIn("nothing written: golden/same.h5: was changed by another program", outcome.err)
             self.expect(AGREED, "check")
         self.assertEqual(self.names("golden"), ["core", "same.h5", "same.txt"])
-
-
-if __name__ == "__main__":
-    main()

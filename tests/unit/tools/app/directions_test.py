@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A folder of tools/app includes only what its line of CMakeLists.txt names, and no program includes another's files."""
 
 import os
@@ -71,7 +70,3 @@ class Directions(unittest.TestCase):
         self.assertEqual(list(faults("play", {"tools/app/play", "tools/app/drift", "sim/replay"}, {"hyrax_replay", "diff"})),
                          ["play includes headers of tools/app/drift, which it does not use",
                           "play uses diff, and includes no header of it"])
-
-
-if __name__ == "__main__":
-    unittest.main()
