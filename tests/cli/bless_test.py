@@ -112,7 +112,7 @@ class Bless(ProgramTest):
     def test_a_file_that_is_edited_while_it_plays_keeps_all_from_being_written(self):
         """Whether it is to be written or not; what was shown is what would have been."""
         jitter = {"kind": "uniform", "fraction": 0.1, "seed": 1}
-        self.write("scenarios/zz.json", fling(name="zz", steps=3 * 10**7, clock={"rate_hz": 60, "jitter": jitter}, record={"every": 10**7}))
+        self.write("scenarios/zz.json", fling(name="zz", steps=10**7, clock={"rate_hz": 60, "jitter": jitter}, record={"every": 10**6}))
         for path, text in (("scenarios/fling.json", json.dumps(fling(start=ANOTHER_START))), ("golden/a/other.txt", "edited\n")):
             process = self.begin("bless", "scenarios", "--reason", "x", "--update-hash")
             while process_time_s(process.id) < 0.1:  # The others were read.

@@ -41,13 +41,13 @@ class Width(ProgramTest):
     """A table has the columns that the terminal has room for."""
 
     def test_a_narrow_terminal_shows_the_answer_and_the_columns_that_fit(self):
-        study = "study", "frame-rate", "--quick", "--no-figures"
+        study = "study", "frame-rate", self.write("own.json", fling(name="own")), "--quick", "--no-figures"
         plain = self.expect(AGREED, *study).out
         narrow, wide, verbose = (self.on_terminal("stdout", *study, *option, columns=columns)[1]
-                                 for columns, option in ((80, ()), (400, ()), (80, ("--verbose",))))
+                                 for columns, option in ((40, ()), (400, ()), (40, ("--verbose",))))
         self.assertEqual((wide, verbose), (plain, plain))
-        self.assertRegex(narrow, r"\AThe same fling ends at [\d,]+ px at 24 Hz and [\d,]+ px at 240 Hz\.\n")
-        self.assertLess(max(len(line) for line in narrow.splitlines() if line.startswith("  ")), 81)
+        self.assertRegex(narrow, r"\AFrom the run at its own clock, 144 Hz is up to [\d.]+ px away, 240 Hz up to [\d.]+ px\.\n")
+        self.assertLess(max(len(line) for line in narrow.splitlines() if line.startswith("  ")), 41)
         self.assertRegex(narrow, r"\n  \d+ more columns? with --verbose\n")
 
 

@@ -68,7 +68,7 @@ class Page(ProgramTest):
 class SpeedError(ProgramTest):
     def test_scenarios_are_studied_too_and_drawn(self):
         self.write("mine.json", fling(name="mine", events=[{"step": 100, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))
-        document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--json").json
+        document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--gate", "--json").json
         self.assertIn("mine", {answer["problem"] for answer in document["cheapest"]})
         self.assertEqual([name for name in self.names() if name.endswith(".svg")],
                          [f"speed-error{part}.svg" for part in ("-fling-energy", "-fling-starts", "-long-arc", "-mine-energy", "-mine-starts", "-mine", "")])

@@ -117,12 +117,16 @@ def exact_flights(rate_hz, duration_s=1.0):
     return ends * duration_s + (throws()[3] - ends) * lost / rate_per_s, ends + (throws()[3] - ends) * (1.0 - lost)
 
 
+def one_by_one(steps, speed=1.0):
+    """Events of a run of all throws, so many frames each."""
+    return [{"step": steps * k, **event} for k, (x, y, vx, vy) in enumerate(throws().T) for event in (
+        {"place": {"x_px": x, "y_px": y}}, {"fling": {"vx_px_per_s": speed * vx, "vy_px_per_s": speed * vy}})]
+
+
 @functools.cache
 def all_throws():
     """One run of all throws, 200 jittered frames each: the scenario, rows and contacts."""
-    events = [{"step": 200 * k, **event} for k, (x, y, vx, vy) in enumerate(2.0 * throws().T) for event in (
-        {"place": {"x_px": x / 2, "y_px": y / 2}}, {"fling": {"vx_px_per_s": vx, "vy_px_per_s": vy}})]
-    scenario = {**throws_of_the_page()["base"], "steps": 200 * throws().shape[1], "events": events,
+    scenario = {**throws_of_the_page()["base"], "steps": 200 * throws().shape[1], "events": one_by_one(200, 2.0),
                 "clock": {"rate_hz": 60, "jitter": {"kind": "uniform", "fraction": 0.5, "seed": 7}}}
     scenario.pop("duration_s")
     return scenario, *played("run", scenario, lambda file: [
@@ -210,10 +214,10 @@ def swings(angles, phases):
 def missed_impacts(rate_hz):
     """Impacts of exact motion in the frames of throws of 3 s, each frame begun from the run's own state: those that the step does not
     show, which has one in x and one in y, and all."""
-    missed, of, dt_s = 0, 0, 1.0 / rate_hz
-    for start in throws().T:
-        rows = run(start, round(3.0 * rate_hz), dt_s).T
-        for before, after in zip(rows, rows[1:]):
+    missed, of, dt_s, steps = 0, 0, 1.0 / rate_hz, round(3.0 * rate_hz)
+    rows = run((0, 0, 0, 0), steps * throws().shape[1], dt_s, events=one_by_one(steps))[:, 1:].T
+    for first, start in zip(range(0, len(rows), steps), throws().T):
+        for before, after in zip((start, *rows[first:]), rows[first:first + steps]):
             x, y, vx, vy = before
             reach_x, reach_y = (x + vx * dt_s * part for part in (0, 1)), (y + vy * dt_s * part for part in (0, 1))
             if all(0.0 < each < RIGHT_PX for each in reach_x) and all(0.0 < each < BOTTOM_PX - LAWS.gravity * dt_s**2 for each in reach_y):
