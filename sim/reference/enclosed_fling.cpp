@@ -48,22 +48,22 @@ EnclosedFling::Motion EnclosedFling::after(const Axis& axis, const Ball& since_s
   return {axis.from.position_px + since_s * (v * p.one + gain * p.two), v + z * p.one * v + gain * p.one};
 }
 
-std::optional<EnclosedState> EnclosedFling::at(double t_s) {
-  while (why_not_.empty() && next_s_ && (Ball(t_s) - *next_s_).low() > 0.0) {
+std::optional<EnclosedState> EnclosedFling::at(const Ball& t_s) {
+  while (why_not_.empty() && next_s_ && (t_s - *next_s_).low() > 0.0) {
     bounce(next_wall_, *next_s_);
     find_next();
   }
   if (!why_not_.empty()) return std::nullopt;
-  const Motion x = after(x_, Ball(t_s) - x_.from_s);
-  const Motion y = slides_ ? y_.from : after(y_, Ball(t_s) - y_.from_s);
+  const Motion x = after(x_, t_s - x_.from_s);
+  const Motion y = slides_ ? y_.from : after(y_, t_s - y_.from_s);
   EnclosedState now;
   now.x_px = x.position_px;
   now.y_px = y.position_px;
   now.vx_px_per_s = x.speed_px_per_s;
   now.vy_px_per_s = y.speed_px_per_s;
-  if (!next_s_ || (Ball(t_s) - *next_s_).high() < 0.0) return now;
+  if (!next_s_ || (t_s - *next_s_).high() < 0.0) return now;
   // At the very time of an impact: before it, or after it as far as the sprite gets in what is not known.
-  const double unsure_s = 4.0 * (Ball(t_s) - *next_s_).magnitude();
+  const double unsure_s = 4.0 * (t_s - *next_s_).magnitude();
   for (auto* const position : {&now.x_px, &now.y_px})
     position->radius += unsure_s * (now.vx_px_per_s.magnitude() + now.vy_px_per_s.magnitude() + 1.0);
   return now;

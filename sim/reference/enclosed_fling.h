@@ -101,7 +101,7 @@ class EnclosedFling {
   /// As ExactFling::start.
   void start(const EnclosedState& motion, const Bounds& bounds, bool slides);
   /// As ExactFling::at. Nothing where something cannot be decided.
-  [[nodiscard]] std::optional<EnclosedState> at(double t_s);
+  [[nodiscard]] std::optional<EnclosedState> at(const Ball& t_s);
   [[nodiscard]] bool slides() const { return slides_; }
   /// What cannot be decided; empty: nothing so far.
   [[nodiscard]] const std::string& why_not() const { return why_not_; }

@@ -103,7 +103,7 @@ void WholeMeter::start(const Row& from, const InputChange& change) {
 // moves by no more than kStill_px.
 void WholeMeter::enclose(const Row& row) {
   if (!playback_.is_held() && !still_from_step_) {
-    const std::optional<EnclosedState> within = enclosed_->at(row.t_s - from_s_);
+    const std::optional<EnclosedState> within = enclosed_->at(Ball(row.t_s) - from_s_);
     if (within) within_ = *within;
   }
   WholeRun& whole = *outcome_.run;

@@ -10,6 +10,7 @@
 #include "sim/core/shipped_core.h"
 #include "sim/reference/exact_fling.h"
 #include "tests/unit/sim/reference/test_run.h"
+#include "tests/unit/sim/reference/wide.h"
 
 namespace hyrax {
 namespace {
@@ -154,6 +155,27 @@ TEST(WholeRun, IsWithinBoundsThatAreNarrow) {
     softer.restitution = 0.6000001;
     EXPECT_GT(std::fabs(*enclosed(scenario, softer).run->max_px_low - *whole.max_px_low), 1e-7);
     EXPECT_FALSE(whole_of(scenario).end_px_low) << "only where it is asked for";
+  }
+}
+
+// The time since an input is no double: at this speed its rounding is wider than the bounds.
+TEST(WholeRun, IsWithinItsBoundsAfterAnInputToo) {
+  Model dragless;
+  dragless.air_drag = 1.0;
+  Scenario scenario = fling_at(10.0, 0);
+  scenario.window = {1'000'000, 1'000'000};
+  const Fling input{{1e5, 1e3}};
+  scenario.events = {{std::int64_t{3}, input}, {std::int64_t{3}, Place{{0.0, 0.0}}}};
+  for (std::int64_t steps = 4; steps < 40; ++steps) {
+    scenario.length = steps;
+    const Columns rows = rows_of(scenario);
+    const WholeRun whole = *enclosed(scenario, dragless).run;
+    const Wide since_s = Wide(rows.t_s.back()) - rows.t_s[3];
+    const Wide dx_px = since_s * input.velocity.vx_px_per_s - rows.x_px.back();
+    const Wide dy_px = since_s * (since_s * 600.0 + input.velocity.vy_px_per_s) - rows.y_px.back();
+    const Wide squared = dx_px * dx_px + dy_px * dy_px;
+    EXPECT_FALSE(squared < Wide(*whole.end_px_low) * *whole.end_px_low) << steps;
+    EXPECT_FALSE(Wide(*whole.end_px_high) * *whole.end_px_high < squared) << steps;
   }
 }
 
