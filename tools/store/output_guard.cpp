@@ -38,6 +38,11 @@ bool holds_scenario(const std::string& path) {
   refuse_input(option + ": would overwrite " + what + " (found " + path + "); name another file");
 }
 
+void require_folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !is_folder(folder.string())) fail_to_write(path, ENOENT);
+}
+
 bool is_beside_scenarios(const fs::path& folder) {
   return folder.filename() == "golden" && is_folder((folder.parent_path() / "scenarios").string());
 }
@@ -110,14 +115,14 @@ void OutputGuard::admit(const std::string& option, const std::string& path,
 void OutputGuard::admit_file(const std::string& option, const std::string& path,
                              const std::vector<std::string_view>& suffixes) {
   admit(option, path, suffixes);
-  const fs::path folder = fs::path(path).parent_path();
-  if (!folder.empty() && !is_folder(folder.string())) fail_to_write(path, ENOENT);
+  require_folder_of(path);
 }
 
 void OutputGuard::admit_scenario(const std::string& option, const std::string& path, bool is_forced,
                                  const std::vector<std::string_view>& suffixes) {
   admit_any(option, path, suffixes);
   if (!is_forced && is_there(path)) refuse_input(path + ": exists; `--force` replaces it");
+  require_folder_of(path);
 }
 
 void OutputGuard::admit_any(const std::string& option, const std::string& path,

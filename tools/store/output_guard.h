@@ -32,7 +32,7 @@ class OutputGuard {
   void admit_file(const std::string& option, const std::string& path,
                   const std::vector<std::string_view>& suffixes = {});
 
-  /// The same for a scenario file: it may replace a scenario, if that is forced.
+  /// The same as admit_file for a scenario file: it may replace a scenario, if that is forced.
   /// ERRORS: also Failure(bad_input) "PATH: exists; ...".
   void admit_scenario(const std::string& option, const std::string& path, bool is_forced,
                       const std::vector<std::string_view>& suffixes = {});

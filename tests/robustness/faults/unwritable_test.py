@@ -100,6 +100,13 @@ class Place(Unwritable):
                                   says="no/such/report.xml: cannot be written: No such file or directory")
             self.assertIn(wanted, outcome.out)
 
+    def test_a_search_does_not_begin_whose_result_has_no_place(self):
+        for command, path in (("fuzz --runs 1 -o fling.h5", "fling.h5/fuzz.json: cannot be written: Not a directory"),
+                              ("shrink scenarios/fling.json -o no/small.json", "no/small.json: cannot be written: No such file or directory")):
+            outcome = self.expect(CANNOT_ACCESS, *command.split(), says=path)
+            self.assertEqual(outcome.out, "")
+        self.assert_untouched()
+
     def set_modes(self, folders, files):
         for path in [self.folder, *self.folder.rglob("*")]:
             path.chmod(folders if path.is_dir() else files)

@@ -15,7 +15,9 @@ namespace hyrax {
 WorkPart begin_fuzz(const FuzzRequest& request) {
   if (request.time_s && request.runs) refuse_input("hyrax-sim fuzz: --time and --runs: only one allowed");
   const WorkPart part = choose_part("hyrax-sim fuzz", request.part, request.parts).value_or(WorkPart{});
-  OutputGuard({}).admit("hyrax-sim fuzz: -o", (std::filesystem::path(request.folder) / "fuzz.json").string());
+  const std::string path = (std::filesystem::path(request.folder) / "fuzz.json").string();
+  OutputGuard({}).admit("hyrax-sim fuzz: -o", path);
+  require_writable(path);  // What hours of it find is not lost.
   if (request.printing.is_json || request.printing.is_quiet()) return part;
   print_text("seed {}\n", request.first_seed());
   std::fflush(stdout);  // A core that crashes ends the program: by its seed the run is played again.
