@@ -13,8 +13,7 @@ struct DescribedPhysics {
   physics body;
 
   void step(double dt_s) { body.update(dt_s, kDesktop.width_px, kDesktop.height_px, kSprite_px, kSprite_px); }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see(
         "x_px", [&] { return body.x(); }, [&](double x_px) { body.setPos(x_px, body.y()); });
     see(

@@ -5,8 +5,7 @@
 
 struct ball {
   double x = 0, y = 0, vx = 0, vy = 0;
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("y_px", y);
     see("vx_px_per_s", vx);
@@ -41,37 +40,30 @@ struct hyrax_core {
     balls = true;
   }
 
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("a", a);
     see("b", b);
   }
-  template <class See>
-  void inputs(See&& see) {
+  void inputs(auto&& see) {
     see("width_px", width, {320.0, 4096.0});
     see("height_px", height);
   }
-  template <class See>
-  void parameters(See&& see) {
+  void parameters(auto&& see) {
     see("restitution", restitution, {0, 1});
     see("radius_px", radius);
   }
-  template <class See>
-  void actions(See&& see) {
+  void actions(auto&& see) {
     see("strike", [&](double vx, double vy) { a.vx = vx, a.vy = vy; }, {"vx_px_per_s", "vy_px_per_s"});
     see("stop", [&] { a.vx = a.vy = b.vx = b.vy = 0; });
   }
-  template <class See>
-  void contacts(See&& see) const {
+  void contacts(auto&& see) const {
     see("rail", rail);
     see("balls", balls);
   }
-  template <class See>
-  void outputs(See&& see) const {
+  void outputs(auto&& see) const {
     see("distance_px", std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)));
   }
-  template <class See>
-  void properties(See&& see) const {
+  void properties(auto&& see) const {
     see.always("the balls stay in the box", a.x > 0 && a.x < width && b.x > 0 && b.x < width);
     see.sometimes("the balls meet", balls);
   }

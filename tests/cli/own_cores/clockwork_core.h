@@ -12,8 +12,7 @@ struct hyrax_core {
       angle += speed * kStep;
     }
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("angle_rad", angle);
     see("speed_rad_per_s", speed);
     see("left_s", left);

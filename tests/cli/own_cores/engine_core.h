@@ -6,8 +6,7 @@
 struct oscillator {
   engine::game game;
   void step(double dt_s);
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_m", game.x());
     see("speed_m_per_s", game.speed());
   }

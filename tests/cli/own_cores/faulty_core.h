@@ -18,16 +18,11 @@ struct hyrax_core {
     if (fault == fault_kind::step_throws && is_late) throw std::runtime_error("out of fuel");
     if (fault == fault_kind::nan && is_late) x = std::numeric_limits<double>::quiet_NaN();
   }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
-  }
-  template <class See>
-  void parameters(See&& see) {
+  void state(auto&& see) { see("x_px", x); }
+  void parameters(auto&& see) {
     see("fault", fault, {"none", "step_throws", "property_throws", "nan", "first_run"});
   }
-  template <class See>
-  void properties(See&& see) const {
+  void properties(auto&& see) const {
     see.always("x is small",
                fault != fault_kind::property_throws || x < 0.5 || (throw std::logic_error("lost"), true));
   }

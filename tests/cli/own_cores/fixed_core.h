@@ -19,8 +19,7 @@ struct hyrax_core {
     low += ticks;
     if (++s == 5) s = -5;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x", x);
     see("v", v);
     see("ticks", ticks);

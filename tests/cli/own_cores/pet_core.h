@@ -37,8 +37,7 @@ struct hyrax_core {
   double gravity = 1200, floor = 500;
 
   void step(double dt_s) { p.tick(dt_s, gravity, floor); }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", p.x);
     see("y_px", p.y);
     see("vx_px_per_s", p.vx);
@@ -48,17 +47,12 @@ struct hyrax_core {
     see("bounces", p.bounces);
     see("pose", p.pose, {"sit", "fly", "land"});
   }
-  template <class See>
-  void parameters(See&& see) {
+  void parameters(auto&& see) {
     see("gravity_px_per_s2", gravity);
     see("floor_px", floor);
   }
-  template <class See>
-  void actions(See&& see) {
+  void actions(auto&& see) {
     see("fling", [&](double vx, double vy) { p.vx = vx, p.vy = vy; }, {"vx_px_per_s", "vy_px_per_s"});
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("floor", p.touches_floor());
-  }
+  void contacts(auto&& see) const { see("floor", p.touches_floor()); }
 };

@@ -17,25 +17,17 @@ struct hyrax_core {
     on_ground = y >= 0;
     if (on_ground) y = 0, vy = 0, x += move * 200 * dt;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("player_x_px", x);
     see("player_y_px", y);
     see("vy_px_per_s", vy);
     see("platform_x_px", platform_x);
     see("on_ground", on_ground);
   }
-  template <class See>
-  void inputs(See&& see) {
+  void inputs(auto&& see) {
     see("move", move, {-1, 1});
     see("jump", jump);
   }
-  template <class See>
-  void parameters(See&& see) {
-    see("gravity_px_per_s2", gravity);
-  }
-  template <class See>
-  void contacts(See&& see) const {
-    see("ground", on_ground);
-  }
+  void parameters(auto&& see) { see("gravity_px_per_s2", gravity); }
+  void contacts(auto&& see) const { see("ground", on_ground); }
 };

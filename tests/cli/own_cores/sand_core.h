@@ -21,8 +21,7 @@ struct hyrax_core {
       if (g.y > 50) g.y = 50, g.lies = true, seen[i] = true;
     }
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("grains", grains, [](auto& part, grain& g) {
       part("x_px", g.x);
       part("y_px", g.y);
@@ -31,8 +30,5 @@ struct hyrax_core {
     });
     see("seen", seen);
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("first_lies", grains[0].lies);
-  }
+  void contacts(auto&& see) const { see("first_lies", grains[0].lies); }
 };

@@ -10,8 +10,5 @@ struct hyrax_core {
     for (std::size_t i = 0; i < cells.size(); ++i)
       for (double& value : cells[i]) value += dt_s * static_cast<double>(i);
   }
-  template <class See>
-  void state(See&& see) {
-    see("cells_px", cells);
-  }
+  void state(auto&& see) { see("cells_px", cells); }
 };

@@ -68,10 +68,7 @@ class DescribedProgram : public testing::Test {
 struct Forgetful {  // Of what goes on it declares a part.
   double angle = 0.0, speed = 1.0;
   void step(double dt_s) { angle += speed * dt_s, speed *= 0.9; }
-  template <class See>
-  void state(See&& see) {
-    see("angle_rad", angle);
-  }
+  void state(auto&& see) { see("angle_rad", angle); }
 };
 struct Explosive : OnePlace {
   Explosive() { x = 1.0; }
@@ -80,14 +77,8 @@ struct Explosive : OnePlace {
 struct Low {
   double y = 0.0;
   void step(double dt_s) { y += dt_s; }
-  template <class See>
-  void state(See&& see) {
-    see("y_px", y, {0.0, 1.0});
-  }
-  template <class See>
-  void properties(See&& see) const {
-    see.always("y stays below 2 px", y < 2.0);
-  }
+  void state(auto&& see) { see("y_px", y, {0.0, 1.0}); }
+  void properties(auto&& see) const { see.always("y stays below 2 px", y < 2.0); }
 };
 struct Fussy : OnePlace {
   static void step(double dt_s) {
@@ -118,17 +109,12 @@ struct Boxed {
     if (!is_open) return;
     for (double& each : x) each += push * dt_s;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("open", is_open);
   }
-  template <class See>
-  void parameters(See&& see) {
-    see("push", push);
-  }
-  template <class See>
-  void properties(See&& see) const {
+  void parameters(auto&& see) { see("push", push); }
+  void properties(auto&& see) const {
     see.always("all are in the box",
                std::ranges::all_of(x, [this](double each) { return each >= 0.0 && each <= width; }));
   }
@@ -246,15 +232,11 @@ struct Moody {
   double x = 0.0;
   int mood = 0;
   void step(double dt_s) { x += dt_s, mood = x > 0.5 ? 1 : 0; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("mood", mood, {"calm", "wild"});
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("far", x > 0.25);
-  }
+  void contacts(auto&& see) const { see("far", x > 0.25); }
 };
 
 TEST_F(DescribedProgram, ReportShowsTheNumbersOfASweepsMembers) {
@@ -275,10 +257,7 @@ TEST_F(DescribedProgram, ReportShowsTheNumbersOfASweepsMembers) {
 struct Uncapped : OnePlace {
   double cap = std::numeric_limits<double>::infinity();
   void step(double dt_s) { x = std::min(x + dt_s, cap); }
-  template <class See>
-  void inputs(See&& see) {
-    see("cap_px", cap);
-  }
+  void inputs(auto&& see) { see("cap_px", cap); }
 };
 
 struct Fatal {
@@ -289,14 +268,8 @@ struct Fatal {
     while (is_endless && x > 0.5) [[maybe_unused]] const volatile double unused = x;
     if (x > 0.5) std::abort();
   }
-  template <class See>
-  void state(See&& see) {
-    see("x_m", x);
-  }
-  template <class See>
-  void parameters(See&& see) {
-    see("endless", is_endless);
-  }
+  void state(auto&& see) { see("x_m", x); }
+  void parameters(auto&& see) { see("endless", is_endless); }
 };
 
 TEST_F(DescribedProgram, ShrinkKeepsHowARunEndsTheProgram) {
@@ -334,21 +307,14 @@ TEST_F(DescribedProgram, ShrinkLeavesOutHoldsInputsByTheFrameAndJitter) {
 struct Windy : OnePlace {
   double wind = 1.0;
   void step(double dt) { x += wind * dt; }
-  template <class See>
-  void inputs(See&& see) {
-    see("wind", wind, {-4.0, std::numeric_limits<double>::infinity()});
-  }
-  template <class See>
-  void properties(See&& see) const {
-    see.always("no wind from the right", wind >= 0.0);
-  }
+  void inputs(auto&& see) { see("wind", wind, {-4.0, std::numeric_limits<double>::infinity()}); }
+  void properties(auto&& see) const { see.always("no wind from the right", wind >= 0.0); }
 };
 
 struct Misnamed {
   double x = 0.0, y = 0.0;
   void step(double /*dt_s*/) {}
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("X", x);
     see("dt", y);
   }

@@ -40,8 +40,7 @@ struct Marble {
     wall = small == 3 || small == 4;
     mood = wall ? Mood::wild : Mood::calm;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x_px);
     see("y_px", y_px);
     see("spin", spin);
@@ -51,22 +50,12 @@ struct Marble {
     see("on", on);
     see("mood", mood, {"wild", "calm"});
   }
-  template <class See>
-  void inputs(See&& see) {
-    see("width_px", width_px);
-  }
-  template <class See>
-  void actions(See&& see) {
+  void inputs(auto&& see) { see("width_px", width_px); }
+  void actions(auto&& see) {
     see("put", [&](double at_px) { y_px = at_px; }, {"at_px"});
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("wall", wall);
-  }
-  template <class See>
-  void outputs(See&& see) const {
-    see("twice_px", 2.0 * x_px);
-  }
+  void contacts(auto&& see) const { see("wall", wall); }
+  void outputs(auto&& see) const { see("twice_px", 2.0 * x_px); }
 };
 
 const DescribedCore& marble() {
@@ -258,8 +247,7 @@ TEST_F(DescribedFiles, AnotherScenarioIsAnotherShape) {
 
 // Has an output more.
 struct Painted : Marble {
-  template <class See>
-  void outputs(See&& see) const {
+  void outputs(auto&& see) const {
     Marble::outputs(see);
     see("hue", 1);
   }

@@ -33,8 +33,7 @@ struct Toy {
     mood = hot ? SweptMood::wild : mood;
     if (x > 90.0) throw std::runtime_error("off the table");
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("charge", charge, {-1.0, 1.0});
     see("hits", hits);
@@ -42,14 +41,8 @@ struct Toy {
     see("hot", hot);
     see("mood", mood, {"calm", "wild"});
   }
-  template <class See>
-  void inputs(See&& see) {
-    see("push", push);
-  }
-  template <class See>
-  void contacts(See&& see) const {
-    see("heat", hot);
-  }
+  void inputs(auto&& see) { see("push", push); }
+  void contacts(auto&& see) const { see("heat", hot); }
 };
 
 class DescribedSweep : public testing::Test {
