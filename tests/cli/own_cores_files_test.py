@@ -8,7 +8,7 @@ import h5py
 import numpy as np
 
 from installed_package import PLAIN, InstalledPackage
-from process import run, succeed
+from process import succeed
 from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, PROGRAM, SOURCE
 
 CTEST_FAILED = 8
@@ -148,8 +148,7 @@ class OwnCoresFiles(InstalledPackage):
         shutil.rmtree(self.source / "golden", ignore_errors=True)
         shutil.copytree(self.folder / "golden", self.source / "golden")
         shutil.copy(self.programs["first"], self.source / "build/toy-sim")
-        outcome = run("ctest", "--test-dir", self.source / "build", "--output-on-failure")
-        self.assertEqual(outcome.exit_code, 0, outcome)
+        succeed("ctest", "--test-dir", self.source / "build", "--output-on-failure")
         (self.folder / "scenarios/falls.json").unlink()
         document = self.check(DISAGREED)
         self.assertEqual((document["unreferenced"], document["never_shown"]), (1, []))

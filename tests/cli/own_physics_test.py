@@ -102,18 +102,14 @@ class CheckHeader(InstalledPackage):
         self.write("my_physics.h", shipped.replace("RESTITUTION = 0.6;", "RESTITUTION = 0.62;"))
         check = (self.package / "share/hyrax/source/tools/check", "my_physics.h")
         options = {"cwd": self.folder, "env": {**os.environ, "CXX": os.environ["HYRAX_CXX"], "XDG_CACHE_HOME": str(self.folder / "cache")}}
-        outcome = run(*check, "--json", "--flings", "50", **options)
-        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
-        core, = outcome.json["cores"]
+        core, = run(*check, "--json", "--flings", "50", exit_code=DISAGREED, **options).json["cores"]
         self.assertEqual((core["status"], core["changes"][0]["detail"], core["beyond"]["flings"]), ("changed", "RESTITUTION 0.6 -> 0.62", 50))
         self.assertIn(f"to accept it    {self.folder}/cache/hyrax-sim/check/my_physics.h-", run(*check, **options).out)
         self.write("my_physics.h", shipped)
         self.assertEqual(run(*check, "--core", **options).out, "core: the accepted one\n")
         self.assertEqual(len(list((self.folder / "cache/hyrax-sim/check").iterdir())), 1)
         self.write("my_physics.h", shipped + "nonsense")
-        outcome = run(*check, **options)
-        self.assertEqual(outcome.exit_code, CANNOT_ACCESS, outcome)
-        self.assertIn("my_physics.h could not be built; see the output above.", outcome.err)
+        self.assertIn("my_physics.h could not be built; see the output above.", run(*check, exit_code=CANNOT_ACCESS, **options).err)
         self.assertIn("tools/check: an installed hyrax has no sources to build; name a HEADER", run(check[0], **options).err)
 
 
@@ -147,8 +143,7 @@ class OwnPhysics(InstalledPackage):
                           encoding="utf-8")
         succeed("cmake", "--build", project / "build")
         self.assertEqual(self.ctest(project, CTEST_FAILED), dict.fromkeys(names, False) | unreferenced)
-        outcome = run(project / "build/elastic_box-sim", "check", "--json", cwd=project)
-        self.assertEqual(outcome.exit_code, DISAGREED)
+        outcome = run(project / "build/elastic_box-sim", "check", "--json", cwd=project, exit_code=DISAGREED)
         long_run = outcome.json["results"][1]  # Its golden file has blocks and no rows: row checks find the row.
         self.assertEqual((long_run["class"], long_run["first_divergence"]["step"]), ("contacts", 28))
         self.assertEqual([(group["operation"], group["detail"]) for group in outcome.json["groups"]],

@@ -3,18 +3,16 @@
 import json
 import shutil
 
-import program
 from process import run_measured
-from program import AGREED, SOURCE
+from program import AGREED, SOURCE, ProgramTest
 
 FLING = SOURCE / "scenarios/flings/first-fling.json"
 JITTERED = ("--set", '/clock/jitter={"kind": "uniform", "fraction": 0.1, "seed": 1}', "--set", "/expect={}")
 
 
-class PageFaults(program.ProgramTest):
+class PageFaults(ProgramTest):
     def expect_at_most(self, most, *arguments):
-        outcome, _, faults = run_measured(program.PROGRAM, *arguments, cwd=self.folder)
-        self.assertEqual(outcome.exit_code, AGREED, outcome)
+        _, _, faults = run_measured(self.program, *arguments, cwd=self.folder, exit_code=AGREED)
         self.assertLess(faults, most, arguments)
 
     def test_of_rows_that_are_written_and_compared(self):

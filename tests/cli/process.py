@@ -27,7 +27,7 @@ class TimedOut(Exception):
 
 
 class Failed(Exception):
-    """A program that had to succeed ended with another exit code than 0."""
+    """A program ended with another exit code than it had to."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -174,18 +174,19 @@ def preloading(library):
             "ASAN_OPTIONS": "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")}
 
 
-def run(*command, timeout=TIMEOUT_S, **options):
-    """Runs a program to its end; returns its outcome. Options: those of Process. Raises TimedOut."""
+def run(*command, timeout=TIMEOUT_S, exit_code=None, **options):
+    """Runs a program to its end; returns its outcome. Options: those of Process. Raises TimedOut, and Failed if it ends with
+    another exit code than the given one."""
     with Process(*command, **options) as process:
-        return process.wait(timeout)
+        outcome = process.wait(timeout)
+    if exit_code not in (None, outcome.exit_code):
+        raise Failed(f"{shlex.join(process.command)}: {outcome}")
+    return outcome
 
 
 def succeed(*command, **options):
-    """As `run`; raises Failed if the exit code is not 0."""
-    outcome = run(*command, **options)
-    if outcome.exit_code != 0:
-        raise Failed(f"{shlex.join(map(str, command))}: {outcome}")
-    return outcome
+    """As `run`, of a program that must end with 0."""
+    return run(*command, exit_code=0, **options)
 
 
 def skip_without(*programs):

@@ -14,7 +14,6 @@ import struct
 
 import h5py
 
-from process import run
 from program import AGREED, BAD_INPUT, CANNOT_ACCESS, ProgramTest, fling, needs_page
 from sweep_members import base
 from sweep_program import document
@@ -81,9 +80,8 @@ class Numbers(ProgramTest):
 
     def page_by(self, *arguments, exit_code=AGREED):
         """The document in page.html, which the command writes."""
-        outcome = run(os.environ["HYRAX_SIM"], *arguments, cwd=self.folder)
-        self.assertEqual(outcome.exit_code, exit_code, outcome)
-        self.assertIn({"report": "written: page.html", "run": "\n  written        page.html"}[arguments[0]], outcome.out)
+        out = self.expect(exit_code, *arguments).out
+        self.assertIn({"report": "written: page.html", "run": "\n  written        page.html"}[arguments[0]], out)
         return json.loads(re.search('id="data">(.*?)</script>', (self.folder / "page.html").read_text(), re.DOTALL)[1])
 
     def test_are_those_of_the_file_bit_for_bit(self):
@@ -96,8 +94,7 @@ class Numbers(ProgramTest):
                 for name, text in page["runs"][0]["rows"].items():
                     wanted = file[f"trajectory/{name}"][:].astype("<f8").tobytes()
                     self.assertEqual(base64.b64decode(text, validate=True), wanted, name)
-        outcome = run(os.environ["HYRAX_SIM"], "report", "fling.h5", "-o", "page.html", "--json", cwd=self.folder)
-        self.assertEqual(outcome.out, '{ "output": "page.html" }\n')
+        self.assertEqual(self.expect(AGREED, "report", "fling.h5", "-o", "page.html", "--json").out, '{ "output": "page.html" }\n')
 
     def test_of_a_sweep_of_billions_a_sample_is_read(self):
         self.write("sweep.json", document(members=3, keep=["final"], vary={"/start/vx_px_per_s": {"choice": [0]}}))

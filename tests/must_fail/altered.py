@@ -23,9 +23,9 @@ ONLY_CONSTANTS = {"gravity_by_one_ulp", "gravity_stronger", "restitution_softer"
                   "rest_earlier", "two_constants"}
 
 
-def run_altered(core, *arguments):
-    """The program with that core, in the project's folder."""
-    return run(ALTERED, *arguments, cwd=SOURCE, env={**os.environ, "HYRAX_ALTERED_CORE": core})
+def run_altered(core, *arguments, **options):
+    """The program with that core, in the project's folder. Options: those of run."""
+    return run(ALTERED, *arguments, env={**os.environ, "HYRAX_ALTERED_CORE": core}, **{"cwd": SOURCE, **options})
 
 
 @functools.cache

@@ -6,7 +6,7 @@ import re
 import h5py
 
 from altered import ALTERED, run_altered
-from process import run
+from process import succeed
 from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, ProgramTest, fling
 from traced import SHIPPED, traced
 
@@ -28,26 +28,22 @@ class NonFinite(ProgramTest):
         of_first = "vx is infinite from step 120 of 600 (2.00 s)"
         for options, wanted in (((), f"1 of 1 scenario becomes non-finite: {of_first}.\n"), ((), "core: changed\n"), (("--verbose",), f"  not finite {of_first}\n"),
                                 (("--annotate", "github"), f"::{of_first}; expect finite")):
-            outcome = run_altered("bounce_explodes", "check", *options, FIRST_FLING)
-            self.assertEqual(outcome.exit_code, DISAGREED)
-            self.assertIn(wanted, outcome.out)
-            self.assertNotIn("bless scenarios", outcome.out)
-            self.assertNotIn("inf px", outcome.out)
+            out = run_altered("bounce_explodes", "check", *options, FIRST_FLING, exit_code=DISAGREED).out
+            self.assertIn(wanted, out)
+            self.assertNotRegex(out, "bless scenarios|inf px")
         (group,) = run_altered("bounce_explodes", "check", "--json", FIRST_FLING).json["groups"]
         self.assertEqual((group["operation"], group["detail"], group["scenarios"]), ("non_finite", of_first, [FIRST_FLING]))
         run_altered("bounce_explodes", "run", FIRST_FLING, "-o", self.folder / "a.csv")
         lines = (self.folder / "a.csv").read_text().splitlines()
         self.assertEqual((len(lines), lines[-1].split(",")[:6:5]), (122, ["120", "-inf"]))
-        outcome = run_altered("bounce_explodes", "bless", FIRST_FLING, "--reason", "none")
-        self.assertEqual(outcome.exit_code, DISAGREED)
+        outcome = run_altered("bounce_explodes", "bless", FIRST_FLING, "--reason", "none", exit_code=DISAGREED)
         self.assertIn(of_first, outcome.out + outcome.err)
 
     def test_one_without_golden_file_is_not_offered_to_bless(self):
         scenario = self.write("scenarios/fling.json", fling())
-        outcome = run_altered("bounce_explodes", "check", self.folder / scenario)
-        self.assertEqual(outcome.exit_code, GOLDEN_MISSING)
-        self.assertRegex(outcome.out, "fling.json: missing: v[xy] is infinite from step .*; no golden file at ")
-        self.assertNotIn("hyrax-sim bless", outcome.out)
+        out = run_altered("bounce_explodes", "check", self.folder / scenario, exit_code=GOLDEN_MISSING).out
+        self.assertRegex(out, "fling.json: missing: v[xy] is infinite from step .*; no golden file at ")
+        self.assertNotIn("hyrax-sim bless", out)
 
 
 class SweepsOfTwoCores(ProgramTest):
@@ -74,8 +70,7 @@ class NotRepeated(ProgramTest):
 
     def test_it_is_neither_blessed_nor_accepted(self):
         scenarios = [self.folder / self.write(f"scenarios/{name}.json", fling(name=name, steps=3000)) for name in ("a", "b")]
-        outcome = run_altered("hidden_state", "bless", *scenarios, "--reason", "x")
-        self.assertEqual(outcome.exit_code, DISAGREED, outcome)
+        outcome = run_altered("hidden_state", "bless", *scenarios, "--reason", "x", exit_code=DISAGREED)
         self.assertIn("a.json: not blessed: this program does not repeat itself: played twice, the scenario gives different bits", outcome.err)
         self.assertEqual(self.names(), ["scenarios"])
 
@@ -97,8 +92,7 @@ class AlteredSweep(ProgramTest):
         for core in ("none", *CORES):
             with self.subTest(core=core):
                 out = self.folder / f"{core}.h5"
-                outcome = run_altered(core, "sweep", self.folder / sweep, "-o", out)
-                self.assertEqual(outcome.exit_code, AGREED, outcome)
+                run_altered(core, "sweep", self.folder / sweep, "-o", out, exit_code=AGREED)
                 with h5py.File(out) as file:
                     columns = [file["members"][name][:].tolist() for name in ("x", "y", "vx", "vy", "contacts")]
                 runs = run_altered(core, "run", *members, "--json", "-o", f"{self.folder}/{core}/").json["runs"]
@@ -114,9 +108,8 @@ class Replays(ProgramTest):
     def updates(self, *arguments):
         """How many updates `hyrax-sim ARGUMENTS` makes."""
         environment = {**os.environ, "HYRAX_ALTERED_CORE": "none", "HYRAX_COUNT_UPDATES": "1"}
-        outcome = run(ALTERED, *arguments, cwd=self.folder, env=environment)
-        self.assertEqual(outcome.exit_code, 0, outcome)
-        return int(re.search(r"^updates: (\d+)$", outcome.err, re.MULTILINE).group(1))
+        err = succeed(ALTERED, *arguments, cwd=self.folder, env=environment).err
+        return int(re.search(r"^updates: (\d+)$", err, re.MULTILINE).group(1))
 
     def scenario(self):
         """A run that never repeats, which bounds an error against the reference."""

@@ -31,8 +31,8 @@ class Matrix(unittest.TestCase):
 
     def play(self, program):
         """Plays a program, which is not as it must be; returns its table and its messages on stderr."""
-        outcome = run(HERE / "run", "--program", program, "--golden", self.folder / "golden", "--folder", self.folder)
-        self.assertEqual(outcome.exit_code, NOT_AS_MUST_BE, outcome)
+        outcome = run(HERE / "run", "--program", program, "--golden", self.folder / "golden", "--folder", self.folder,
+                      exit_code=NOT_AS_MUST_BE)
         return outcome.out, outcome.err
 
     def test_one_digit_of_one_golden_hash_turns_it_red(self):

@@ -36,6 +36,4 @@ class Threads(ProgramTest):
         self.assertEqual(outcome.err, "")
 
     def test_a_race_is_caught(self):
-        outcome = run(RACY)
-        self.assertEqual(outcome.exit_code, RACE_FOUND, outcome)
-        self.assertIn("WARNING: ThreadSanitizer: data race", outcome.err)
+        self.assertIn("WARNING: ThreadSanitizer: data race", run(RACY, exit_code=RACE_FOUND).err)

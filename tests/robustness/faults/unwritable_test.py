@@ -126,7 +126,7 @@ class Place(Unwritable):
         command = self.unprivileged()
         self.set_modes(0o555, 0o444)
         try:
-            return run(*command, PROGRAM, *arguments, cwd=self.folder, env=ENVIRONMENT)
+            return run(*command, PROGRAM, *arguments, cwd=self.folder, env=ENVIRONMENT, exit_code=CANNOT_ACCESS)
         finally:
             self.set_modes(0o755, 0o644)
 
@@ -135,7 +135,6 @@ class Place(Unwritable):
                                  (("bless", "scenarios", "--reason", "x"), "golden/fling."),
                                  (("check", "--junit", "report.xml"), "report.xml")):
             done = self.as_other(*arguments)
-            self.assertEqual(done.exit_code, CANNOT_ACCESS, done.err)
             self.assertIn(place, done.err)
             self.assertIn("cannot be written: Permission denied", done.err)
             self.assert_untouched()
@@ -176,10 +175,6 @@ class Place(Unwritable):
 class SeveralWriters(ProgramTest):
     """One complete output remains, and none disturbs another."""
 
-    def assert_done(self, process):
-        outcome = process.wait()
-        self.assertEqual(outcome.exit_code, AGREED, outcome)
-
     def test_many_writers_at_once_succeed_and_leave_one_file(self):
         speeds, whole = (100, 900, 1700), []
         for speed in speeds:
@@ -189,7 +184,7 @@ class SeveralWriters(ProgramTest):
             whole.append((self.folder / "whole.h5").read_bytes())
         for _ in range(4):
             for process in [self.begin("run", f"{speed}.json", "-o", "out.h5") for speed in speeds for _ in range(2)]:
-                self.assert_done(process)
+                self.assertEqual(process.wait().exit_code, AGREED)
             self.assertIn((self.folder / "out.h5").read_bytes(), whole)
         self.assertEqual([name for name in self.names() if name.endswith(".part")], [])
 
