@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <regex>
-#include <sstream>
 
 #include "sim/core/shipped_core.h"
 #include "sim/replay/replay.h"
@@ -30,14 +29,15 @@ void expect_picture(const std::string& name, const std::string& svg) {
   expect_approved(kPictures + name, svg);
 }
 
-// The narrowest sheet, and where the plots of the wider ones are, on which axes: within these the same code
-// draws them, and the SVG file.
-std::string narrow_sheet_and_places(const std::string& html) {
+// The texts and boxes of the narrowest sheet, and where the plots of all are, on which axes: the code that
+// draws lines within these draws the SVG file, too.
+std::string boxes_and_places(const std::string& html) {
   const std::size_t wider = html.find("<svg class=\"medium\"");
-  std::string text = html.substr(0, wider);
-  std::istringstream lines(html.substr(wider));
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("<svg ") || line.starts_with("<style>")) text += line + "\n";
+  const std::regex of_narrow("<(svg|text|rect) .*\n"), of_all("(<svg |<style>).*\n");
+  std::string text;
+  for (const auto& [part, kept] : {std::pair(html.substr(0, wider), of_narrow), {html.substr(wider), of_all}})
+    for (std::sregex_iterator line(part.begin(), part.end(), kept), end; line != end; ++line)
+      text += line->str();
   return text;
 }
 
@@ -48,7 +48,7 @@ TEST(Pictures, OfFiguresAreThoseApproved) {
     expect_picture(name + ".svg", figure_svg(figure));
     const std::string html = figure_html(figure);
     EXPECT_EQ(picture_faults(html), std::vector<std::string>{}) << name;
-    expect_approved(kPictures + name + ".html", narrow_sheet_and_places(html));
+    expect_approved(kPictures + name + ".html", boxes_and_places(html));
   }
 }
 
