@@ -8,19 +8,14 @@ import io
 import multiprocessing
 import os
 import random
-import shutil
 
 import h5py
 import numpy
 
-from damage_test import LONG, SHORT
-from program import ProgramTest
+from damage_test import LONG, SHORT, DamageTest
 
 _IS_ALL = os.environ.get("HYRAX_DAMAGE") == "all"
 _H5_FLIPS = 6000 if _IS_ALL else 150
-_BATCH = 250
-# The allowed exit codes for a damaged golden file; a signal is not allowed.
-EXIT_CODES = {0, 1, 2, 3, 4}
 
 
 def flips_of(content):
@@ -113,38 +108,8 @@ def with_columns(content, group, columns):
     return buffer.getvalue()
 
 
-class Damage(ProgramTest):
+class Damage(DamageTest):
     """The same for the two kinds of golden file: of rows, and of blocks."""
-
-    def empty_folders(self):
-        for name in ("scenarios", "golden"):
-            shutil.rmtree(self.folder / name, ignore_errors=True)
-            (self.folder / name).mkdir()
-
-    def blessed(self, document):
-        """The bytes of a scenario's golden file, and its digest."""
-        self.empty_folders()
-        self.write("scenarios/whole.json", document)
-        self.bless("scenarios")
-        return [(self.folder / f"golden/whole.{suffix}").read_bytes() for suffix in ("h5", "txt")]
-
-    def verdicts(self, document, damaged):
-        """The verdict of `check` on each (.h5 file or None, summary or None): "agreed", "noted" (it agrees, with a note
-        that its bytes differ from the blessed ones), a class, "missing" or "failed"; a batch by one process."""
-        if len(damaged) > _BATCH:
-            return self.verdicts(document, damaged[:_BATCH]) + self.verdicts(document, damaged[_BATCH:])
-        self.empty_folders()
-        for number, files in enumerate(damaged):
-            self.write(f"scenarios/{number:04}.json", document)
-            for suffix, content in zip(("h5", "txt"), files):
-                if content is not None:
-                    (self.folder / f"golden/{number:04}.{suffix}").write_bytes(content)
-        outcome = self.hyrax_sim("check", "--json")
-        self.assertIn(outcome.exit_code, EXIT_CODES)
-        self.assertTrue(outcome.out, outcome)  # A sanitizer's exit code is 1.
-        noted = {line.partition(": agrees, but ")[0] for line in outcome.err.splitlines()}
-        return ["noted" if f"golden/{number:04}.h5" in noted else entry["class"] or entry["status"]
-                for number, entry in enumerate(outcome.json["results"])]
 
     def test_complete_pairs_agree_and_half_ones_are_missing(self):
         for document in (SHORT, LONG):
