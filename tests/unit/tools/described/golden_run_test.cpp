@@ -74,9 +74,9 @@ DescribedScenario scenario_of(std::int64_t steps) {
 
 class DescribedFiles : public ::testing::Test {
  protected:
-  // Writes a run's every K-th row, and returns its rows.
-  DescribedRows write(const std::string& path, std::int64_t steps, std::int64_t every) {
-    DescribedWriter writer(path, path, marble().description, steps, every);
+  // Writes a run, and returns its rows.
+  DescribedRows write(const std::string& path, std::int64_t steps) {
+    DescribedWriter writer(path, path, marble().description, steps, 1);
     const DescribedScenario scenario = scenario_of(steps);
     const GoldenContents run = play_for_golden(marble(), scenario, {&writer});
     writer.finish({{.steps = steps,
@@ -117,7 +117,7 @@ std::string sentence_of(const auto& work) {
 
 TEST_F(DescribedFiles, AreReadBackAsTheyWereWritten) {
   const std::string path = folder_.at("roll.h5");
-  const DescribedRows rows = write(path, 20, 1);
+  const DescribedRows rows = write(path, 20);
   const DescribedFile file = DescribedFile::open(path, "marble");
   EXPECT_TRUE(description_difference(file.head().description, marble().description).empty());
   EXPECT_EQ(to_text(description_json(file.head().description)),
@@ -139,7 +139,7 @@ TEST_F(DescribedFiles, AreReadBackAsTheyWereWritten) {
 
 TEST_F(DescribedFiles, HaveTheValuesOwnTypes) {
   const std::string path = folder_.at("roll.h5");
-  write(path, 3, 1);
+  write(path, 3);
   const h5::Handle file = h5::open_file(path);
   const auto is_of = [&](const char* name, hid_t expected) {
     const h5::Handle dataset(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
@@ -160,15 +160,9 @@ TEST_F(DescribedFiles, HaveTheValuesOwnTypes) {
   EXPECT_EQ(H5Tget_size(type), 1U);
 }
 
-TEST_F(DescribedFiles, HoldEveryKthRowAndTheLast) {
-  const std::string path = folder_.at("roll.h5");
-  write(path, 20, 8);
-  EXPECT_EQ(all_of(DescribedFile::open(path, "marble")).step, (std::vector<std::int64_t>{0, 8, 16, 20}));
-}
-
 TEST_F(DescribedFiles, AreRefusedWhereTheyAreOfAnotherCoreOrDamaged) {
   const std::string path = folder_.at("roll.h5");
-  write(path, 20, 1);
+  write(path, 20);
   const auto open = [&] { static_cast<void>(DescribedFile::open(path, "pool")); };
   EXPECT_EQ(sentence_of(open), path + ": is of the core marble: read it with marble-sim");
   EXPECT_EQ(sentence_of([&] { static_cast<void>(TrajectoryFile::open(path)); }),
