@@ -7,7 +7,7 @@ import unittest
 
 import h5py
 
-from document_numbers_test import DRIFT, FILES, HYRAX, PHYSICS_CONSTANTS, SCENARIOS, STUDIES, TESTS, stated
+from document_numbers_test import DRIFT, FILES, HYRAX, PHYSICS_CONSTANTS, TESTS
 from documentation_test import text_of
 from program import SOURCE
 
