@@ -4,7 +4,7 @@ import json
 import shutil
 
 from process import run_measured
-from program import AGREED, SOURCE, ProgramTest
+from program import AGREED, SOURCE, ProgramTest, fling
 
 FLING = SOURCE / "scenarios/flings/first-fling.json"
 JITTERED = ("--set", '/clock/jitter={"kind": "uniform", "fraction": 0.1, "seed": 1}', "--set", "/expect={}")
@@ -22,7 +22,7 @@ class PageFaults(ProgramTest):
         self.expect_at_most(8_000, "diff", "a.h5", "b.h5")
 
     def test_of_members_and_random_runs(self):
-        sweep = {"format": "hyrax-sweep/1", "base": program.fling(steps=30), "members": 1_000_000, "seed": 1,
+        sweep = {"format": "hyrax-sweep/1", "base": fling(steps=30), "members": 1_000_000, "seed": 1,
                  "vary": {"/start/vx_px_per_s": {"uniform": [-2000, 2000]}}, "keep": ["final"]}
         (self.folder / "sweep.json").write_text(json.dumps(sweep), encoding="utf-8")
         for threads, most in ("1", 6_000), ("2", 8_000):
