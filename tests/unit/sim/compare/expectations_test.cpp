@@ -3,13 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
 namespace hyrax {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 RunSummary some_summary() {
   RunSummary summary;
@@ -60,12 +59,10 @@ TEST(Judge, SaysOfEachRuleWhetherItHoldsBothBoundsIncluded) {
       {{.final_x_px = Interval{0.0, 1069.25}}, good, "final_x_px: 0 .. 1069.25, found 1069.25: holds"},
       {{.final_x_px = Interval{1069.26, 2e3}}, good, "final_x_px: 1069.26 .. 2000, found 1069.25: broken"},
       {{.final_x_px = Interval{0.0, 1069.24}}, good, "final_x_px: 0 .. 1069.24, found 1069.25: broken"},
-      {{.final_y_px = Interval{-kInfinity, 592.0}}, good, "final_y_px: at most 592, found 592: holds"},
-      {{.final_y_px = Interval{-kInfinity, 591.0}}, good, "final_y_px: at most 591, found 592: broken"},
+      {{.final_y_px = Interval{-HUGE_VAL, 592.0}}, good, "final_y_px: at most 592, found 592: holds"},
+      {{.final_y_px = Interval{-HUGE_VAL, 591.0}}, good, "final_y_px: at most 591, found 592: broken"},
       {{.at_rest_since_s = Interval{8.0, 8.5}}, good, "at_rest_since_s: 8 .. 8.5, found 8.25: holds"},
-      {{.at_rest_since_s = Interval{-kInfinity, 8.0}},
-       good,
-       "at_rest_since_s: at most 8, found 8.25: broken"},
+      {{.at_rest_since_s = Interval{-HUGE_VAL, 8.0}}, good, "at_rest_since_s: at most 8, found 8.25: broken"},
       {{.at_rest_since_s = Interval{0.0, 1e300}},
        bad,
        "at_rest_since_s: 0 .. 1e+300, found nothing: broken"}};

@@ -7,11 +7,11 @@ namespace hyrax {
 namespace {
 
 constexpr auto kBlock = static_cast<std::int64_t>(kBlockRows);
-constexpr std::int64_t kSteps = 3 * kBlock + 99;
+constexpr std::int64_t kLongSteps = 3 * kBlock + 99;
 
 // A jittered clock, so that no two blocks are equal.
 Scenario jittered_fling() {
-  Scenario scenario = fling_at(60.0, kSteps, {{std::int64_t{6000}, Fling{{1500.0, -2500.0}}}});
+  Scenario scenario = fling_at(60.0, kLongSteps, {{std::int64_t{6000}, Fling{{1500.0, -2500.0}}}});
   scenario.clock.jitter = Jitter{Jitter::Kind::uniform, 0.2, 42};
   return scenario;
 }
@@ -22,7 +22,7 @@ class LongRun : public testing::Test {
   StoredRun kept_ = kept_run(scenario_);
 };
 
-const std::int64_t kFaultSteps[] = {0, 1, kBlock - 1, kBlock, 3 * kBlock + 50, kSteps};
+const std::int64_t kFaultSteps[] = {0, 1, kBlock - 1, kBlock, 3 * kBlock + 50, kLongSteps};
 
 TEST_F(LongRun, AgreesWithItself) {
   ASSERT_EQ(kept_.rows.size(), 0u);
@@ -88,14 +88,14 @@ TEST_F(LongRun, MeasuresEveryBlockAfterTheFirstDifference) {
 }
 
 TEST_F(LongRun, OfAnotherLengthDiffersInShape) {
-  for (const std::int64_t steps : {kSteps - 1, kSteps + 1, kBlock, 5 * kBlock}) {
+  for (const std::int64_t steps : {kLongSteps - 1, kLongSteps + 1, kBlock, 5 * kBlock}) {
     Scenario other = scenario_;
     other.length = steps;
     if (steps < 6000) other.events.clear();
     kept_.scenario = other;
     const Comparison comparison = compare(kept_, other);
     EXPECT_EQ(comparison.difference, DifferenceClass::shape) << steps;
-    EXPECT_NE(comparison.shape.find(std::to_string(kSteps)), std::string::npos) << comparison.shape;
+    EXPECT_NE(comparison.shape.find(std::to_string(kLongSteps)), std::string::npos) << comparison.shape;
     const bool has_equal_rows = steps >= 6000;
     EXPECT_FALSE(has_equal_rows && compare(kept_run(scenario_), other).first) << steps;
   }

@@ -12,8 +12,7 @@
 namespace hyrax {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 const Row kRow{.step = 7,
                .t_s = 0.5,
@@ -65,8 +64,8 @@ TEST(RunDistance, RoundingOfAVelocityGrowsWithIt) {
   const struct {
     double a, b;
     bool is_rounding;
-  } cases[] = {{-1e9, -1e9 - 0.9e-3, true}, {-1e9, -1e9 - 1.1e-3, false}, {kInfinity, kInfinity, true},
-               {kInfinity, 0.0, false},     {kNan, 0.0, false},           {kNan, kNan, false}};
+  } cases[] = {{-1e9, -1e9 - 0.9e-3, true}, {-1e9, -1e9 - 1.1e-3, false}, {HUGE_VAL, HUGE_VAL, true},
+               {HUGE_VAL, 0.0, false},      {kNotANumber, 0.0, false},    {kNotANumber, kNotANumber, false}};
   for (const auto& [a, b, is_rounding] : cases)
     EXPECT_EQ(distance_of(row_with(&Row::vx_px_per_s, a), row_with(&Row::vx_px_per_s, b)).is_rounding(),
               is_rounding)
@@ -97,9 +96,9 @@ TEST(RunDistance, TheLargestIsTheFirstOfItsDistance) {
 }
 
 TEST(RunDistance, ANanIsInfinitelyFar) {
-  const Row other = row_with(&Row::x_px, kNan);
+  const Row other = row_with(&Row::x_px, kNotANumber);
   const RunDistance distance = distance_of(kRow, other);
-  EXPECT_EQ(distance.largest().value().px, kInfinity);
+  EXPECT_EQ(distance.largest().value().px, HUGE_VAL);
   EXPECT_FALSE(distance.is_rounding());
   EXPECT_FALSE(distance_of(other, other).is_rounding());
 }

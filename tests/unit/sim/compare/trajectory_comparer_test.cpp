@@ -70,7 +70,7 @@ TEST(Tolerance, IsInclusiveForNumbersOfAnySize) {
   }
 }
 
-Row row_at(std::int64_t step, double x_px, std::uint8_t contact = 0) {
+Row row_of_x(std::int64_t step, double x_px, std::uint8_t contact = 0) {
   return {.step = step, .t_s = 0.25 * static_cast<double>(step), .x_px = x_px, .contact = contact};
 }
 
@@ -78,7 +78,7 @@ Row row_at(std::int64_t step, double x_px, std::uint8_t contact = 0) {
 TrajectoryComparer compared(const Tolerance& tolerance, const std::vector<std::pair<double, double>>& xs_px) {
   TrajectoryComparer comparer(tolerance);
   for (std::int64_t step = 1; const auto& [a, b] : xs_px) {
-    comparer.compare(row_at(step, a), row_at(step, b));
+    comparer.compare(row_of_x(step, a), row_of_x(step, b));
     ++step;
   }
   return comparer;
@@ -113,7 +113,7 @@ TEST(TrajectoryComparer, RanksNanAsTheWorstAndInfinityAboveAnyNumber) {
 
 TEST(TrajectoryComparer, AcceptsNoOtherContactByte) {
   TrajectoryComparer comparer({.abs = 100.0});
-  comparer.compare(row_at(4, 1.0, 0), row_at(4, 1.0, 1));
+  comparer.compare(row_of_x(4, 1.0, 0), row_of_x(4, 1.0, 1));
   EXPECT_EQ(comparer.first().value().field, "contact");
   EXPECT_EQ(comparer.first()->ulps(), std::nullopt);
 }

@@ -44,10 +44,10 @@ struct Start {
 };
 
 // A NaN equals any other.
-bool is_same(double a, double b) { return same_bits(a, b) || (std::isnan(a) && std::isnan(b)); }
 bool is_same(const State& a, const State& b) {
-  return is_same(a.x_px, b.x_px) && is_same(a.y_px, b.y_px) && is_same(a.vx_px_per_s, b.vx_px_per_s) &&
-         is_same(a.vy_px_per_s, b.vy_px_per_s);
+  const auto agree = [](double p, double q) { return same_bits(p, q) || (std::isnan(p) && std::isnan(q)); };
+  return agree(a.x_px, b.x_px) && agree(a.y_px, b.y_px) && agree(a.vx_px_per_s, b.vx_px_per_s) &&
+         agree(a.vy_px_per_s, b.vy_px_per_s);
 }
 
 constexpr Size kSprite{128, 128};

@@ -99,8 +99,6 @@ TEST(DriftMeter, NeedsNoRowsOfPeriodsWithoutAnArc) {
   }
 }
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 double largest(std::initializer_list<double> differences) {
   LargestDistance distance;
   for (const double dx : differences) distance.add(dx, 0.0);
@@ -111,8 +109,9 @@ TEST(Largest, IsNanOnceOneIs) {
   EXPECT_EQ(larger(1.0, 2.0), 2.0);
   EXPECT_EQ(larger(2.0, 1.0), 2.0);
   EXPECT_EQ(largest({1.0, -3.0, 2.0}), 3.0);
-  for (const double value : {larger(kNaN, 1.0), larger(1.0, kNaN), largest({kNaN, 1.0}),
-                             largest({1.0, kNaN, 1e200, 0.0}), distance(0.0, kNaN)})
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : {larger(kNoNumber, 1.0), larger(1.0, kNoNumber), largest({kNoNumber, 1.0}),
+                             largest({1.0, kNoNumber, 1e200, 0.0}), distance(0.0, kNoNumber)})
     EXPECT_TRUE(std::isnan(value));
 }
 

@@ -18,9 +18,9 @@
 namespace hyrax {
 namespace {
 
-constexpr double kGravity = 1200.0;
+constexpr double kGravity_px_per_s2 = 1200.0;
 constexpr double kRate_hz = 60.0;
-constexpr double kFall_px2_per_s3 = kGravity * kGravity / kRate_hz / 2.0;  // G^2 h / 2.
+constexpr double kFall_px2_per_s3 = kGravity_px_per_s2 * kGravity_px_per_s2 / kRate_hz / 2.0;  // G^2 h / 2.
 
 // A fling of five seconds in frames of 1e-4 to 5 s.
 class LongFrames : public testing::TestWithParam<double> {
@@ -47,7 +47,7 @@ TEST_P(LongFrames, AddUpToTheEnergyChangeOfTheRun) {
   }
   const auto energy_on_desktop = [](const Row& row) {
     return (row.vx_px_per_s * row.vx_px_per_s + row.vy_px_per_s * row.vy_px_per_s) / 2 +
-           kGravity * (952.0 - row.y_px);
+           kGravity_px_per_s2 * (952.0 - row.y_px);
   };
   double largest = 0.0;
   for (std::size_t row = 0; row < rows.size(); ++row)
@@ -94,7 +94,7 @@ TEST(EnergyDrift, IsZeroWhereThereIsNoEnergy) {
 }
 
 TEST(EnergyCauseSum, CountsTheLiftOutOfACornerOnceAndNoBounceWithoutATimeOfImpact) {
-  EnergyCauseSum causes(kGravity);
+  EnergyCauseSum causes(kGravity_px_per_s2);
   ImpactErrors contact;
   contact.energy_parts = {.lift = 120.0};
   contact.flight_error_px2_per_s2 = -12.0;
@@ -133,10 +133,11 @@ TEST(EnergyCauses, OfADropAddUpToWhatItHasLostAfterItsBounce) {
   scenario.length = static_cast<std::int64_t>(rows.size()) - 1;
   measure(scenario, rows, measured, nullptr, model);
   const Row after = rows.row(rows.size() - 1);
-  const double lost_px = after.vy_px_per_s * after.vy_px_per_s / 2.0 / kGravity - 0.36 * (952.0 - 300.0);
+  const double lost_px =
+      after.vy_px_per_s * after.vy_px_per_s / 2.0 / kGravity_px_per_s2 - 0.36 * (952.0 - 300.0);
   const EnergyCauses& causes = measured.summary.causes;
   EXPECT_NEAR(causes.sum() + causes.flight, lost_px, 1e-9);
-  EXPECT_NEAR(causes.flight, -kFall_px2_per_s3 / kRate_hz / kGravity, 1e-9) << "a frame of gravity";
+  EXPECT_NEAR(causes.flight, -kFall_px2_per_s3 / kRate_hz / kGravity_px_per_s2, 1e-9) << "a frame of gravity";
   EXPECT_GT(causes.lift, 0.0);
 }
 

@@ -134,7 +134,6 @@ TEST(DriftMeterWithGsl, HoldsItToTheBoundAndCallsAFailedOneAFault) {
   }
 }
 
-constexpr double kGravity = 1200.0;
 constexpr double kHeight_px = 500.0;
 
 // What the closed forms say of an arc, as it is handed to the check; a test changes it.
@@ -163,7 +162,7 @@ std::string_view fault_of(const Closed& closed) {
   ReferenceCheck check(model, *gsl);
   model.model_rate_hz = closed.model_rate_hz;
   ArcSolution solution(model);
-  WallWatch walls(kGravity, solution.log_air_drag(), time_of_impact);
+  WallWatch walls(model.gravity_px_per_s2, solution.log_air_drag(), time_of_impact);
   const State first{0.0, 0.0, start.row.vx_px_per_s, start.row.vy_px_per_s};
   solution.start({first.vx_px_per_s, first.vy_px_per_s}, true);
   walls.start(start);
@@ -172,7 +171,7 @@ std::string_view fault_of(const Closed& closed) {
     solution.advance(kFrame_s);
     State flight = solution.matched();
     closed.flight(flight);
-    const double rise = -kGravity * flight.y_px;
+    const double rise = -model.gravity_px_per_s2 * flight.y_px;
     check.check_row({flight, kinetic(flight) + closed.height_sign * rise,
                      kinetic(flight) - kinetic(first) + closed.gain_height_sign * rise},
                     kFrame_s, solution.elapsed_s());

@@ -81,7 +81,7 @@ MethodKind method_named(const std::string& name) {
   const std::vector<MethodKind> kinds = frame_methods(shipped_core());
   return *std::ranges::find(kinds, name, &MethodKind::name);
 }
-Problem problem_named(const std::string& name) {
+Problem studied_problem(const std::string& name) {
   const std::vector<Problem> problems = study_problems(FixedLaws());
   return *std::ranges::find(problems, name, &Problem::name);
 }
@@ -110,7 +110,7 @@ class ClaimsExactImpacts : public Method {
 
 // A bounce takes 64 % of the vertical energy: where only one of both has had it, they differ by as much.
 TEST(SpeedError, ComparesEnergiesWhereBothHaveMetEachWallEquallyOften) {
-  const Problem fling = problem_named("fling");
+  const Problem fling = studied_problem("fling");
   const auto energy_of = [&](const MethodKind& kind) {
     return measure_errors(shipped_core(), fling, kind, stage_frames_s(fling, 60.0), 60.0).energy_rel;
   };
@@ -122,7 +122,7 @@ TEST(SpeedError, ComparesEnergiesWhereBothHaveMetEachWallEquallyOften) {
 }
 
 TEST(SpeedError, TheScanFindsTheLeastErrorBetweenTheRatesOrAtTheirEnd) {
-  const Problem arc = problem_named("long-arc");
+  const Problem arc = studied_problem("long-arc");
   const auto error_px = [&](double rate_hz) {
     return measure_errors(shipped_core(), arc, method_named("paper"), stage_frames_s(arc, rate_hz), rate_hz)
         .position_px;
@@ -144,7 +144,7 @@ TEST(SpeedError, AnOrderWithWallsIsTheMedianOfManyFlings) {
   const std::vector<MethodKind> methods = {method_named("exact-flight"), method_named("swept-clamp"),
                                            method_named("paper")};
   const SpeedError study =
-      study_speed_error(shipped_core(), {problem_named("fling")}, methods, options, metered<steady_ns>);
+      study_speed_error(shipped_core(), {studied_problem("fling")}, methods, options, metered<steady_ns>);
   ASSERT_EQ(study.orders.size(), 2u) << "the paper's step has none";
   for (const auto& [method, order] : {std::pair(std::size_t{0}, 1.0), {1, 2.0}}) {
     EXPECT_EQ(study.orders[method].flings, kOrderFlings);

@@ -85,35 +85,36 @@ TEST(Desk, ThatChangesIsAResizeAndThePlaceOfTheSamePointOfTheScreen) {
             (Inputs{Resize{Size{1280, 984}, Size{160, 160}}, Place{{979.75, 300.5}}}));
 }
 
-constexpr std::int64_t kTicksPerS = 10'000'000;
-constexpr std::int64_t kMs = kTicksPerS / 1000;
+constexpr std::int64_t kHandTicksPerS = 10'000'000;
+constexpr std::int64_t kHandMs = kHandTicksPerS / 1000;
 
-Hold hand_at(ScreenPoint at, std::int64_t ticks = 0) { return {kTicksPerS, at, ticks, {}, {}}; }
+Hold hand_at(ScreenPoint at, std::int64_t ticks = 0) { return {kHandTicksPerS, at, ticks, {}, {}}; }
 
 // A hand that moves by `way` every `period_ms`, `moves` times.
 Hold moved_hand(ScreenPoint way, std::int64_t period_ms, int moves) {
   Hold hand = hand_at({500, 400});
   for (int move = 1; move <= moves; ++move)
-    hand.move({500 + move * way.x_px, 400 + move * way.y_px}, move * period_ms * kMs);
+    hand.move({500 + move * way.x_px, 400 + move * way.y_px}, move * period_ms * kHandMs);
   return hand;
 }
 
 TEST(Hand, GivesItsMeanVelocityOverTheLastTenthOfASecond) {
   const Hold hand = moved_hand({12, -9}, 10, 30);
-  EXPECT_EQ(hand.velocity(300 * kMs), (Velocity{1200.0, -900.0}));
-  EXPECT_EQ(hand.velocity(350 * kMs), (Velocity{600.0, -450.0})) << "slows down";
-  EXPECT_EQ(hand.velocity(400 * kMs), Velocity{}) << "stopped before it let go";
-  EXPECT_EQ(hand.velocity(60'000 * kMs), Velocity{});
-  EXPECT_EQ(moved_hand({20, 0}, 10, 4).velocity(40 * kMs), (Velocity{2000.0, 0.0})) << "a short flick";
-  EXPECT_EQ(moved_hand({40, 0}, 80, 2).velocity(160 * kMs), (Velocity{500.0, 0.0})) << "seldom messages";
-  EXPECT_EQ(moved_hand({600, -300}, 1000, 1).velocity(1000 * kMs), (Velocity{600.0, -300.0})) << "a stall";
+  EXPECT_EQ(hand.velocity(300 * kHandMs), (Velocity{1200.0, -900.0}));
+  EXPECT_EQ(hand.velocity(350 * kHandMs), (Velocity{600.0, -450.0})) << "slows down";
+  EXPECT_EQ(hand.velocity(400 * kHandMs), Velocity{}) << "stopped before it let go";
+  EXPECT_EQ(hand.velocity(60'000 * kHandMs), Velocity{});
+  EXPECT_EQ(moved_hand({20, 0}, 10, 4).velocity(40 * kHandMs), (Velocity{2000.0, 0.0})) << "a short flick";
+  EXPECT_EQ(moved_hand({40, 0}, 80, 2).velocity(160 * kHandMs), (Velocity{500.0, 0.0})) << "seldom messages";
+  EXPECT_EQ(moved_hand({600, -300}, 1000, 1).velocity(1000 * kHandMs), (Velocity{600.0, -300.0}))
+      << "a stall";
 }
 
 TEST(Hand, IgnoresOlderMovesAndHasDraggedForTenMillisecondsAtLeast) {
   Hold hand = hand_at({0, 0});
-  hand.move({-900, 300}, 100 * kMs);
-  for (int move = 1; move <= 10; ++move) hand.move({-900 + 5 * move, 300}, (100 + 10 * move) * kMs);
-  EXPECT_EQ(hand.velocity(200 * kMs), (Velocity{500.0, 0.0}));
+  hand.move({-900, 300}, 100 * kHandMs);
+  for (int move = 1; move <= 10; ++move) hand.move({-900 + 5 * move, 300}, (100 + 10 * move) * kHandMs);
+  EXPECT_EQ(hand.velocity(200 * kHandMs), (Velocity{500.0, 0.0}));
   hand = hand_at({0, 0}, 50);
   EXPECT_EQ(hand.velocity(50), Velocity{});
   hand.move({1, 0}, 51);
@@ -121,8 +122,8 @@ TEST(Hand, IgnoresOlderMovesAndHasDraggedForTenMillisecondsAtLeast) {
   hand.move({30, -10}, 51);
   EXPECT_EQ(hand.velocity(51), (Velocity{3000.0, -1000.0}));
   hand = hand_at({0, 0});
-  for (const auto& [x_px, ms] : {std::pair{10, 100}, {20, 50}, {30, 160}}) hand.move({x_px, 0}, ms * kMs);
-  EXPECT_NEAR(hand.velocity(210 * kMs).vx_px_per_s, 250.0 / 3.0, 1e-9) << "a message of before a move";
+  for (const auto& [x_px, ms] : {std::pair{10, 100}, {20, 50}, {30, 160}}) hand.move({x_px, 0}, ms * kHandMs);
+  EXPECT_NEAR(hand.velocity(210 * kHandMs).vx_px_per_s, 250.0 / 3.0, 1e-9) << "a message of before a move";
 }
 
 }  // namespace

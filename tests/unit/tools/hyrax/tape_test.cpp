@@ -134,7 +134,7 @@ TEST(Ring, LetsTheOldestGoAndStillReplays) {
   expect_replays(tape, session.now());
 }
 
-constexpr std::int64_t kTicksPerS = 1000;
+constexpr std::int64_t kTapeTicksPerS = 1000;
 
 Scenario fling_with_hash(const std::string& hash) {
   Scenario scenario = fling_at(60.0, 120);
@@ -146,7 +146,7 @@ std::string right_hash() { return hex(replay(shipped_core(), fling_at(60.0, 120)
 
 TEST(Playback, KeepsThePaceOfTheScenariosClock) {
   const Scenario scenario = fling_at(60.0, 120);
-  Playback playback(shipped_core(), scenario, kTicksPerS, 500);
+  Playback playback(shipped_core(), scenario, kTapeTicksPerS, 500);
   playback.play(500);
   EXPECT_EQ(playback.now().row.step, 0);
   playback.play(1500);
@@ -161,7 +161,7 @@ TEST(Playback, IsJudgedByItsHashWhenItIsPlayedOrReplayed) {
   const PlaybackVerdict same = replayed(shipped_core(), agreeing);
   EXPECT_EQ(same.exit_code, ExitCode::agreed);
   EXPECT_EQ(same.sentence, "fling: state hash " + right_hash() + " agrees");
-  Playback playback(shipped_core(), agreeing, kTicksPerS, 0);
+  Playback playback(shipped_core(), agreeing, kTapeTicksPerS, 0);
   for (std::int64_t ticks = 0; !playback.is_over(); ticks += 17) playback.play(ticks);
   EXPECT_EQ(playback.finish().sentence, same.sentence);
   const PlaybackVerdict other = replayed(shipped_core(), fling_with_hash(std::string(32, '0')));
@@ -180,8 +180,8 @@ TEST(Playback, IsJudgedByItsHashWhenItIsPlayedOrReplayed) {
 TEST(Playback, EndsWhereTheStateBecomesNonFinite) {
   Scenario scenario = fling_at(60.0, 1000);
   scenario.start_velocity.vy_px_per_s = std::numeric_limits<double>::infinity();
-  Playback playback(shipped_core(), scenario, kTicksPerS, 0);
-  playback.play(kTicksPerS);
+  Playback playback(shipped_core(), scenario, kTapeTicksPerS, 0);
+  playback.play(kTapeTicksPerS);
   EXPECT_TRUE(playback.is_over());
   EXPECT_EQ(playback.now().row.step, 1);
   const PlaybackVerdict verdict = playback.finish();
@@ -192,8 +192,8 @@ TEST(Playback, EndsWhereTheStateBecomesNonFinite) {
 TEST(Playback, StaysAwakeWhenFramesAreTooShortForTheirTime) {
   Scenario scenario = fling_at(1e9, 0);
   scenario.length = std::int64_t{1'000'000'000'000};
-  Playback playback(shipped_core(), scenario, kTicksPerS, 0);
-  playback.play(10 * kTicksPerS);
+  Playback playback(shipped_core(), scenario, kTapeTicksPerS, 0);
+  playback.play(10 * kTapeTicksPerS);
   EXPECT_LT(playback.now().row.step, 1'000'000);
 }
 
