@@ -20,8 +20,8 @@ packages_to_browse=(chromium)
 packages_for_wine=(g++-mingw-w64-x86-64-posix wine wine64 xvfb picom hsetroot imagemagick xdotool librsvg2-bin)
 # For tools/windows: the compiler, what builds GSL and HDF5 for it, and what runs their programs.
 packages_for_windows=(g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev make wine wine64)
-# For tools/package: dependencies and file types for the Debian package, the man page, and hyrax.exe.
-packages_to_package=(dpkg-dev file python3 g++-mingw-w64-x86-64-posix)
+# For tools/package: dependencies and file types for the Debian package, and the man page.
+packages_to_package=(dpkg-dev file python3)
 # For tests/package, which install the Debian package in a bare system.
 packages_to_install=(debootstrap)
 # For the tests of sweeps on clusters: a Slurm cluster of one node, and Open MPI's launcher.
@@ -69,7 +69,7 @@ has_apt() {
 stop_with_list() {
   stop "This system is neither Debian nor Ubuntu; nothing was installed. Install the equivalents of these packages:
   $*
-then build with CMake: cmake -S . -B build && cmake --build build
+then build with CMake: cmake -S . -B build -G Ninja && cmake --build build
 This builds build/bin/hyrax-sim; ctest --test-dir build runs the tests."
 }
 
@@ -181,13 +181,13 @@ forget_other_source() {
 # folder's own objects took is better.
 readonly object_ms=3000
 
-# announce FOLDER NAME: how many objects are to be compiled for the first time, and about how long it takes; prints nothing if
-# all are there.
+# announce FOLDER NAME TARGET: how many objects of the target are to be compiled for the first time, and about how long it takes;
+# prints nothing if all are there.
 announce() {
   local object objects=0 about_s mean_ms
   while read -r object; do
     [[ -e $1/$object ]] || objects=$((objects + 1))
-  done < <(sed -nE 's/^build ([^ :|]+\.o)[ :|].*/\1/p' -- "$1/build.ninja")
+  done < <(ninja -C "$1" -t inputs "$3" | grep '\.o$')
   [[ $objects -gt 0 ]] || return 0
   mean_ms=$(awk -v n=0 -v ms=0 '$4 ~ /\.o$/ { ms += $2 - $1; n++ } END { if (n >= 20) printf "%d", ms / n }' "$1/.ninja_log" 2> /dev/null || true)
   about_s=$((objects * ${mean_ms:-$object_ms} / $(nproc) / 1000 + 1))
@@ -222,7 +222,7 @@ build_program() {
     configure "$1" HYRAX_PAGE=ON || stop "CMake could not configure hyrax-sim; see the output above."
   fi
   before=$(time_of_change "$program")
-  [[ ${announces:-no} == no ]] || announce "$1" hyrax-sim
+  [[ ${announces:-no} == no ]] || announce "$1" hyrax-sim hyrax-sim
   build "$1" hyrax-sim || stop "hyrax-sim could not be built; see the output above."
   if [[ $(time_of_change "$program") != "$before" ]]; then
     say_time "build hyrax-sim" "$begin" 0

@@ -58,12 +58,13 @@ FUNCTIONS = (
     ("build build/x page", "", 0, "", ["ninja --quiet -C build/x page"]), ("build build/x", "ninja", 8, "", ["ninja --quiet -C build/x"]),
     ("ninja() { echo ninja: no work to do.; echo warning; }; build build/x", "", 0, "warning\n", []),
     ("build_program build/x", "", 0, "", ["ninja --quiet -C build/x hyrax-sim"]),
-    ("announces=yes; build_program build/x", "", 0, "hyrax-sim: up to date\n", ["ninja --quiet -C build/x hyrax-sim"]),
-    ("nproc() { echo 2; }; printf 'build %s.o: CXX x.cpp\n' {1..76} > build/x/build.ninja; : > build/x/3.o; announce build/x tests", "", 0,
-     "tests: 75 objects to compile, about 1 min 53 s on 2 processors\n", []),
-    ("nproc() { echo 2; }; printf 'build %s.o: CXX x.cpp\n' {1..76} > build/x/build.ninja; printf '0\t4000\t0\t%s.o\t0\n' {1..20} > build/x/.ninja_log; "
-     "printf '0\t9000\t0\tprogram\t0\n' >> build/x/.ninja_log; announce build/x tests", "", 0,
+    ("announces=yes; build_program build/x", "", 0, "hyrax-sim: up to date\n", ["ninja -C build/x -t inputs hyrax-sim", "ninja --quiet -C build/x hyrax-sim"]),
+    ("nproc() { echo 2; }; ninja() { called ninja \"$@\"; printf '%s.o\n%s.cpp\n' {1..152}; }; : > build/x/3.o; announce build/x tests all", "", 0,
+     "tests: 75 objects to compile, about 1 min 53 s on 2 processors\n", ["ninja -C build/x -t inputs all"]),
+    ("nproc() { echo 2; }; ninja() { printf '%s.o\n' {1..76}; }; printf '0\t4000\t0\t%s.o\t0\n' {1..20} > build/x/.ninja_log; "
+     "printf '0\t9000\t0\tprogram\t0\n' >> build/x/.ninja_log; announce build/x tests all", "", 0,
      "tests: 75 objects to compile, about 2 min 31 s on 2 processors\n", []),
+    ("ninja() { echo 3.o; }; : > build/x/3.o; announce build/x hyrax-sim hyrax-sim", "", 0, "", []),
     ("project=/other; build_program build/x", "cmake", 3, r"configure .*FAILED \(exit 8\)\nCMake could not configure hyrax-sim.*", [
         "cmake --log-level=WARNING -S /other -B build/x -G Ninja -DCMAKE_BUILD_TYPE=Release -DHYRAX_TESTS=OFF"]),
     ("build_program build/x page", "page", 3, ".*The report page could not be built.*", ["ninja --quiet -C build/x page"]),
@@ -82,9 +83,11 @@ FUNCTIONS = (
 # A command of tools/, a pattern of the programs that fail, the exit code, what is printed, and what is called, without what
 # all calls of a program have.
 OF_EVERY_CALL = r" --(?:log-level=WARNING|quiet|output-on-failure|no-tests=error)| -(?:S PROJECT|G Ninja|j \d+)| (?:-B|-C|--test-dir)(?= /)"
-BUILT = "cmake /tools -DCMAKE_BUILD_TYPE=Release -DHYRAX_TESTS=OFF, ninja /tools hyrax-sim"
+CONFIGURED, BUILT = "cmake /tools -DCMAKE_BUILD_TYPE=Release -DHYRAX_TESTS=OFF", "ninja /tools hyrax-sim"
+ANNOUNCED = f"ninja /tools -t inputs hyrax-sim, {BUILT}"
 TESTS = "cmake /tools -DCMAKE_BUILD_TYPE=Release -DHYRAX_TESTS=ON -DHYRAX_WERROR=OFF"
-WITH_PAGE = "ninja /tools page_packages, ninja /tools page, cmake /tools -DHYRAX_PAGE=ON, ninja /tools"
+TESTS_BUILT = "ninja /tools -t inputs all, ninja /tools"
+WITH_PAGE = f"ninja /tools page_packages, ninja /tools page, cmake /tools -DHYRAX_PAGE=ON, {TESTS_BUILT}"
 
 
 def preset(name, one_build, left_out):
@@ -94,17 +97,17 @@ def preset(name, one_build, left_out):
 
 
 CALLS = (
-    ("run", "", 0, "Replaying first-fling; writing first-fling.h5 and", f"{BUILT}, hyrax-sim run PROJECT/scenarios/flings/first-fling.json --figure first-fling.svg"),
-    *((f"run --yes a.json --report{page}", "hyrax-sim*", 8, "", f"{BUILT.replace('hyrax-sim', 'page')}, cmake /tools -DHYRAX_PAGE=ON, "
-       f"ninja /tools hyrax-sim, hyrax-sim run a.json --report{page}") for page in (" x.html", "=x.html")),
-    ("check a.json --golden g", "hyrax-sim*", 8, "", f"{BUILT}, hyrax-sim check a.json --golden g"), ("check", "ninja*", 3, "hyrax-sim could not be built", BUILT),
+    ("run", "", 0, "Replaying first-fling; writing first-fling.h5 and", f"{CONFIGURED}, {ANNOUNCED}, hyrax-sim run PROJECT/scenarios/flings/first-fling.json --figure first-fling.svg"),
+    *((f"run --yes a.json --report{page}", "hyrax-sim*", 8, "", f"{CONFIGURED}, ninja /tools page, cmake /tools -DHYRAX_PAGE=ON, "
+       f"{ANNOUNCED}, hyrax-sim run a.json --report{page}") for page in (" x.html", "=x.html")),
+    ("check a.json --golden g", "hyrax-sim*", 8, "", f"{CONFIGURED}, {BUILT}, hyrax-sim check a.json --golden g"), ("check", "ninja*", 3, "hyrax-sim could not be built", f"{CONFIGURED}, {BUILT}"),
     ("run a.json", "unwritable hyrax-sim*", 8, "running the existing hyrax-sim without building it", "hyrax-sim run a.json"),
     *((script, "unwritable", 3, "build/tools: cannot be written; change its permissions, or", "") for script in ("check", "test")),
-    ("test", "ctest*", 1, "", f"{TESTS}, ninja /tools, ctest /tools -LE long"),
+    ("test", "ctest*", 1, "", f"{TESTS}, {TESTS_BUILT}, ctest /tools -LE long"),
     ("test --all --yes -R unit", "ctest*asan* run*", 1, "FAILED: asan-clang fuzz\n",
      f"{TESTS} -DHYRAX_BENCHMARKS=ON, {WITH_PAGE}, ctest /tools -LE nightly -R unit, {preset('asan-clang', 'OFF', 'long|one_build -R unit')}, run 30"),
     ("test --nightly", "*page_packages", 0, "its tests in a browser are left out", ", ".join((
-        f"{TESTS} -DHYRAX_BENCHMARKS=ON, ninja /tools page_packages, cmake /tools -DHYRAX_PAGE=OFF, ninja /tools, ctest /tools",
+        f"{TESTS} -DHYRAX_BENCHMARKS=ON, ninja /tools page_packages, cmake /tools -DHYRAX_PAGE=OFF, {TESTS_BUILT}, ctest /tools",
         *(preset(name, "ON", "long") for name in ("asan-clang", "clang", "asan", "debug")), "cmake --preset tsan -DHYRAX_WERROR=OFF",
         r"ninja /tsan hyrax-sim racy, ctest /tsan -R ^faults\.threads$, run 3600, mutation.py --build /tools --count 10 --seed DATE --minutes 60"))),
     ("package deb", "cpack*", 3, "could not be built", "cmake --preset package -DHYRAX_PAGE=no, ninja /package, "
@@ -222,6 +225,10 @@ class Scripts(ProgramTest):
         outcome, _ = self.call("package deb")
         self.assertEqual((outcome.exit_code, outcome.out.split()[1:]), (0, ["hyrax-2.deb"]), outcome)
         self.assertEqual(self.names("build/packages"), ["SHA256SUMS", "hyrax-2.deb"])
+
+    def test_a_debian_package_needs_no_compiler_for_another_system(self):
+        needed = run("bash", "-c", '. tools/setup.sh; echo "${packages_to_build[@]}" "${packages_to_package[@]}"', cwd=self.folder).out.split()
+        self.assertEqual([package for package in needed if package.startswith(("g++", "clang"))], ["g++"])
 
     def test_functions_of_setup(self):
         """What each returns, prints and calls."""
