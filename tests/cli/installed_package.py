@@ -31,7 +31,7 @@ def package():
     first = pathlib.Path(_FOLDER.name) / "first"
     environment = {key: value for key, value in os.environ.items() if key != "DESTDIR"}
     succeed("cmake", "--install", os.environ["HYRAX_BUILD"], "--prefix", first, env=environment)
-    return first.rename(first.with_name("package (x86)"))
+    return first.rename(first.with_name("package (x86) [2]"))
 
 
 class InstalledPackage(ProgramTest):
