@@ -94,7 +94,7 @@ TEST(Ensemble, EqualsTheReplayAtEveryEndOfABlockAtEveryRateAndInLongRuns) {
     expect_same_at(60.0, steps, 70);
   for (const double rate_hz : {24.0, 58.0, 60.0, 75.0, 89.0, 100.0, 144.0, 240.0, 1000.0})
     expect_same_at(rate_hz, 2000, 40);
-  for (const std::int64_t steps : {4000, 5001, 40'000, 70'001})
+  for (const std::int64_t steps : {4000, 5001, 70'001})
     for (const double rate_hz : {60.0, 120.0, 500.0}) expect_same_at(rate_hz, steps, 36);
 }
 

@@ -127,7 +127,7 @@ struct Overfull : Shut {
 };
 
 TEST_F(DescribedProgram, FuzzDrawsStartsAgainThatAreNoneOfTheCores) {
-  const Outcome good = run<Shut>({"fuzz", "--runs", "200"});
+  const Outcome good = run<Shut>({"fuzz", "--runs", "50"});
   EXPECT_EQ(good.exit_code, 0) << good.out;
   EXPECT_NE(good.out.find(" starts drawn again: \"all are in the box\" does not hold at row 0\n"),
             std::string::npos)
