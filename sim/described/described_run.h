@@ -118,8 +118,10 @@ inline constexpr std::int64_t kCheckedRowsMax = 4096;
 
 /// How a run differs from one that is stopped and resumed: at a third, at two thirds and where the first
 /// event past row 0 is; as "stopped at row 20 and resumed, a.y_px differs at row 37". Nothing: not at all.
+/// @param rows_max of the rows that are held, as of a run that ended early.
 [[nodiscard]] std::optional<std::string> resumed_fault(const DescribedCore& core,
-                                                       const DescribedScenario& scenario);
+                                                       const DescribedScenario& scenario,
+                                                       std::int64_t rows_max);
 
 /// The bytes of a row, for hashes: dt, the state's words, the contact flags.
 void pack_row(const DescribedRow& row, std::vector<std::byte>& bytes);

@@ -237,7 +237,8 @@ std::optional<std::string> description_fault(const DescribedCore& core, const De
   return fault;
 }
 
-std::optional<std::string> resumed_fault(const DescribedCore& core, const DescribedScenario& scenario) {
+std::optional<std::string> resumed_fault(const DescribedCore& core, const DescribedScenario& scenario,
+                                         std::int64_t rows_max) {
   const FrameScript script(core, scenario);
   std::vector<std::int64_t> stops = {script.steps / 3, 2 * script.steps / 3};
   for (const std::int64_t frame : script.event_frames) {
@@ -245,7 +246,7 @@ std::optional<std::string> resumed_fault(const DescribedCore& core, const Descri
     stops.push_back(frame);
     break;
   }
-  return DescriptionCheck(script, script.steps).resumed_fault(stops);
+  return DescriptionCheck(script, rows_max).resumed_fault(stops);
 }
 
 }  // namespace hyrax

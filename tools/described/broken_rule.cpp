@@ -22,7 +22,7 @@ class Shrinker {
  public:
   Shrinker(const FindBroken& find, const DescribedScenario& scenario, const BrokenRule& broken,
            const std::function<bool()>& is_over)
-      : find_(find), broken_(broken), is_over_(is_over), result_{.scenario = scenario} {}
+      : find_(find), is_over_(is_over), result_{.scenario = scenario, .broken = broken} {}
 
   ShrunkScenario shrink() {
     shorten();
@@ -43,10 +43,10 @@ class Shrinker {
     if (!result_.is_complete || is_over_()) return result_.is_complete = false;
     ++result_.trials;
     for (const BrokenRule& again :
-         find_(smaller, [&](std::string_view rule) { return rule == broken_.rule; })) {
-      if (!again.is_same_rule(broken_)) continue;
+         find_(smaller, [&](std::string_view rule) { return rule == result_.broken.rule; })) {
+      if (!again.is_same_rule(result_.broken)) continue;
       result_.scenario = smaller;
-      broken_.step = again.step;
+      result_.broken = again;
       return true;
     }
     return false;
@@ -60,16 +60,19 @@ class Shrinker {
       if (event.frame < steps) kept.push_back({event.frame, *event.action});
     shorter.events = std::move(kept);
     for (InputArray& input : shorter.input_arrays) input.words.resize(static_cast<std::size_t>(steps));
-    if (auto* const trace = std::get_if<RecordedSteps>(&shorter.clock.base))
+    if (auto* const trace = std::get_if<RecordedSteps>(&shorter.clock.base)) {
+      if (steps == 0) return false;  // A file holds one at least.
       trace->dt_s.resize(static_cast<std::size_t>(steps));
+    }
     shorter.length = steps;
     return keep_if_broken(shorter);
   }
 
   void shorten() {
-    if (broken_.step > 0) keep_if_broken_after(broken_.step);
-    for (std::int64_t cut = step_count(result_.scenario) / 2; cut > 0; cut /= 2)
-      while (step_count(result_.scenario) > cut && keep_if_broken_after(step_count(result_.scenario) - cut)) {
+    keep_if_broken_after(result_.broken.step);
+    for (std::int64_t cut = (step_count(result_.scenario) + 1) / 2; cut > 0; cut /= 2)
+      while (step_count(result_.scenario) >= cut &&
+             keep_if_broken_after(step_count(result_.scenario) - cut)) {
       }
   }
 
@@ -94,12 +97,22 @@ class Shrinker {
   }
 
   const FindBroken& find_;
-  BrokenRule broken_;
   const std::function<bool()>& is_over_;
   ShrunkScenario result_;
 };
 
+// A text that a core throws, without numbers that it may tell.
+std::string without_numbers(std::string text) {
+  std::erase_if(text, [](char c) { return std::string_view("0123456789.e+-").find(c) != std::string::npos; });
+  return text;
+}
+
 }  // namespace
+
+bool BrokenRule::is_same_rule(const BrokenRule& other) const {
+  return rule == other.rule &&
+         (rule == "throws" ? without_numbers(of) == without_numbers(other.of) : of == other.of);
+}
 
 std::vector<BrokenRule> broken_rules(const DescribedCore& core, const DescribedScenario& scenario,
                                      const std::function<bool(std::string_view rule)>& asks) {
@@ -124,7 +137,8 @@ std::vector<BrokenRule> broken_rules(const DescribedCore& core, const DescribedS
     if (const auto fault = description_fault(core, scenario, run.steps))
       all.push_back({"complete", "", *fault, steps});
   if (asks("resumed"))
-    if (const auto fault = resumed_fault(core, scenario)) all.push_back({"resumed", "", *fault, steps});
+    if (const auto fault = resumed_fault(core, scenario, run.steps))
+      all.push_back({"resumed", "", *fault, steps});
   return all;
 }
 

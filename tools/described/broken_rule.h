@@ -23,9 +23,8 @@ struct BrokenRule {
   std::string found = {};  ///< A sentence without the rule.
   std::int64_t step = 0;   ///< Where it is known; else the last.
 
-  [[nodiscard]] bool is_same_rule(const BrokenRule& other) const {
-    return rule == other.rule && of == other.of;
-  }
+  /// Two texts that are thrown may differ in their numbers.
+  [[nodiscard]] bool is_same_rule(const BrokenRule& other) const;
 };
 
 /// To the run's end. @param asks for a rule; those that it does not ask for cost nothing and may be left out.
@@ -35,6 +34,7 @@ struct BrokenRule {
 
 struct ShrunkScenario {
   DescribedScenario scenario = {};
+  BrokenRule broken = {};  ///< By it.
   std::int64_t trials = 0;
   bool is_complete = true;  ///< Else the search was ended.
 };

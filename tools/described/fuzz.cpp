@@ -69,13 +69,13 @@ std::optional<FuzzFailure> failure_of(const DescribedCore& core,
 
 FuzzFinding find(const DescribedCore& core, const FuzzRequest& request, std::uint64_t run,
                  const FuzzFailure& failure) {
-  const BrokenRule& broken = failure.broken;
   const auto find_again = [&](const auto& smaller, const auto& asks) {
     std::vector<BrokenRule> rules = broken_rules(core, smaller, asks);
-    if (broken.step > 0 && !broken_at_start(rules).empty()) rules.clear();
+    if (failure.broken.step > 0 && !broken_at_start(rules).empty()) rules.clear();
     return rules;
   };
-  DescribedScenario scenario = shrunk(find_again, failure.scenario, broken, [] { return false; }).scenario;
+  auto [scenario, broken, trials, is_complete] =
+      shrunk(find_again, failure.scenario, failure.broken, [] { return false; });
   const std::string path = failure_path(request, scenario.name);
   scenario.description = fmt::format("Run {} of {}-sim fuzz --seed {}: breaks {}: {}.", run,
                                      core.description.core, request.first_seed(), broken.rule, broken.found);

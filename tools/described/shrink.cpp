@@ -49,8 +49,8 @@ SmallerScenario find_smaller(const DescribedCore& core, const std::string& path,
         path +
         ": nothing to keep: the run ends, stays finite, breaks no property and no rule of `expect`, its "
         "description is complete, and stopped and resumed it goes on as without a stop");
-  const std::string kept = kept_of(broken.front());
   ShrunkScenario smaller = shrunk(find, scenario, broken.front(), [end] { return Clock::now() >= end; });
+  const std::string kept = kept_of(smaller.broken);
   smaller.scenario.description = shrunk_from(scenario.name, step_count(scenario), kept);
   return {.kept = kept,
           .text = to_text(to_json(core.description, smaller.scenario), 1) + "\n",

@@ -54,14 +54,16 @@ struct Pulse {
 };
 TEST(DescriptionCheck, ARunThatIsStoppedAndResumedGoesOnAsWithoutAStop) {
   EXPECT_EQ(fault<Pulse<false>>(scenario_for_test(60)), "");
-  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario_for_test(60)),
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario_for_test(60), 60),
             "stopped at row 20 and resumed, x_px differs at row 21");
-  EXPECT_EQ(resumed_fault(core_for_test<Pulse<true>>(), scenario_for_test(60)), std::nullopt);
-  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario_for_test(63)), std::nullopt);
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<true>>(), scenario_for_test(60), 60), std::nullopt);
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario_for_test(63), 63), std::nullopt);
+  // A run that ended at row 20 is not held to what would follow.
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario_for_test(60), 20), std::nullopt);
   DescribedScenario scenario = scenario_for_test(300);
-  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario), std::nullopt);
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario, 300), std::nullopt);
   scenario.events = {event_for_test(20, Hitch{0.5})};
-  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario),
+  EXPECT_EQ(resumed_fault(core_for_test<Pulse<false>>(), scenario, 300),
             "stopped at row 20 and resumed, x_px differs at row 21");
 }
 
@@ -109,7 +111,7 @@ TEST(DescriptionCheck, FindsStaticState) {
   EXPECT_EQ(fault<Counting<false>>(), "");
   EXPECT_EQ(fault<Counting<true>>(),
             "a second run is not the same: x_px differs at row 1; has the core static state?");
-  EXPECT_EQ(resumed_fault(core_for_test<Counting<true>>(), scenario_for_test(60)), std::nullopt);
+  EXPECT_EQ(resumed_fault(core_for_test<Counting<true>>(), scenario_for_test(60), 60), std::nullopt);
 }
 
 // Only the first run of a program is another.

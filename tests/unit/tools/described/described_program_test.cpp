@@ -10,6 +10,7 @@
 #include "tests/unit/sim/described/core_for_test.h"
 #include "tests/unit/sim/result/described.h"
 #include "tests/unit/tools/store/temp_folder.h"
+#include "tools/described/broken_rule.h"
 #include "tools/described/program.h"
 #include "tools/files/text_file.h"
 #include "tools/own_core/new_core.h.in"
@@ -301,6 +302,65 @@ TEST_F(DescribedProgram, ShrinkLeavesOutHoldsInputsByTheFrameAndJitter) {
   EXPECT_NE(text.find("\"steps\": 1,\n"), std::string::npos) << text;
   for (const char* const left_out : {"events", "hold", "inputs", "jitter"})
     EXPECT_EQ(text.find(left_out), std::string::npos) << text;
+}
+
+// The state that is not finite ends the run before what it forgets has a weight.
+struct EndsFirst {
+  double x = 0.0, y = 0.0, forgotten = 0.0;
+  int row = 0;
+  void step(double /*dt_s*/) {
+    y += forgotten;
+    forgotten = ++row == 20 ? 1.0 : 0.0;
+    if (row == 10) x = std::numeric_limits<double>::infinity();
+  }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("y_px", y);
+    see("row", row);
+  }
+};
+
+TEST_F(DescribedProgram, ARunThatEndedIsNotHeldToWhatWouldFollow) {
+  const auto rules =
+      broken_rules(core_of<EndsFirst>(), scenario_for_test(60), [](std::string_view) { return true; });
+  ASSERT_EQ(rules.size(), 1U);
+  EXPECT_EQ(rules.front().rule, "finite");
+}
+
+// What it throws tells a number.
+struct Loud {
+  double x = 0.0;
+  int row = 0;
+  void step(double dt_s) {
+    x += dt_s;
+    if (++row == 3) throw std::runtime_error("too long, at " + std::to_string(x));
+  }
+  template <class See>
+  void state(See&& see) {
+    see("x_px", x);
+    see("row", row);
+  }
+};
+
+TEST_F(DescribedProgram, ShrinkLeavesOutWhatOnlyChangesANumberOfATextThatIsThrown) {
+  write_text_file("loud.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 4}, "steps": 9,
+      "start": {"x_px": 0.3}, "events": [{"step": 0, "hitch": {"dt_s": 1}}]})");
+  const Outcome outcome = run<Loud>({"shrink", "loud.json", "-o", "small.json"});
+  EXPECT_NE(outcome.out.find("kept: too long, at 0.750000\n"), std::string::npos) << outcome.out;
+  const std::string text = read_text_file("small.json");
+  for (const char* const left_out : {"start", "hitch"})
+    EXPECT_EQ(text.find(left_out), std::string::npos) << text;
+}
+
+TEST_F(DescribedProgram, ShrinkOfAFaultAtRow0LeavesNoFrame) {
+  for (const std::string inputs : {"", R"(, "inputs": {"width_px": [800, 800, 800, 800]})"}) {
+    write_text_file("high.json", R"({"format": "hyrax-scenario/1", "clock": {"rate_hz": 60}, "steps": 4)" +
+                                     inputs + R"(, "expect": {"final": {"vx_px_per_s": [0, 1]}}})");
+    EXPECT_EQ(run({"shrink", "high.json", "-o", "small.json", "--force"}).exit_code, 0);
+    const std::string text = read_text_file("small.json");
+    EXPECT_NE(text.find("\"steps\": 0,\n"), std::string::npos) << text;
+  }
 }
 
 // Wind has no highest value; each frame's wind is within its limits.
