@@ -63,6 +63,8 @@ concept Recording = kIsNumber<T>;
 template <class T>
 concept UnscopedEnum = std::is_enum_v<T> && std::is_convertible_v<T, std::underlying_type_t<T>>;
 template <class T>
+concept ScopedEnum = std::is_enum_v<T> && !UnscopedEnum<T>;
+template <class T>
 concept Native = (std::is_arithmetic_v<T> || UnscopedEnum<T>)&&!Recording<T>;
 template <class T>
 concept Operand = Native<T> || Recording<T>;
@@ -119,6 +121,8 @@ struct Number {
   constexpr Number() = default;
   template <Native T>
   constexpr Number(T constant) : value(static_cast<double>(static_cast<NativeOf<kKind>>(constant))) {}
+  template <ScopedEnum T>
+  constexpr explicit Number(T constant) : Number(static_cast<std::underlying_type_t<T>>(constant)) {}
   template <NumberKind kOther>
   constexpr Number(const Number<kOther>& other) {
     constexpr Operator kTo = kKind == NumberKind::real     ? Operator::to_real
@@ -146,6 +150,11 @@ struct Number {
   constexpr explicit(kKind != NumberKind::whole || !kCounts<T>) operator T() const {
     if (!is_constant()) stop(kBecomesInteger);
     return static_cast<T>(native());
+  }
+  template <class T>
+  requires std::is_enum_v<T>
+  constexpr explicit operator T() const {
+    return static_cast<T>(static_cast<std::underlying_type_t<T>>(*this));
   }
   constexpr explicit operator bool() const { return *this != 0; }
 

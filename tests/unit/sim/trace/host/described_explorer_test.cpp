@@ -250,6 +250,19 @@ TEST_F(DescribedExplorer, CalculatesWithAnUnscopedEnumAsWithItsNumber) {
   EXPECT_EQ(why_incomplete<Geared<Wide>>(), why_incomplete<Geared<std::uint32_t>>());
 }
 
+struct CastsToNext : Nothing {
+  void end(auto& core) { core.mood = static_cast<Mood>((static_cast<Whole>(core.mood) + 1) % 3); }
+};
+struct ChoosesNext : Nothing {
+  void end(auto& core) {
+    core.mood = core.mood == Mood::calm ? Mood::wild : core.mood == Mood::wild ? Mood::tired : Mood::calm;
+  }
+};
+
+TEST_F(DescribedExplorer, CastsAScopedEnumToItsNumberAndBack) {
+  EXPECT_EQ(step_text(step_of<Core<CastsToNext>>()), step_text(step_of<Core<ChoosesNext>>()));
+}
+
 TEST_F(DescribedExplorer, TakesWhatIsDeclared) {
   EXPECT_EQ(step_of<Core<DeclaredTimer>>().paths[0].size(), 8U);
   EXPECT_NE(why_incomplete<Core<DeclaredTimer>>(), why_incomplete<Core<Nothing>>());
