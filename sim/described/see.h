@@ -206,31 +206,64 @@ struct ContactConditions : Conditions {
   void operator()(std::string_view name, T&& condition) {
     add(name, true, static_cast<bool>(condition));
   }
+  template <class... Given>
+  requires(!kIsNamed<Given...>) void operator()(Given&&... /*given*/) {
+    static_assert(kNever<Given...>, "hyrax: a contact is see(NAME, CONDITION)");
+  }
 };
 struct PropertyConditions : Conditions {
   using Conditions::Conditions;
-  template <class T>
-  void always(std::string_view name, T&& condition) {
-    add(name, true, static_cast<bool>(condition));
+  template <class... Given>
+  void always(Given&&... given) {
+    property(true, given...);
   }
+  template <class... Given>
+  void sometimes(Given&&... given) {
+    property(false, given...);
+  }
+  template <class Name, class... Given>
+  void operator()(const Name& name, Given&&... /*given*/) {
+    property(true, name);
+  }
+
+ private:
   template <class T>
-  void sometimes(std::string_view name, T&& condition) {
-    add(name, false, static_cast<bool>(condition));
+  void property(bool is_always, std::string_view name, T& condition) {
+    add(name, is_always, static_cast<bool>(condition));
+  }
+  template <class... Given>
+  requires(!kIsNamed<Given...>) void property(bool /*is_always*/, Given&... /*given*/) {
+    static_assert(kNever<Given...>,
+                  "hyrax: a property is see.always(NAME, CONDITION) or see.sometimes(NAME, CONDITION)");
   }
 };
 
 /// Takes any list, so that one that the visitors cannot pass is found.
 struct AnyVisitor {};
 
+// A list is wrong that is const for its visitor, or that cannot be called: `Found` then has the name twice
+// and &Found is ambiguous, whatever the access.
 // NOLINTBEGIN(bugprone-macro-parentheses): no type is in parentheses.
-#define HYRAX_LIST(name, Visitor)                          \
-  template <class C>                                       \
-  concept Has_##name = requires(C & core, Visitor & see) { \
-    core.name(see);                                        \
-  };                                                       \
-  template <class C>                                       \
-  inline constexpr bool kIsWrong_##name =                  \
-      !Has_##name<C> && (requires(C & core, AnyVisitor & see) { core.name(see); })
+#define HYRAX_LIST(name, Visitor)                                                 \
+  template <class C>                                                              \
+  concept Has_##name = requires(C & core, Visitor & see) {                        \
+    core.name(see);                                                               \
+  };                                                                              \
+  struct Another_##name {                                                         \
+    void name();                                                                  \
+  };                                                                              \
+  template <class C>                                                              \
+  struct Found_##name : C, Another_##name {};                                     \
+  template <class C>                                                              \
+  concept Hides_##name = std::is_class_v<C> && !std::is_final_v<C> && !requires { \
+    &C::name;                                                                     \
+  }                                                                               \
+  &&!requires { &Found_##name<C>::name; };                                        \
+  template <class C>                                                              \
+  concept IsWrong_##name = requires(C & core, const AnyVisitor& see) {            \
+    core.template name<AnyVisitor>(see);                                          \
+  }                                                                               \
+  || (!Has_##name<C> && (Hides_##name<C> || requires(C & core, AnyVisitor & see) { core.name(see); }))
 // NOLINTEND(bugprone-macro-parentheses)
 HYRAX_LIST(state, Describer<false>);
 HYRAX_LIST(inputs, Describer<false>);
@@ -244,9 +277,9 @@ HYRAX_LIST(properties, PropertyConditions);
 #define HYRAX_MISSPELT(wrong, right)                                          \
   static_assert(!(requires(C & core, AnyVisitor & see) { core.wrong(see); }), \
                 "hyrax_core: the list " #wrong "(see) is named " #right)
-#define HYRAX_BY_REFERENCE(name)     \
-  static_assert(!kIsWrong_##name<C>, \
-                "hyrax_core: the list " #name " is template <class See> void " #name "(See&& see)")
+#define HYRAX_PUBLIC(name)          \
+  static_assert(!IsWrong_##name<C>, \
+                "hyrax_core: the list " #name " is public template <class See> void " #name "(See&& see)")
 
 /// Refuses what is no core, each fault in a sentence.
 template <class C>
@@ -258,7 +291,8 @@ template <class C>
     static_assert(std::is_default_constructible_v<C>, "hyrax_core: has no default constructor");
     static_assert(std::is_copy_constructible_v<C>, "hyrax_core: is not copyable");
     static_assert(
-        requires(C & core) { core.step(1.0); }, "hyrax_core: has no void step(double dt_s)");
+        requires(C & core) { core.step(1.0); }, "hyrax_core: has no public void step(double dt_s)");
+    HYRAX_PUBLIC(state);
     static_assert(Has_state<C>, "hyrax_core: has no template <class See> void state(See&& see)");
     // No other list can be found: no member function template can, but by its name.
     HYRAX_MISSPELT(states, state);
@@ -279,12 +313,12 @@ template <class C>
     HYRAX_MISSPELT(property, properties);
     HYRAX_MISSPELT(invariants, properties);
     HYRAX_MISSPELT(checks, properties);
-    HYRAX_BY_REFERENCE(inputs);
-    HYRAX_BY_REFERENCE(parameters);
-    HYRAX_BY_REFERENCE(actions);
-    HYRAX_BY_REFERENCE(contacts);
-    HYRAX_BY_REFERENCE(outputs);
-    HYRAX_BY_REFERENCE(properties);
+    HYRAX_PUBLIC(inputs);
+    HYRAX_PUBLIC(parameters);
+    HYRAX_PUBLIC(actions);
+    HYRAX_PUBLIC(contacts);
+    HYRAX_PUBLIC(outputs);
+    HYRAX_PUBLIC(properties);
     return std::is_default_constructible_v<C> && std::is_copy_constructible_v<C> && Has_state<C> &&
            requires(C & core) {
       core.step(1.0);
@@ -292,7 +326,7 @@ template <class C>
   }
 }
 #undef HYRAX_MISSPELT
-#undef HYRAX_BY_REFERENCE
+#undef HYRAX_PUBLIC
 
 /// What a core declares; its name is left out.
 template <class C>

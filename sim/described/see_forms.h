@@ -110,8 +110,14 @@ struct Names {
   std::span<const NameText> names;
 };
 
-template <class>
+template <class...>
 inline constexpr bool kNever = false;
+
+/// Whether what see() is given begins with a name, and has more.
+template <class...>
+inline constexpr bool kIsNamed = false;
+template <class Name, class Next, class... More>
+inline constexpr bool kIsNamed<Name, Next, More...> = std::is_convertible_v<Name, std::string_view>;
 
 /// The forms of see(NAME, ...) in lists of values. A Visitor has enter(NAME or place), leave(),
 /// enter_range(length), value<T>(getter, setter, note).
@@ -136,6 +142,10 @@ class SeeValues {
     static_assert(kNever<T>, "hyrax: limits are two, {LOW, HIGH}");
   }
   template <class T, std::size_t N>
+  requires(N > 2) void operator()(std::string_view /*name*/, T&& /*at*/, const LimitOf<T> (&/*limits*/)[N]) {
+    static_assert(kNever<T>, "hyrax: limits are two, {LOW, HIGH}");
+  }
+  template <class T, std::size_t N>
   void operator()(std::string_view name, T&& at, const NameText (&names)[N]) {
     member(name, std::forward<T>(at), Names{names});
   }
@@ -154,6 +164,11 @@ class SeeValues {
     static_assert(kNever<Get>, "hyrax: limits are two, {LOW, HIGH}");
   }
   template <Getter Get, class Set, std::size_t N>
+  requires(N > 2) void operator()(std::string_view /*name*/, Get&& /*get*/, Set&& /*set*/,
+                                  const LimitOf<Get> (&/*limits*/)[N]) {
+    static_assert(kNever<Get>, "hyrax: limits are two, {LOW, HIGH}");
+  }
+  template <Getter Get, class Set, std::size_t N>
   void operator()(std::string_view name, Get&& get, Set&& set, const NameText (&names)[N]) {
     property(name, get, set, Names{names});
   }
@@ -168,6 +183,11 @@ class SeeValues {
     visitor().enter(name);
     objects(object, parts);
     visitor().leave();
+  }
+
+  template <class... Given>
+  requires(!kIsNamed<Given...>) void operator()(Given&&... /*given*/) {
+    static_assert(kNever<Given...>, "hyrax: a value is see(NAME, VALUE)");
   }
 
   void undeclared(std::string_view /*name*/) {}
@@ -211,7 +231,9 @@ class SeeValues {
     if constexpr (Text<V>) {
       static_assert(kNever<T>, "hyrax: a string is no value; declare a number or an enum with names");
     } else if constexpr (std::is_const_v<T> && !kIsOutput) {
-      static_assert(kNever<T>, "hyrax: a const member cannot be set, and need not be declared");
+      static_assert(kNever<T>,
+                    "hyrax: what is const cannot be set: a const member need not be declared, and a list of "
+                    "values that can be set is no const function");
     } else if constexpr (Value<V>) {
       value<V>([&]() -> V { return at; },
                [&]([[maybe_unused]] V given) {
@@ -224,7 +246,8 @@ class SeeValues {
     } else if constexpr (Range<T>) {
       each(at, [&](auto&& part) {
         using Part = decltype(part);
-        if constexpr (std::is_lvalue_reference_v<Part>) {
+        if constexpr (std::is_lvalue_reference_v<Part> &&
+                      std::is_const_v<T> >= std::is_const_v<std::remove_reference_t<Part>>) {
           element(part, note);
         } else if constexpr (std::is_same_v<LimitOf<V>, BoolLimit>) {  // Of std::vector<bool>.
           value<bool>([&]() -> bool { return part; },
@@ -234,7 +257,7 @@ class SeeValues {
                       note);
         } else {
           static_assert(kIsOutput || kNever<Part>,
-                        "hyrax: the elements of a range are temporaries, which cannot be set");
+                        "hyrax: the elements of a range are temporaries or const, and cannot be set");
           element(part, note);
         }
       });
@@ -319,6 +342,11 @@ class SeeActions {
   template <class F, std::size_t N>
   void operator()(std::string_view name, F&& act, const NameText (&names)[N]) {
     pass<N>(name, act, names);
+  }
+  template <class... Given>
+  requires(!kIsNamed<Given...>) void operator()(Given&&... /*given*/) {
+    static_assert(kNever<Given...>,
+                  "hyrax: an action is see(NAME, FUNCTION), or see(NAME, FUNCTION, {\"name\", ...})");
   }
 
  private:

@@ -190,14 +190,29 @@ STEPS = {
 STEP = "void step(double) {}"
 STATE = "template <class See> void state(See&& see) { see(\"x\", x); }"
 REFUSED = {
-    STATE: "hyrax_core: has no void step(double dt_s)",
+    STATE: "hyrax_core: has no public void step(double dt_s)",
     STEP: "hyrax_core: has no template <class See> void state(See&& see)",
     STEP + STATE + "std::unique_ptr<int> p;": "hyrax_core: is not copyable",
     STEP + STATE + "template <class See> void input(See&& see) { see(\"y\", x); }": "hyrax_core: the list input(see) is named inputs",
     STEP + STATE + "template <class See> void property(See&&) {}": "hyrax_core: the list property(see) is named properties",
     STEP + STATE + "template <class See> void collisions(See&&) const {}": "hyrax_core: the list collisions(see) is named contacts",
-    STEP + STATE + "template <class See> void inputs(See see) { see(\"y\", x); }": "hyrax_core: the list inputs is template <class See> void",
-    STEP + "template <class See> void state(See&& see) { see(\"x\", k); }": "hyrax: a const member cannot be set",
+    STEP + STATE + "template <class See> void inputs(See see) { see(\"y\", x); }": "hyrax_core: the list inputs is public template <class See> void",
+    STEP + STATE + "private: template <class See> void parameters(See&& see) { see(\"y\", x); }":
+        "hyrax_core: the list parameters is public template <class See> void",
+    STEP + STATE + "private: template <class See> void contacts(See&& see) const { see(\"y\", x > 0); }":
+        "hyrax_core: the list contacts is public template <class See> void",
+    STEP + "private: " + STATE: "hyrax_core: the list state is public template <class See> void",
+    STEP + "template <class See> void state(const See& see) { see(\"x\", x, {0.0, 1.0}); }": "hyrax_core: the list state is public template <class See> void",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", k); }": "hyrax: what is const cannot be set",
+    STEP + "template <class See> void state(See&& see) const { see(\"x\", x); }": "hyrax: what is const cannot be set",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", set); }": "hyrax: the elements of a range are temporaries or const",
+    STEP + "template <class See> void state(See&& see) { see(x); }": "hyrax: a value is see(NAME, VALUE)",
+    STEP + STATE + "template <class See> void actions(See&& see) { see([&] { x = 1; }); }": "hyrax: an action is see(NAME, FUNCTION)",
+    STEP + STATE + "template <class See> void contacts(See&& see) const { see(x > 0); }": "hyrax: a contact is see(NAME, CONDITION)",
+    STEP + STATE + "template <class See> void properties(See&& see) const { see(\"a\", x > 0); }":
+        "hyrax: a property is see.always(NAME, CONDITION) or see.sometimes(NAME, CONDITION)",
+    STEP + STATE + "template <class See> void properties(See&& see) const { see.always(x > 0); }":
+        "hyrax: a property is see.always(NAME, CONDITION) or see.sometimes(NAME, CONDITION)",
     STEP + "template <class See> void state(See&& see) { see(\"x\", x + 1); }": "hyrax: a temporary cannot be set",
     STEP + "template <class See> void state(See&& see) { see(\"x\", s); }": "hyrax: a string is no value",
     STEP + "template <class See> void state(See&& see) { see(\"x\", o); }": "hyrax: a value is a double, float, bool, integer or enum",
@@ -212,15 +227,20 @@ REFUSED = {
     STEP + "struct ball { double y = 0; " + STATE.replace("x", "y") + " } b; template <class See> void state(See&& see) { see(\"b\", b, {0.0, 1.0}); }":
         "hyrax: limits and names are of values, not of a struct",
     STEP + "template <class See> void state(See&& see) { see(\"x\", x, {1.0}); }": "hyrax: limits are two, {LOW, HIGH}",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", x, {}); }": "hyrax: limits are two, {LOW, HIGH}",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", x, {1.0, 2.0, 3.0}); }": "hyrax: limits are two, {LOW, HIGH}",
+    STEP + "template <class See> void state(See&& see) { see(\"x\", [&] { return x; }, [&](double y) { x = y; }, {1.0, 2.0, 3.0}); }":
+        "hyrax: limits are two, {LOW, HIGH}",
     STEP + "template <class See> void state(See&& see) { see(\"x\", [&] { return x; }, [&](double y) { x = y; }, {1.0}); }":
         "hyrax: limits are two, {LOW, HIGH}",
     STEP + "bool b; template <class See> void state(See&& see) { see(\"b\", b, {\"no\", \"yes\"}); }": "hyrax: names are of the values of an enum or integer",
 }
 HEADER = """#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 struct unknown { double x = 0; };
-struct hyrax_core { double x = 0; const double k = 1; std::string s; std::optional<double> o; unknown u;
+struct hyrax_core { double x = 0; const double k = 1; std::string s; std::set<int> set; std::optional<double> o; unknown u;
 %s };
 """
 
