@@ -19,12 +19,13 @@ bool is_non_finite(const DifferenceGroup& group) { return group.cause.kind == Ca
 // Three digits say how far; more are in the JSON document.
 std::string px_text(double px) { return rounded(px, 3) + " px"; }
 
-std::string_view class_text(DifferenceClass difference) {
-  switch (difference) {
+// Contacts that moved are of no wider class where the rows are not known.
+std::string_view class_text(const DifferenceGroup& group) {
+  switch (group.difference) {
     case DifferenceClass::rounding:
       return "Rounding only";
     case DifferenceClass::values:
-      return "Values differ, contacts do not";
+      return group.contacts.total() > 0 ? "Values differ" : "Values differ, contacts do not";
     case DifferenceClass::contacts:
       return "Contacts differ";
     case DifferenceClass::shape:
@@ -132,10 +133,13 @@ Json group_json(const DifferenceGroup& group) {
 
 std::string consequence_sentence(const DifferenceGroup& group) {
   if (is_non_finite(group)) return "A run ends with its first row that is not finite, and is not blessed.";
-  std::string text = fmt::format("{} (class {}): ", class_text(group.difference), name_of(group.difference));
+  std::string text = fmt::format("{} (class {}): ", class_text(group), name_of(group.difference));
+  const bool is_known = std::ranges::all_of(
+      group.scenarios, [](const ScenarioVerdict* scenario) { return scenario->deviation().px.has_value(); });
   if (group.max_px)
-    text += *group.max_px > 0.0 ? fmt::format("at most {} apart, ", px_text(*group.max_px))
-                                : "no position differs, ";
+    text += (*group.max_px > 0.0 ? fmt::format("at most {} apart", px_text(*group.max_px))
+                                 : "no position differs") +
+            (is_known ? ", " : " where the rows are known, ");
   return text + contacts_text(group.contacts) + rest_text(group) + ".";
 }
 
