@@ -258,6 +258,7 @@ struct AnyVisitor {};
   concept Hides_##name = std::is_class_v<C> && !std::is_final_v<C> && !requires { \
     &C::name;                                                                     \
   }                                                                               \
+  &&!requires { typename C::name; }                                               \
   &&!requires { &Found_##name<C>::name; };                                        \
   template <class C>                                                              \
   concept IsWrong_##name = requires(C & core, const AnyVisitor& see) {            \

@@ -23,7 +23,7 @@ add_custom_target(page_packages DEPENDS ${page_folder}/packages.stamp)
 
 # A build of its own, for another processor: it finds out itself what to build, which takes a second even where that is
 # nothing. So it runs where there is no core yet, where the pages call it in another way, and where the target `page` asks
-# for it: not after each edit of a source of hyrax-sim. A page whose core is older than the program's says so, and `report` fails.
+# for it: not after each edit of a source of hyrax-sim. A page whose core is older than the program's plays the step that it carries.
 set(core ${page_folder}/wasm/page_core.wasm)
 set(core_record ${PROJECT_BINARY_DIR}/sim/hyrax_core_record)
 if(HYRAX_CORE_RECORD)

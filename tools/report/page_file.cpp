@@ -29,6 +29,15 @@ std::string script_text(const Json& data) {
 
 }  // namespace
 
+std::string_view page_core_fingerprint() {
+  constexpr std::string_view kBegin = " data-fingerprint=\"";
+  const std::string_view page = page_template(PageKind::runs);
+  const std::size_t place = page.find(kBegin);
+  if (place == std::string_view::npos) return {};
+  const std::size_t begin = place + kBegin.size();
+  return page.substr(begin, page.find('"', begin) - begin);
+}
+
 void require_page() {
   if (page_template(PageKind::runs).empty())
     throw Failure(ExitCode::cannot_access,

@@ -18,7 +18,7 @@ enum class PageKind {
 /// HYRAX_PAGE).
 [[nodiscard]] std::string_view page_template(PageKind kind);
 
-/// fingerprint_of the core that the page of runs replays, as text. REQUIRES: the program has that page.
+/// fingerprint_of the core that the page of runs replays, as text; empty if the program has no pages.
 [[nodiscard]] std::string_view page_core_fingerprint();
 
 /// Throws Failure(cannot_access) if this program was built without the pages, and says how to build them.

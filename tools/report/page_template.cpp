@@ -27,13 +27,4 @@ std::string_view page_template([[maybe_unused]] PageKind kind) {
 #endif
 }
 
-std::string_view page_core_fingerprint() {
-  constexpr std::string_view kBegin = " data-fingerprint=\"";
-  const std::string_view page = page_template(PageKind::runs);
-  const std::size_t place = page.find(kBegin);
-  if (place == std::string_view::npos) return {};
-  const std::size_t begin = place + kBegin.size();
-  return page.substr(begin, page.find('"', begin) - begin);
-}
-
 }  // namespace hyrax

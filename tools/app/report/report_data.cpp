@@ -19,6 +19,7 @@
 #include "tools/files/build_info.h"
 #include "tools/files/non_finite_text.h"
 #include "tools/files/scenario_writer.h"
+#include "tools/report/page_file.h"
 #include "tools/report/wasm/scenario_record.h"
 #include "tools/run_core/run_core.h"
 #include "tools/store/trajectory_file.h"
@@ -134,9 +135,8 @@ Json errors_json(const DriftSummary& summary) {
                       {"energy_drift_rel", value(summary.energy_drift_rel_max)}};
 }
 
-// A page has the shipped core, and plays another by the text of its step. Empty: it plays this one.
+// A page plays a core that is not its own by the text of its step. Empty: it plays this one.
 std::string why_not_replayed(const Core& core) {
-  if (is_paper_model(core.name)) return "";
   const std::string name(core.name);
   if (core.record.step.empty())
     return "the step of the core " + name + " is not complete (" + std::string(core.record.why_incomplete) +
@@ -244,6 +244,11 @@ Json run_data(const Core& own_core, const TrajectoryFile& file, std::int64_t row
 
 }  // namespace
 
+bool is_core_of_page(const Core& core) {
+  const std::string_view own = page_core_fingerprint();
+  return is_paper_model(core.name) && (own.empty() || own == hex(fingerprint_of(core)));
+}
+
 Json doubles_json(const std::vector<double>& values) {
   std::string bytes(values.size() * sizeof(double), '\0');
   for (std::size_t index = 0; index < values.size(); ++index)
@@ -273,7 +278,8 @@ Json parameters_json(const Core& core) {
 
 Json report_data(const Core& core, const ReportRequest& request) {
   Json::Array runs;
-  const std::string why_not = why_not_replayed(core);
+  const bool is_of_page = is_core_of_page(core);
+  const std::string why_not = is_of_page ? "" : why_not_replayed(core);
   // Many runs share the room for rows, unless nothing else is shown of them.
   constexpr std::size_t kAllRows = 50'000;
   const std::int64_t rows_max =
@@ -301,8 +307,7 @@ Json report_data(const Core& core, const ReportRequest& request) {
       {"core", core.name},
       {"no_replay", why_not.empty() ? Json() : Json(why_not)},
       {"core_fingerprint", why_not.empty() ? Json(hex(fingerprint_of(core))) : Json()},
-      {"core_step",
-       why_not.empty() && !is_paper_model(core.name) ? Json(std::string(core.record.step)) : Json()},
+      {"core_step", why_not.empty() && !is_of_page ? Json(std::string(core.record.step)) : Json()},
       {"command", request.command},
       {"runs", std::move(runs)}};
 }

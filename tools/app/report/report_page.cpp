@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "sim/replay/fingerprint.h"
-#include "sim/trajectory/physics_model.h"
 #include "tools/app/command_line/shell_command.h"
 #include "tools/app/sweep/member_result.h"
 #include "tools/files/failure.h"
@@ -18,24 +16,10 @@
 namespace hyrax {
 namespace {
 
-// Whether the page replays what it shows.
-bool write_sweeps(const Core& core, const ReportRequest& request) {
+void write_sweeps(const Core& core, const ReportRequest& request) {
   const std::vector<ShownResult> results = shown_sweeps(
       request.files, request.against, [&](const std::string& path) { return sweep_result(core, path); });
   write_result_page(request.output, request.command, results);
-  return !std::ranges::all_of(results, &Json::is_null, &ShownResult::members);
-}
-
-// The page says so, too: it is written all the same. That of another core replays nothing.
-void require_core_of_page(const Core& core, const std::string& output) {
-  if (!is_paper_model(core.name)) return;
-  const std::string own = hex(fingerprint_of(core));
-  if (page_core_fingerprint() == own) return;
-  throw Failure(ExitCode::program_fault,
-                output + ": replays another core than this program's (found fingerprint " +
-                    std::string(page_core_fingerprint()) + "; this program's is " + own +
-                    "): the page was not built again after the core changed; to do so: tools/run SCENARIO "
-                    "--report FILE.html, or cmake --build DIR --target page, then cmake --build DIR");
 }
 
 // The window with the path of the sprite's centre, to scale.
@@ -98,15 +82,11 @@ void write_report(const Core& core, const ReportRequest& request) {
   if (format == kStudyFormat)
     refuse_input(first + ": is a file of a study; its page: " +
                  program_command({"study", "NAME", "--report", "FILE.html"}));
-  if (format == kEnsembleFormat) {
-    if (write_sweeps(core, request)) require_core_of_page(core, request.output);
-    return;
-  }
+  if (format == kEnsembleFormat) return write_sweeps(core, request);
   const Json data = report_data(core, request);  // First: a bad input is reported by any build.
   const std::vector<RunPanel> panels = request.panels.empty() ? panels_of(request, data) : request.panels;
   write_page_file(request.output, PageKind::runs, data, still_html(request, data),
                   panels.empty() ? "" : contact_sheet_html(panels, true));
-  require_core_of_page(core, request.output);
 }
 
 }  // namespace hyrax

@@ -24,6 +24,10 @@ struct ReportRequest {
   std::vector<RunPanel> panels = {};      ///< Of the sheet of several; empty: made of the files.
 };
 
+/// Whether a page's own core is this one; else it is that of another header (tools/check), or the page was
+/// not built again. A program without pages has none that differs.
+[[nodiscard]] bool is_core_of_page(const Core& core);
+
 /// The data of the page: the runs, their verdicts, and the rows that it must replay bit for bit.
 /// ERRORS: as TrajectoryFile::open's.
 [[nodiscard]] Json report_data(const Core& core, const ReportRequest& request);

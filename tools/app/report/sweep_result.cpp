@@ -74,7 +74,10 @@ ShownResult sweep_result(const Core& core, const std::string& path) {
     result.verdict.text.emplace_back(
         computed_by.empty() ? "No member is replayed: the file does not name the core that computed it."
                             : "No member is replayed: another core than this program's computed them.");
-  if (is_own && is_paper_model(core.name)) result.members = members_json(core, path, reader, sweep, numbers);
+  const bool is_replayed = is_own && is_core_of_page(core);
+  if (is_own && is_paper_model(core.name) && !is_replayed)
+    result.verdict.text.emplace_back("No member is replayed: the page has another core than this program.");
+  if (is_replayed) result.members = members_json(core, path, reader, sweep, numbers);
   return result;
 }
 

@@ -14,6 +14,11 @@ enum PlainGear : std::int8_t { kReverse = -1, kNeutral, kFirst };
 
 enum class FormSide : bool { left, right };
 struct Sided {
+  // Members with the names of lists, which they are not.
+  struct inputs {};
+  enum class actions {};
+  int contacts = 0;
+  static void parameters(int /*unused*/) {}
   FormSide side = FormSide::right, other = FormSide::left;
   void step(double /*dt_s*/) { other = side; }
   template <class See>

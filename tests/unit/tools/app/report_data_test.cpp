@@ -7,6 +7,7 @@
 
 #include "sim/core/listing_core.h"
 #include "sim/core/shipped_core.h"
+#include "sim/replay/fingerprint.h"
 #include "tests/unit/sim/replay/some_flings.h"
 #include "tests/unit/sim/replay/trace_sink.h"
 #include "tests/unit/sim/result/described.h"
@@ -17,8 +18,18 @@
 #include "tools/app/runs/scenario_run.h"
 #include "tools/app/sweep/sweep_run.h"
 #include "tools/files/sweep_reader.h"
+#include "tools/report/page_file.h"
 
 namespace hyrax {
+namespace {
+
+std::string page_of_test;
+
+}  // namespace
+
+// Replaces the page templates, which an everyday build lacks.
+std::string_view page_template(PageKind /*kind*/) { return page_of_test; }
+
 namespace {
 
 std::vector<double> doubles_of(const std::string& base64) {
@@ -120,6 +131,30 @@ TEST(ReportData, OfASweepThatAnotherCoreComputedHasNoMembersToReplayAndSaysSo) {
     EXPECT_TRUE(page.members.is_null());
   }
   EXPECT_FALSE(sweep_page(folder, shipped_core().record.checksum()).members.is_null());
+}
+
+// A program of tools/check has another core than its page, under the same name.
+TEST(ReportData, OfAnotherCoreThanThePagesHasTheStepByWhichThePageReplays) {
+  const TempFolder folder;
+  static_cast<void>(write_run(shipped_core(), folder.at("run.h5"), fling_at(60.0, 9), {}));
+  const auto data_of = [&](const Core& core) {
+    return report_data(core, {.files = {folder.at("run.h5")}, .output = "page.html", .command = "c"});
+  };
+  const std::string shipped = hex(fingerprint_of(shipped_core()));
+  Core incomplete = shipped_core();
+  incomplete.record.step = {};
+  incomplete.record.why_incomplete = "the step calls clock";
+  for (const std::string& own : {shipped, std::string(32, '7')}) {
+    page_of_test = "<html data-fingerprint=\"" + own + "\">";
+    const bool is_another = own != shipped;
+    EXPECT_EQ(data_of(shipped_core()).find("core_step")->is_null(), !is_another);
+    EXPECT_TRUE(data_of(shipped_core()).find("no_replay")->is_null());
+    EXPECT_EQ(
+        to_text(*data_of(incomplete).find("no_replay")).find("the step calls clock") != std::string::npos,
+        is_another);
+    EXPECT_EQ(sweep_page(folder, shipped_core().record.checksum()).members.is_null(), is_another);
+  }
+  page_of_test.clear();
 }
 
 // The page's core has its own constants.
