@@ -21,7 +21,7 @@ class RunComparer : public ContactRecorder {
   using Expand = std::function<RowBlock(const StoredBlock&)>;
 
   /// Refers to `kept`. REQUIRES: `expand` is a function.
-  /// @param other_walls whose contacts have another source in both runs: they set no class.
+  /// @param other_walls whose contacts have other sources in the two runs: they are left to the caller.
   RunComparer(const StoredRun& kept, Expand expand, int other_walls = 0)
       : kept_(kept), expand_(std::move(expand)), other_walls_(other_walls), distance_(other_walls) {}
 

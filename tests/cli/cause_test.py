@@ -15,7 +15,7 @@ import xxhash
 
 from check_program import CheckTest
 from process import run
-from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, fling
+from program import AGREED, BAD_INPUT, DISAGREED, GOLDEN_MISSING, SOURCE, fling
 
 ALTERED = os.environ["HYRAX_ALTERED_SIM"]
 
@@ -79,6 +79,18 @@ class Causes(CauseTest):
                                    exit_code=AGREED if arguments else DISAGREED)
             self.assertIn("core of other/golden: changed\n", outcome.out)
         self.assertIn("core of golden: the accepted one\n", outcome.out)
+
+    def test_walls_of_which_one_step_tells_and_the_other_does_not_are_compared_by_rows(self):
+        self.write("scenarios/slide.json", (SOURCE / "scenarios/flings/slide-and-refling.json").read_text())
+        self.write("scenarios/hour.json", (SOURCE / "scenarios/clocks/hour-at-60-hz.json").read_text())
+        self.bless("scenarios")
+        for path in ("scenarios/slide.json", "scenarios/hour.json"):
+            self.altered("position_before_velocity", path, "-o", "now.h5", command=("run",))
+            entry, = self.altered("position_before_velocity", path, "--json").json["results"]
+            diff = self.expect(DISAGREED, "diff", path.replace("scenarios", "golden").replace("json", "h5"), "now.h5", "--json").json
+            moved = sum(diff["contacts"].values())
+            self.assertGreater(moved, 0)
+            self.assertEqual((entry["class"], entry["contacts_moved"]), ("contacts", moved), path)
 
     def test_a_damaged_accepted_core_is_a_disagreement(self):
         (self.folder / "golden/core/step.txt").unlink()

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "sim/compare/run_comparer.h"
+#include "sim/core/contact_stepper.h"
 #include "sim/core/listing_core.h"
 #include "sim/replay/replay.h"
 #include "sim/scenario/frame_clock.h"
 #include "sim/scenario/schedule.h"
+#include "sim/trajectory/input_playback.h"
 #include "tools/app/expect/judged_run.h"
 #include "tools/files/scenario_changes.h"
 
@@ -105,25 +108,71 @@ std::optional<double> at_rest_since_s(const Columns& rows) {
   return anchor.at_rest_since_s(rows.t_s.back());
 }
 
+// The contacts of a run at these walls, by its rows alone: which, and their steps.
+std::vector<Contact> contacts_by_rows(const RowBatches& rows, const Scenario& scenario,
+                                      std::vector<Input> inputs, std::uint8_t walls) {
+  InputPlayback playback(scenario, std::move(inputs));
+  std::vector<Contact> contacts;
+  PerWall<std::size_t> latest{};
+  std::uint8_t contact_before = 0;
+  std::optional<Row> from;
+  for (RowCursor cursor(rows); !cursor.is_done(); cursor.next()) {
+    const Row row = cursor.row();
+    std::uint8_t contact = 0;
+    if (from && !playback.is_held())
+      contact = contact_of_rows(playback.bounds(), state_of(*from), row.dt_s, state_of(row));
+    for (const Wall wall : kWalls) {
+      if (!touches(contact, wall) || !touches(walls, wall)) continue;
+      if (!touches(contact_before, wall)) {
+        if (std::ssize(contacts) == kContactsRecordedMax) return contacts;
+        latest[wall] = contacts.size();
+        contacts.push_back({.step = row.step, .wall = wall, .t_s = row.t_s});
+      }
+      contacts[latest[wall]].last_step = row.step;
+    }
+    contact_before = contact;
+    from = row;
+    playback.apply(*from);
+  }
+  return contacts;
+}
+
+void add_contacts(ContactChanges changes, Comparison& comparison) {
+  if (changes.is_none()) return;
+  ContactChanges& all = comparison.contacts;
+  std::ranges::move(changes.moved, std::back_inserter(all.moved));
+  std::ranges::move(changes.only_a, std::back_inserter(all.only_a));
+  std::ranges::move(changes.only_b, std::back_inserter(all.only_b));
+  all.is_cut |= changes.is_cut;
+  comparison.difference = std::max(*comparison.difference, DifferenceClass::contacts);
+}
+
 // What a comparison by rows and blocks does not say.
+// @param other_walls whose contacts have other sources in the two runs: they are compared by rows.
 void measure_whole(const Core& core, const StoredRun& kept, const Scenario& scenario,
-                   const std::vector<Core>& restoring, Comparison& comparison) {
+                   const std::vector<Core>& restoring, std::uint8_t other_walls, Comparison& comparison) {
   RestoredRun whole;
   if (!kept.blocks.empty()) whole = restored(restoring, kept, step_count(scenario));
   RunEnd& end = comparison.expected_end;
   end.is_rest_known = kept.blocks.empty() || whole.core != nullptr;
   end.settled_since_s = kept.blocks.empty() ? at_rest_since_s(kept.rows) : whole.summary.at_rest_since_s;
   Distance& distance = comparison.distance;
-  if (!distance.is_at_equal_times) return;
+  if (!distance.is_at_equal_times && other_walls == 0) return;
   if (!end.is_rest_known) {
+    if (!distance.is_at_equal_times) return;
     distance.largest.reset();
     distance.has_unknown_rows = true;
     return;
   }
-  const RowBatches rows =
+  const RowBatches kept_rows =
       whole.core != nullptr ? played_rows(*whole.core, kept.scenario) : batches_of(kept.rows);
-  distance = walk_equal_times({rows, kept.inputs},
-                              {played_rows(core, scenario), inputs_of(scenario, step_count(scenario))});
+  const TimedRun played{played_rows(core, scenario), inputs_of(scenario, step_count(scenario))};
+  if (other_walls != 0)
+    add_contacts(contact_changes(contacts_by_rows(kept_rows, kept.scenario, kept.inputs, other_walls),
+                                 contacts_by_rows(played.rows, scenario, played.inputs, other_walls)),
+                 comparison);
+  if (!distance.is_at_equal_times) return;
+  distance = walk_equal_times({kept_rows, kept.inputs}, played);
   if (std::min(kept.steps, step_count(scenario)) > kRowsPlayedMax) distance.rows_max = kRowsPlayedMax;
 }
 
@@ -132,9 +181,9 @@ void measure_whole(const Core& core, const StoredRun& kept, const Scenario& scen
 ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario& scenario,
                          std::vector<Core> restoring) {
   restoring.push_back(core);
+  const auto other_walls = static_cast<std::uint8_t>(kept.walls_of_rows ^ core.walls_of_rows);
   RunComparer comparer(
-      kept, [&](const StoredBlock& block) { return expand(restoring, kept.scenario, block); },
-      kept.walls_of_rows ^ core.walls_of_rows);
+      kept, [&](const StoredBlock& block) { return expand(restoring, kept.scenario, block); }, other_walls);
   const RunSummary summary = replay(core, scenario, comparer, judged_options(scenario));
   ComparedRun compared{comparer.finish(scenario, core.name, summary), summary};
   if (const std::string changes = scenario_changes(kept.scenario, scenario); !changes.empty())
@@ -142,7 +191,7 @@ ComparedRun compare_with(const Core& core, const StoredRun& kept, const Scenario
   if (compared.comparison.agrees)
     compared.comparison.expected_end = compared.comparison.actual_end;
   else
-    measure_whole(core, kept, scenario, restoring, compared.comparison);
+    measure_whole(core, kept, scenario, restoring, other_walls, compared.comparison);
   return compared;
 }
 
