@@ -149,6 +149,11 @@ class StandardInput(ProgramTest):
             err = self.piped(BAD_INPUT, command, "-", document=fling(steps=-1)).err
             self.assertTrue(err.startswith("-: /steps: "), err)
 
+    def test_it_cannot_be_read_again_by_processes_that_measure_costs(self):
+        self.assertEqual(self.piped(BAD_INPUT, "study", "needs", "-", "--quick", "--no-figures").err,
+                         "-: processes that measure costs cannot read standard input again; name a scenario file\n")
+        self.assertEqual(self.piped(AGREED, "study", "hard-cases", "-", "--no-figures", "-q").out, "hard-cases: all rules hold\n")
+
     def test_it_has_no_golden_file(self):
         for arguments in (("check", "-"), ("bless", "-", "--reason", "x", "--golden", "golden")):
             outcome = self.piped(BAD_INPUT, *arguments)

@@ -75,6 +75,8 @@ class CostProcesses {
 
  private:
   [[nodiscard]] std::string printed_by(int process) const {
+    if (std::ranges::count(input_.scenarios, "-") > 0)
+      refuse_input("-: processes that measure costs cannot read standard input again; name a scenario file");
     std::vector<std::string> words = input_.words;
     words.insert(words.begin(), "hyrax-sim");
     words.insert(words.end(), {kCostsOption, std::to_string(process)});
