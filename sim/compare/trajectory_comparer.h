@@ -38,7 +38,9 @@ struct WorstDifference {
 
 class TrajectoryComparer {
  public:
-  explicit TrajectoryComparer(Tolerance tolerance) : tolerance_(tolerance) {}
+  /// @param other_walls whose contacts have other sources in the rows: these set no class.
+  explicit TrajectoryComparer(Tolerance tolerance, int other_walls = 0)
+      : tolerance_(tolerance), distance_(other_walls) {}
 
   /// REQUIRES: rows of the same number, in order of steps.
   void compare(const Row& a, const Row& b);

@@ -81,10 +81,10 @@ class Causes(CauseTest):
         self.assertIn("core of golden: the accepted one\n", outcome.out)
 
     def test_walls_of_which_one_step_tells_and_the_other_does_not_are_compared_by_rows(self):
-        self.write("scenarios/slide.json", (SOURCE / "scenarios/flings/slide-and-refling.json").read_text())
+        self.write("scenarios/edge.json", (SOURCE / "scenarios/flings/window-edge-dragged.json").read_text())
         self.write("scenarios/hour.json", (SOURCE / "scenarios/clocks/hour-at-60-hz.json").read_text())
         self.bless("scenarios")
-        for path in ("scenarios/slide.json", "scenarios/hour.json"):
+        for path in ("scenarios/edge.json", "scenarios/hour.json"):
             self.altered("position_before_velocity", path, "-o", "now.h5", command=("run",))
             entry, = self.altered("position_before_velocity", path, "--json").json["results"]
             diff = self.expect(DISAGREED, "diff", path.replace("scenarios", "golden").replace("json", "h5"), "now.h5", "--json").json

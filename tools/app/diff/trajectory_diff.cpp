@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "sim/core/listing_core.h"
@@ -39,6 +40,16 @@ FileRows rows_of(const Core& own_core, const TrajectoryFile& file) {
                                    hex(replay(*core, scenario).state_hash) == file.head().state_hash;
   if (rows.are_played) rows.run.rows = played_rows(*core, scenario);
   return rows;
+}
+
+// @param by_rows the walls whose contacts are not those of the file.
+std::vector<Contact> contacts_of(const TrajectoryFile& file, const FileRows& rows, std::uint8_t by_rows) {
+  std::vector<Contact> contacts = file.contacts();
+  if (by_rows == 0) return contacts;
+  std::erase_if(contacts, [&](const Contact& contact) { return touches(by_rows, contact.wall); });
+  std::ranges::move(contacts_by_rows(rows.run, file.head().scenario, by_rows), std::back_inserter(contacts));
+  std::ranges::sort(contacts, {}, order_of);
+  return contacts;
 }
 
 RunEnd end_of(const TrajectoryFile& file) {
@@ -106,7 +117,10 @@ bool TrajectoryDiff::has_differences() const {
 
 TrajectoryDiff diff_trajectories(const Core& core, const TrajectoryFile& a, const TrajectoryFile& b,
                                  const Tolerance& tolerance, Overlay* overlay) {
-  TrajectoryDiff diff(tolerance);
+  const FileRows rows_a = rows_of(core, a), rows_b = rows_of(core, b);
+  const auto other_walls =
+      static_cast<std::uint8_t>(rows_a.are_all && rows_b.are_all ? a.walls_of_rows() ^ b.walls_of_rows() : 0);
+  TrajectoryDiff diff(tolerance, other_walls);
   if (a.head().constants && b.head().constants) diff.energy.emplace(a.head().constants->gravity_px_per_s2);
   Comparison& comparison = diff.comparison;
   const auto draw = [overlay](const Row& row_a, const Row& row_b) {
@@ -118,7 +132,6 @@ TrajectoryDiff diff_trajectories(const Core& core, const TrajectoryFile& a, cons
     if (diff.energy) diff.energy->add(row_a, row_b);
     draw(row_a, row_b);
   };
-  const FileRows rows_a = rows_of(core, a), rows_b = rows_of(core, b);
   const bool are_played = rows_a.are_played || rows_b.are_played;
   const auto lone_step = walk_by_step(RowCursor(batches_of(a)), RowCursor(batches_of(b)),
                                       [&](const Row& row_a, const Row& row_b) {
@@ -134,13 +147,15 @@ TrajectoryDiff diff_trajectories(const Core& core, const TrajectoryFile& a, cons
     comparison.distance = walk_equal_times(rows_of(core, a).run, rows_of(core, b).run, draw);
   }
   comparison.distance.has_unknown_rows = !rows_a.are_all || !rows_b.are_all;
-  diff.values.compare(a.contacts(), b.contacts());
+  const std::vector<Contact> contacts_a = contacts_of(a, rows_a, other_walls);
+  const std::vector<Contact> contacts_b = contacts_of(b, rows_b, other_walls);
+  diff.values.compare(contacts_a, contacts_b);
   comparison.first = diff.values.first();
   comparison.contacts = diff.values.contacts();
   comparison.expected_end = end_of(a);
   comparison.actual_end = end_of(b);
-  diff.contacts_total_a = a.contacts_total();
-  diff.contacts_total_b = b.contacts_total();
+  diff.contacts_total_a = other_walls == 0 ? a.contacts_total() : std::ssize(contacts_a);
+  diff.contacts_total_b = other_walls == 0 ? b.contacts_total() : std::ssize(contacts_b);
   comparison.shape = difference_in_shape(a, b, tolerance, diff, lone_step);
   if (a.head().physics != b.head().physics)
     comparison.physics = "the physics models differ: " + a.head().physics + " and " + b.head().physics;

@@ -14,7 +14,7 @@
 namespace hyrax {
 
 struct TrajectoryDiff {
-  explicit TrajectoryDiff(const Tolerance& tolerance) : values(tolerance) {}
+  explicit TrajectoryDiff(const Tolerance& tolerance, int other_walls = 0) : values(tolerance, other_walls) {}
 
   Comparison comparison;
   TrajectoryComparer values;

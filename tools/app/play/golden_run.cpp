@@ -108,35 +108,6 @@ std::optional<double> at_rest_since_s(const Columns& rows) {
   return anchor.at_rest_since_s(rows.t_s.back());
 }
 
-// The contacts of a run at these walls, by its rows alone: which, and their steps.
-std::vector<Contact> contacts_by_rows(const RowBatches& rows, const Scenario& scenario,
-                                      std::vector<Input> inputs, std::uint8_t walls) {
-  InputPlayback playback(scenario, std::move(inputs));
-  std::vector<Contact> contacts;
-  PerWall<std::size_t> latest{};
-  std::uint8_t contact_before = 0;
-  std::optional<Row> from;
-  for (RowCursor cursor(rows); !cursor.is_done(); cursor.next()) {
-    const Row row = cursor.row();
-    std::uint8_t contact = 0;
-    if (from && !playback.is_held())
-      contact = contact_of_rows(playback.bounds(), state_of(*from), row.dt_s, state_of(row));
-    for (const Wall wall : kWalls) {
-      if (!touches(contact, wall) || !touches(walls, wall)) continue;
-      if (!touches(contact_before, wall)) {
-        if (std::ssize(contacts) == kContactsRecordedMax) return contacts;
-        latest[wall] = contacts.size();
-        contacts.push_back({.step = row.step, .wall = wall, .t_s = row.t_s});
-      }
-      contacts[latest[wall]].last_step = row.step;
-    }
-    contact_before = contact;
-    from = row;
-    playback.apply(*from);
-  }
-  return contacts;
-}
-
 void add_contacts(ContactChanges changes, Comparison& comparison) {
   if (changes.is_none()) return;
   ContactChanges& all = comparison.contacts;
@@ -164,15 +135,15 @@ void measure_whole(const Core& core, const StoredRun& kept, const Scenario& scen
     distance.has_unknown_rows = true;
     return;
   }
-  const RowBatches kept_rows =
-      whole.core != nullptr ? played_rows(*whole.core, kept.scenario) : batches_of(kept.rows);
+  const TimedRun expected{
+      whole.core != nullptr ? played_rows(*whole.core, kept.scenario) : batches_of(kept.rows), kept.inputs};
   const TimedRun played{played_rows(core, scenario), inputs_of(scenario, step_count(scenario))};
   if (other_walls != 0)
-    add_contacts(contact_changes(contacts_by_rows(kept_rows, kept.scenario, kept.inputs, other_walls),
-                                 contacts_by_rows(played.rows, scenario, played.inputs, other_walls)),
+    add_contacts(contact_changes(contacts_by_rows(expected, kept.scenario, other_walls),
+                                 contacts_by_rows(played, scenario, other_walls)),
                  comparison);
   if (!distance.is_at_equal_times) return;
-  distance = walk_equal_times({kept_rows, kept.inputs}, played);
+  distance = walk_equal_times(expected, played);
   if (std::min(kept.steps, step_count(scenario)) > kRowsPlayedMax) distance.rows_max = kRowsPlayedMax;
 }
 
@@ -199,6 +170,33 @@ bool gives_its_rows(const Core& core, const StoredRun& kept) {
   const std::optional<Core> played = with_parameters(core, kept.scenario.parameters);
   return played && kept.steps <= kRowsPlayedMax && step_count(kept.scenario) == kept.steps &&
          compare_with(*played, kept, kept.scenario).comparison.agrees;
+}
+
+std::vector<Contact> contacts_by_rows(const TimedRun& run, const Scenario& scenario, std::uint8_t walls) {
+  InputPlayback playback(scenario, run.inputs);
+  std::vector<Contact> contacts;
+  PerWall<std::size_t> latest{};
+  std::uint8_t contact_before = 0;
+  std::optional<Row> from;
+  for (RowCursor cursor(run.rows); !cursor.is_done(); cursor.next()) {
+    const Row row = cursor.row();
+    std::uint8_t contact = 0;
+    if (from && !playback.is_held())
+      contact = contact_of_rows(playback.bounds(), state_of(*from), row.dt_s, state_of(row));
+    for (const Wall wall : kWalls) {
+      if (!touches(contact, wall) || !touches(walls, wall)) continue;
+      if (!touches(contact_before, wall)) {
+        if (std::ssize(contacts) == kContactsRecordedMax) return contacts;
+        latest[wall] = contacts.size();
+        contacts.push_back({.step = row.step, .wall = wall, .t_s = row.t_s});
+      }
+      contacts[latest[wall]].last_step = row.step;
+    }
+    contact_before = contact;
+    from = row;
+    playback.apply(*from);
+  }
+  return contacts;
 }
 
 FreshRun play_for_golden(const Core& core, const Scenario& scenario, const Core& recording) {

@@ -28,6 +28,10 @@ inline constexpr std::int64_t kRowsPlayedMax = 20'000'000;
 /// The first kRowsPlayedMax rows of a scenario's run.
 [[nodiscard]] RowBatches played_rows(const Core& core, const Scenario& scenario);
 
+/// The contacts of a whole run at these walls by its rows alone (contact_of_rows): which, and their steps.
+[[nodiscard]] std::vector<Contact> contacts_by_rows(const TimedRun& run, const Scenario& scenario,
+                                                    std::uint8_t walls);
+
 /// A run by the core, compared with the stored one.
 struct ComparedRun {
   Comparison comparison{};
