@@ -179,18 +179,6 @@ class Parts(FilesTest):
 
 
 class Interrupted(FilesTest):
-    def test_a_signal_leaves_nothing_and_an_older_result_as_it_was(self):
-        self.write("sweep.json", document(members=400_000, keep=ALL))
-        self.write("out.h5", "what was there before")
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            process = self.begin("sweep", "sweep.json", "-o", "out.h5", env=NO_CLUSTER)
-            while process.is_running and not (self.folder / ".out.h5.part").exists():
-                time.sleep(0.001)
-            process.send(number)
-            self.assertEqual(process.wait().exit_code, -number)
-            self.assertEqual(self.names(), ["out.h5", "sweep.json"])
-            self.assertEqual((self.folder / "out.h5").read_text(), "what was there before")
-
     def test_what_a_kill_leaves_is_no_result_and_goes_with_the_next_sweep(self):
         self.write("sweep.json", document(members=40_000, keep=ALL))
         with Process(PROGRAM, "sweep", "sweep.json", "--part=0/1", "-o", "out.h5", "--threads=1", cwd=self.folder, env=NO_CLUSTER) as process:

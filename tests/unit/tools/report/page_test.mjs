@@ -404,7 +404,7 @@ test('colours that meet differ to every eye and are read on their paper, light a
     for (const eye of Object.keys(eyes)) for (const names of [hues, [...ramp, 'ink', 'path']]) assert.ok(closest(palette, names, eye) >= 10, `${eye} ${names}: ${closest(palette, names, eye)}`);
     const levels = ramp.map(name => labOf(palette[name], 'all')[0]), shine = hex => times([0.2126, 0.7152, 0.0722, 0, 0, 0, 0, 0, 0], linear(hex))[0] + 0.05;
     assert.deepEqual(levels, levels.toSorted?.((a, b) => a - b) ?? [...levels].sort((a, b) => a - b));
-    for (const name of [...hues, ...ramp]) for (const paper of ['card', 'paper']) {
+    for (const name of [...hues, ...ramp, 'quiet', 'good', 'bad']) for (const paper of ['card', 'paper']) {
       const [low, high] = [palette[name], palette[paper]].map(shine).sort((a, b) => a - b);
       assert.ok(high / low >= 4.5, `${name} on ${paper}`);
     }
