@@ -135,20 +135,6 @@ def sand():
                     grain[1], grain[3], seen[i] = 50.0, 1, 1
 
 
-CLOCKWORK = scenario(clock={"rate_hz": 100, "jitter": {"kind": "missed_frames", "probability": 0.0, "seed": 1}})
-
-
-def clockwork():
-    angle, speed, left, h = 0.25, 0.0, 0.0, 1.0 / 240
-    for _ in range(301):
-        yield angle, speed, left
-        left += 1.0 / 100
-        while left >= h:
-            speed -= 30 * angle * h
-            angle += speed * h
-            left -= h
-
-
 LINKED = scenario()
 
 
@@ -171,7 +157,7 @@ def wide():
 
 
 LOOPS = {"balls": (BALLS, balls), "pet": (PET, pet), "platform": (PLATFORM, platform), "fixed": (FIXED, fixed),
-         "sand": (SAND, sand), "clockwork": (CLOCKWORK, clockwork), "linked": (LINKED, linked), "wide": (WIDE, wide)}
+         "sand": (SAND, sand), "linked": (LINKED, linked), "wide": (WIDE, wide)}
 
 # What is known of the step of each, traced.
 NO_NUMBER = "is no double, float, int or bool, and has no limits or names of at most 16 values"
@@ -181,7 +167,6 @@ STEPS = {
     "pet": f"not complete: bounces {NO_NUMBER}",
     "fixed": f"not complete: x {NO_NUMBER}",
     "sand": "not complete: memory outside the body: struct hyrax_core is not trivially copyable",
-    "clockwork": "not complete: more than 4,096 paths",
     "linked": "not complete: the step calls engine::game::tick",
     "wide": "not complete: more than 32 values",
 }
