@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -78,7 +79,7 @@ struct WideStep {
 
   // The first value that the path needs and that is off by more than this part of itself; kNoIndex: none.
   [[nodiscard]] StepIndex first_off(std::span<const double> rounded, double part, double least) const {
-    std::vector<bool> is_needed(values.size());
+    std::vector<std::uint8_t> is_needed(values.size());
     for (const StepIndex member : path->members) is_needed[member] = true;
     for (const StepOutcome& outcome : path->outcomes)
       is_needed[step.comparisons[outcome.comparison].left] =

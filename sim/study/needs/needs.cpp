@@ -106,21 +106,6 @@ bool comes_to_rest(const Script& script, const Rows& rows) {
   return anchor.at_rest_since_s(rows.end_s()).has_value();
 }
 
-// Enough frames to measure a step's time.
-constexpr std::int64_t kFramesTimedMax = 10'000;
-
-// A run to be timed, of one kernel whatever it leaves out. Its last row is stored, so that the compiler
-// cannot leave the run out.
-std::function<void()> timed(const Core& core, const Script& script, const ModelParts& parts) {
-  return [&script, constants = core.constants.value(), parts] {
-    State last;
-    play(
-        script, constants, parts, [&last](const ScriptFrame& frame) { last = frame.to; }, kFramesTimedMax);
-    volatile double sink = last.x_px + last.y_px;
-    static_cast<void>(sink);
-  };
-}
-
 std::vector<PartNeed> parts_of(const Script& script) {
   std::vector<PartNeed> parts;
   for (std::size_t part = 0; part < kModelPartCount; ++part)
@@ -136,7 +121,7 @@ std::vector<PartNeed> parts_of(const Script& script) {
 void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, const CostOptions& options,
                 const CostMeter& measure_costs) {
   if (needs.steps == 0) return;
-  Works works{timed(core, script, ModelParts())};
+  Works works{timed_run(core, script, ModelParts())};
   std::vector<PartNeed*> timed_parts;
   ModelParts needed;
   for (PartNeed& part : needs.parts) {
@@ -145,10 +130,10 @@ void take_times(const Core& core, ScenarioNeeds& needs, const Script& script, co
     if (!part.difference.is_same_bits) continue;
     ModelParts without_it;
     without_it.leave_out(*part.model_part);
-    works.push_back(timed(core, script, without_it));
+    works.push_back(timed_run(core, script, without_it));
     timed_parts.push_back(&part);
   }
-  works.push_back(timed(core, script, needed));
+  works.push_back(timed_run(core, script, needed));
   const Costs measured = costs_of(measure_costs(works, options));
   const auto steps = static_cast<double>(std::min(needs.steps, kFramesTimedMax));
   const Cost& complete = measured.costs.front();

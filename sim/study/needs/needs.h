@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -83,6 +84,14 @@ struct NeedsOptions {
 /// Plays the scenario with each part left out in turn, and times it.
 [[nodiscard]] ScenarioNeeds study_needs(const Core& core, const Scenario& scenario,
                                         const NeedsOptions& options, const CostMeter& measure_costs);
+
+/// Enough frames to measure a step's time.
+inline constexpr std::int64_t kFramesTimedMax = 10'000;
+
+/// Plays the script's first kFramesTimedMax frames when it is called, to be timed: of one kernel whatever it
+/// leaves out.
+[[nodiscard]] std::function<void()> timed_run(const Core& core, const Script& script,
+                                              const ModelParts& parts);
 
 [[nodiscard]] Need need_of(const PathDifference& difference, double within_px);
 
