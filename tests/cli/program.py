@@ -40,6 +40,7 @@ FLING = {
 ANOTHER_START = {"x_px": 1000, "y_px": 500, "vx_px_per_s": 1200, "vy_px_per_s": -400}
 
 
+is_long = unittest.skipUnless("HYRAX_LONG" in os.environ, "tools/test --all runs it")  # As a test of its own, labelled long.
 needs_page = unittest.skipUnless(os.environ.get("HYRAX_PAGE") == "1", "this program has no page; tools/test --all builds it")
 
 

@@ -5,7 +5,7 @@ import re
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling, is_long
 
 MEBIBYTE = 2**20
 
@@ -13,6 +13,7 @@ MEBIBYTE = 2**20
 class Memory(ProgramTest):
     """Memory does not grow with the size of the output."""
 
+    @is_long
     def test_a_million_contacts_in_a_billion_steps_take_little(self):
         # Wider than its window, the sprite is clamped by a side wall in every step.
         path = self.write("scenarios/tight.json", fling(window={"width_px": 100, "height_px": 1080}, steps=10**9, record={"every": 10**6}))

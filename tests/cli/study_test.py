@@ -5,7 +5,7 @@ import re
 
 import h5py
 
-from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling
+from program import AGREED, BAD_INPUT, CANNOT_ACCESS, DISAGREED, SOURCE, ProgramTest, fling, is_long
 
 HARD = SOURCE / "scenarios/hard"
 CALM = fling(name="calm", steps=900)
@@ -66,6 +66,7 @@ class Page(ProgramTest):
 
 
 class SpeedError(ProgramTest):
+    @is_long  # What it computes, by another clock: Results of unit.study.
     def test_scenarios_are_studied_too_and_drawn(self):
         self.write("mine.json", fling(name="mine", events=[{"step": 100, "fling": {"vx_px_per_s": -900, "vy_px_per_s": -900}}]))
         document = self.expect(AGREED, "study", "speed-error", "mine.json", "--quick", "--gate", "--json").json
