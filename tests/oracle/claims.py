@@ -189,7 +189,7 @@ def lossless_changes(seconds):
         vy = vy + gain
         y = y + moving * SIXTIETH_S
         vy = numpy.where((y < 0.0) | (y > BOTTOM_PX), -vy, vy)
-        y = y.clip(0.0, BOTTOM_PX)
+        y = numpy.minimum(numpy.maximum(y, 0.0), BOTTOM_PX)
         worst = numpy.maximum(worst, abs(kept + vy * vy / 2 + LAWS.gravity * (BOTTOM_PX - y) - first))
         if frame in [60 * each for each in seconds]:
             found.append(worst / first)
