@@ -91,6 +91,17 @@ class Causes(CauseTest):
             moved = sum(diff["contacts"].values())
             self.assertGreater(moved, 0)
             self.assertEqual((entry["class"], entry["contacts_moved"]), ("contacts", moved), path)
+        self.altered("position_before_velocity", "scenarios/edge.json", "-o", "now.h5", command=("run",))
+        documents = []
+        for every in (1, 7):
+            self.expect(AGREED, "run", "scenarios/edge.json", "-o", "before.h5", "--set", f"/record/every={every}")
+            documents.append(self.expect(DISAGREED, "diff", "before.h5", "now.h5", "--json").json)
+        self.assertEqual(documents[0]["contacts"], documents[1]["contacts"])
+        entry, = self.altered("clock_and_drag", "scenarios/edge.json", "--json").json["results"]
+        self.altered("clock_and_drag", "scenarios/edge.json", "-o", "now.h5", command=("run",))
+        diff = self.expect(DISAGREED, "diff", "golden/edge.h5", "now.h5", "--json").json
+        self.assertEqual((entry["class"], entry["max_px"], entry["contacts_moved"]),
+                         (diff["class"], diff["max_px"], sum(diff["contacts"].values())))
 
     def test_a_damaged_accepted_core_is_a_disagreement(self):
         (self.folder / "golden/core/step.txt").unlink()

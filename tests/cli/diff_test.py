@@ -183,7 +183,9 @@ class Diff(ProgramTest):
             file.attrs["state_hash"] = "0" * 32  # No core gives it again.
         document = self.expect(DISAGREED, "diff", "a100.h5", "b100.h5", "--json").json
         self.assertLess(document["max_px"], whole["max_px"])
-        self.assertIn(" in the rows that are known\n", self.expect(DISAGREED, "diff", "a100.h5", "b100.h5").out)
+        out = self.expect(DISAGREED, "diff", "a100.h5", "b100.h5").out
+        self.assertIn(" in the rows that are known\n", out)
+        self.assertIn(" -> unknown whether settled\n", out)
 
     def test_a_figure_shows_both_paths_and_their_distance(self):
         self.change("trajectory/x", 100, lambda value: value + 0.25)

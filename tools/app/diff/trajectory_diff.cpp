@@ -27,35 +27,40 @@ RowBatches batches_of(const TrajectoryFile& file) {
 // A file's rows for a distance: all of them, or where neither it holds them nor the core gives them, those
 // that it holds.
 struct FileRows {
-  TimedRun run;
-  bool are_played = false;
+  const TrajectoryFile& file;
+  std::optional<Core> core = {};  // That plays them.
   bool are_all = true;
+
+  [[nodiscard]] TimedRun run() const {
+    return {core ? played_rows(*core, file.head().scenario) : batches_of(file), file.inputs()};
+  }
 };
 FileRows rows_of(const Core& own_core, const TrajectoryFile& file) {
-  FileRows rows{{batches_of(file), file.inputs()}};
+  FileRows rows{file};
   if (file.holds_every_row()) return rows;
   const Scenario& scenario = file.head().scenario;
-  const std::optional<Core> core = with_parameters(own_core, scenario.parameters);
-  rows.are_all = rows.are_played = core && step_count(scenario) <= kRowsPlayedMax &&
-                                   hex(replay(*core, scenario).state_hash) == file.head().state_hash;
-  if (rows.are_played) rows.run.rows = played_rows(*core, scenario);
+  std::optional<Core> core = with_parameters(own_core, scenario.parameters);
+  rows.are_all = core && step_count(scenario) <= kRowsPlayedMax &&
+                 hex(replay(*core, scenario).state_hash) == file.head().state_hash;
+  if (rows.are_all) rows.core = std::move(core);
   return rows;
 }
 
 // @param by_rows the walls whose contacts are not those of the file.
-std::vector<Contact> contacts_of(const TrajectoryFile& file, const FileRows& rows, std::uint8_t by_rows) {
-  std::vector<Contact> contacts = file.contacts();
+std::vector<Contact> contacts_of(const FileRows& rows, std::uint8_t by_rows) {
+  std::vector<Contact> contacts = rows.file.contacts();
   if (by_rows == 0) return contacts;
   std::erase_if(contacts, [&](const Contact& contact) { return touches(by_rows, contact.wall); });
-  std::ranges::move(contacts_by_rows(rows.run, file.head().scenario, by_rows), std::back_inserter(contacts));
+  std::ranges::move(contacts_by_rows(rows.run(), rows.file.head().scenario, by_rows),
+                    std::back_inserter(contacts));
   std::ranges::sort(contacts, {}, order_of);
   return contacts;
 }
 
-RunEnd end_of(const TrajectoryFile& file) {
-  RunEnd end{.is_rest_known = file.holds_every_row()};
+RunEnd end_of(const FileRows& rows) {
+  RunEnd end{.is_rest_known = rows.are_all};
   std::optional<RestAnchor> anchor;
-  for (RowCursor cursor(batches_of(file)); !cursor.is_done(); cursor.next()) {
+  for (RowCursor cursor(rows.run().rows); !cursor.is_done(); cursor.next()) {
     end.row = cursor.row();
     if (!anchor)
       anchor = {end.row.x_px, end.row.y_px, end.row.t_s};
@@ -132,28 +137,28 @@ TrajectoryDiff diff_trajectories(const Core& core, const TrajectoryFile& a, cons
     if (diff.energy) diff.energy->add(row_a, row_b);
     draw(row_a, row_b);
   };
-  const bool are_played = rows_a.are_played || rows_b.are_played;
+  const bool are_played = rows_a.core || rows_b.core;
   const auto lone_step = walk_by_step(RowCursor(batches_of(a)), RowCursor(batches_of(b)),
                                       [&](const Row& row_a, const Row& row_b) {
                                         diff.values.compare(row_a, row_b);
                                         ++diff.rows_compared;
                                         if (!are_played) measure(row_a, row_b);
                                       });
-  if (are_played) walk_by_step(RowCursor(rows_a.run.rows), RowCursor(rows_b.run.rows), measure);
+  if (are_played) walk_by_step(RowCursor(rows_a.run().rows), RowCursor(rows_b.run().rows), measure);
   comparison.distance.largest = by_step.largest();
   if (by_step.has_other_dt()) {
     diff.energy.reset();
     if (overlay != nullptr) *overlay = Overlay();
-    comparison.distance = walk_equal_times(rows_of(core, a).run, rows_of(core, b).run, draw);
+    comparison.distance = walk_equal_times(rows_a.run(), rows_b.run(), draw);
   }
   comparison.distance.has_unknown_rows = !rows_a.are_all || !rows_b.are_all;
-  const std::vector<Contact> contacts_a = contacts_of(a, rows_a, other_walls);
-  const std::vector<Contact> contacts_b = contacts_of(b, rows_b, other_walls);
+  const std::vector<Contact> contacts_a = contacts_of(rows_a, other_walls);
+  const std::vector<Contact> contacts_b = contacts_of(rows_b, other_walls);
   diff.values.compare(contacts_a, contacts_b);
   comparison.first = diff.values.first();
   comparison.contacts = diff.values.contacts();
-  comparison.expected_end = end_of(a);
-  comparison.actual_end = end_of(b);
+  comparison.expected_end = end_of(rows_a);
+  comparison.actual_end = end_of(rows_b);
   diff.contacts_total_a = other_walls == 0 ? a.contacts_total() : std::ssize(contacts_a);
   diff.contacts_total_b = other_walls == 0 ? b.contacts_total() : std::ssize(contacts_b);
   comparison.shape = difference_in_shape(a, b, tolerance, diff, lone_step);

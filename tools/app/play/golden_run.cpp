@@ -135,15 +135,19 @@ void measure_whole(const Core& core, const StoredRun& kept, const Scenario& scen
     distance.has_unknown_rows = true;
     return;
   }
-  const TimedRun expected{
-      whole.core != nullptr ? played_rows(*whole.core, kept.scenario) : batches_of(kept.rows), kept.inputs};
-  const TimedRun played{played_rows(core, scenario), inputs_of(scenario, step_count(scenario))};
+  const auto expected = [&]() -> TimedRun {
+    return {whole.core != nullptr ? played_rows(*whole.core, kept.scenario) : batches_of(kept.rows),
+            kept.inputs};
+  };
+  const auto actual = [&]() -> TimedRun {
+    return {played_rows(core, scenario), inputs_of(scenario, step_count(scenario))};
+  };
   if (other_walls != 0)
-    add_contacts(contact_changes(contacts_by_rows(expected, kept.scenario, other_walls),
-                                 contacts_by_rows(played, scenario, other_walls)),
+    add_contacts(contact_changes(contacts_by_rows(expected(), kept.scenario, other_walls),
+                                 contacts_by_rows(actual(), scenario, other_walls)),
                  comparison);
   if (!distance.is_at_equal_times) return;
-  distance = walk_equal_times(expected, played);
+  distance = walk_equal_times(expected(), actual());
   if (std::min(kept.steps, step_count(scenario)) > kRowsPlayedMax) distance.rows_max = kRowsPlayedMax;
 }
 

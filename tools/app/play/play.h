@@ -25,7 +25,7 @@ namespace hyrax {
 /// So many rows are played where no file holds them: a file of any origin may be of a far longer run.
 inline constexpr std::int64_t kRowsPlayedMax = 20'000'000;
 
-/// The first kRowsPlayedMax rows of a scenario's run.
+/// The first kRowsPlayedMax rows of a scenario's run. They are read once: copies share what is left.
 [[nodiscard]] RowBatches played_rows(const Core& core, const Scenario& scenario);
 
 /// The contacts of a whole run at these walls by its rows alone (contact_of_rows): which, and their steps.
