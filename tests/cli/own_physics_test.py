@@ -217,6 +217,8 @@ class OwnPhysics(InstalledPackage):
         header = (EXAMPLE / "elastic_box.h").read_text(encoding="utf-8")
         for edited, command, says in (
                 (header.replace("double m_vx, m_vy;", "double m_vx, m_vy; physics(const physics&);"), (), "class physics must be trivially copyable"),
+                (header.replace("resetVelocity", "halt"), (), "hyrax: class physics has no void resetVelocity()"),
+                ("struct hyrax_core {};", (), "hyrax: the header has no global class physics"),
                 (header, ("add_compile_options(-ffast-math",), "-ffast-math changes the bits of the core"),
                 (header, ("add_compile_definitions(_M_FP_FAST",), "-ffast-math changes the bits of the core"),  # MSVC's /fp:fast.
                 (header, ("add_compile_definitions(_GLIBCXX_DEBUG",), "-D_GLIBCXX_DEBUG gives containers another layout")):
