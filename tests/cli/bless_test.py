@@ -77,7 +77,8 @@ class Bless(ProgramTest):
         command = (PROGRAM, "bless", "scenarios/c", "--reason", "x", "--prune")
         (self.folder / "scenarios/new.json").unlink()
         shutil.rmtree(self.folder / "golden/core")
-        outcome = run("sh", "-c", 'ulimit -f 180; exec "$@"', "sh", *command, cwd=self.folder)
+        small_disk = ("sh", "-c", 'ulimit -f 180; exec "$@"', "sh", *command)
+        outcome = run(*small_disk, cwd=self.folder)
         self.assertEqual(outcome.exit_code, CANNOT_ACCESS, outcome)
         self.assertIn("golden/c/long.h5: cannot be written: File too large\nhyrax-sim bless: 1 of 2 scenarios blessed, "
                       "1 could not be written; the same command completes it\n", outcome.err)
@@ -85,6 +86,8 @@ class Bless(ProgramTest):
         self.assertNotIn("removed", outcome.out)
         self.assertEqual(self.names("golden/c"), ["old.h5", "old.txt", "short.h5", "short.txt"])
         self.assertFalse((self.folder / "golden/core").exists())
+        document = run(*small_disk, "--json", cwd=self.folder).json
+        self.assertEqual((document["failed"], document["written"]), (1, False))
         self.expect(AGREED, *command[1:])
         self.expect(AGREED, "check", "scenarios/c")
 

@@ -140,7 +140,7 @@ Json bless_json(const BlessReport& report, Json::Array groups) {
   for (const BlessStatus status : {BlessStatus::fresh, BlessStatus::changed, BlessStatus::unchanged,
                                    BlessStatus::refused, BlessStatus::failed})
     document.emplace_back(name_of(status), report.count(status));
-  document.emplace_back("written", report.is_written);
+  document.emplace_back("written", report.is_written && report.count(BlessStatus::failed) == 0);
   const std::vector<std::string>& removed = report.pruning.removed;
   document.emplace_back("pruned", Json::Array(removed.begin(), removed.end()));
   document.emplace_back("cores", list_of(report.cores, [](const CoreAcceptance& core) {
