@@ -130,7 +130,9 @@ struct ContactChangesOf {
   std::vector<Moved> moved = {};
   std::vector<C> only_a = {};
   std::vector<C> only_b = {};
-  bool is_cut = false;  ///< A list holds no more (kContactsRecordedMax): compared up to its end.
+  /// A list holds no more (kContactsRecordedMax), and is compared up to its end; or of a wall none are
+  /// compared.
+  bool is_cut = false;
   [[nodiscard]] bool is_none() const { return total() == 0; }
   [[nodiscard]] std::int64_t total() const { return counts().total(); }
   [[nodiscard]] ContactCounts counts() const {

@@ -139,6 +139,7 @@ Comparison RunComparer::finish(const Scenario& scenario, std::string_view physic
     return contacts;
   };
   result_.contacts = contact_changes(of_one_source(kept_.contacts), of_one_source(contacts()));
+  result_.contacts.is_cut |= other_walls_ != 0;
   compare_ends(summary.final);
   if (!result_.first && result_.contacts.is_none() && other_walls_ == 0) {
     result_.first = first_difference(kept_.contacts, contacts());

@@ -130,7 +130,7 @@ std::string distance_text(const Distance& distance, std::string_view left_out) {
 }
 
 std::string contacts_text(const ContactCounts& contacts) {
-  if (contacts.total() == 0) return contacts.is_cut ? "no recorded contact moved" : "no contact moved";
+  if (contacts.total() == 0) return contacts.is_cut ? "no compared contact moved" : "no contact moved";
   std::string text;
   for (const auto& [count, what] :
        {std::pair(contacts.moved, "moved"), {contacts.vanished, "vanished"}, {contacts.appeared, "appeared"}})

@@ -19,13 +19,14 @@ bool is_non_finite(const DifferenceGroup& group) { return group.cause.kind == Ca
 // Three digits say how far; more are in the JSON document.
 std::string px_text(double px) { return rounded(px, 3) + " px"; }
 
-// Contacts that moved are of no wider class where the rows are not known.
+// Contacts that moved are of no wider class where the rows are not known; others are not compared.
 std::string_view class_text(const DifferenceGroup& group) {
   switch (group.difference) {
     case DifferenceClass::rounding:
       return "Rounding only";
     case DifferenceClass::values:
-      return group.contacts.total() > 0 ? "Values differ" : "Values differ, contacts do not";
+      return group.contacts.is_cut || group.contacts.total() > 0 ? "Values differ"
+                                                                 : "Values differ, contacts do not";
     case DifferenceClass::contacts:
       return "Contacts differ";
     case DifferenceClass::shape:

@@ -112,13 +112,17 @@ struct Playing {
   bool can_expand = true;  ///< Else as with a changed core, which does not give the kept rows again.
   bool skips_repetition = true;
   std::string_view physics = kPhysicsModel;
+  int other_walls = 0;
 };
 
 inline Comparison compare(const StoredRun& kept, const Scenario& scenario, const Playing& playing = {}) {
-  RunComparer comparer(kept, [&](const StoredBlock& block) {
-    RowBlock rows = expand(kept.scenario, block);
-    return playing.can_expand ? std::move(rows) : with_fault_at(rows, 1, one_ulp(1, "vy").change);
-  });
+  RunComparer comparer(
+      kept,
+      [&](const StoredBlock& block) {
+        RowBlock rows = expand(kept.scenario, block);
+        return playing.can_expand ? std::move(rows) : with_fault_at(rows, 1, one_ulp(1, "vy").change);
+      },
+      playing.other_walls);
   const ReplayOptions options{.skips_repetition = playing.skips_repetition};
   RunSummary summary;
   if (playing.fault) {

@@ -33,6 +33,16 @@ TEST_F(ShortRun, AgreesWithItselfAndWithTheSameScenarioOfOtherTexts) {
   }
 }
 
+TEST_F(ShortRun, ContactsOfAWallThatHaveTwoSourcesAreNotComparedWhichItSays) {
+  kept_.contacts.clear();
+  for (const int other_walls : {0, static_cast<int>(Wall::ground)}) {
+    const Comparison comparison = compare(kept_, scenario_, {.other_walls = other_walls});
+    EXPECT_EQ(comparison.contacts.is_cut, other_walls != 0);
+    for (const Contact& contact : comparison.contacts.only_b)
+      EXPECT_EQ(static_cast<int>(contact.wall) & other_walls, 0);
+  }
+}
+
 // And shown with two rows on either side.
 TEST_F(ShortRun, AFaultOfOneUlpIsFoundAtItsStepAndField) {
   for (const std::int64_t step : {std::int64_t{0}, std::int64_t{1}, kSteps / 2, kSteps - 1, kSteps})

@@ -244,12 +244,15 @@ TEST(FullContacts, AreSaidToBeTheFewestThatMoved) {
   ContactChanges& contacts = scenario.comparison.contacts;
   contacts.is_cut = true;
   CoreChecks cores(shipped_core(), {}, "");
-  for (const std::string text : {"no recorded contact moved", "at least 3 contacts moved"}) {
+  for (const std::string text : {"no compared contact moved", "at least 3 contacts moved"}) {
     const DifferenceGroup group = group_by_cause({&scenario}, cores).front();
     EXPECT_TRUE(consequence_sentence(group).ends_with("no position differs, " + text + "."));
     EXPECT_EQ(scenario.consequence(), "no position differs, " + text);
     contacts.moved.resize(3);
   }
+  scenario.comparison.difference = DifferenceClass::values;
+  EXPECT_TRUE(consequence_sentence(group_by_cause({&scenario}, cores).front())
+                  .starts_with("Values differ (class values)"));
 }
 
 // A core whose header includes files, which are kept and compared.
