@@ -6,16 +6,23 @@ A Makefile of a target knows what another target makes as a file, which must be 
 import os
 import pathlib
 import re
+import shutil
 import tempfile
 import unittest
 
-from process import skip_unless_installed, succeed
+from process import run, skip_unless_installed, succeed
 from program import SOURCE
 
 RULE = re.compile(r"^([^\s#:=][^:=]*):\s+(\S+)$", re.MULTILINE)
 
 
 class Targets(unittest.TestCase):
+    def test_a_project_whose_path_is_a_pattern_is_refused(self):
+        for name in ("[2]", "a*", "b?"):
+            with tempfile.TemporaryDirectory(prefix=name) as folder:
+                shutil.copy(SOURCE / "CMakeLists.txt", folder)
+                self.assertRegex(run("cmake", "-S", folder, "-B", f"{folder}/build").err, r"the path\s+of\s+the\s+project\s+must\s+not\s+have")
+
     def test_a_file_that_a_target_needs_is_made_by_it_or_by_a_target_that_is_built_before(self):
         skip_unless_installed("make")
         with tempfile.TemporaryDirectory() as folder:
