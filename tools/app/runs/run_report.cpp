@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/core/core.h"
 #include "sim/result/number_text.h"
@@ -106,8 +107,10 @@ void print_motion(const Core& core, const RunSummary& summary) {
   const std::string walls = core.sources();
   print_text("  contacts       {}{}{}\n", contacts_text(summary), walls.empty() ? "" : "; " + walls,
              why.empty() ? "" : fmt::format(": the core's step is not complete: {}", why));
-  print_text("  end            x {:.6g} px, y {:.6g} px, vx {:.6g} px/s, vy {:.6g} px/s\n",
-             summary.final.x_px, summary.final.y_px, summary.final.vx_px_per_s, summary.final.vy_px_per_s);
+  const auto text = [](double value) { return std::isnan(value) ? "NaN" : fmt::format("{:.6g}", value); };
+  const Row& end = summary.final;
+  print_text("  end            x {} px, y {} px, vx {} px/s, vy {} px/s\n", text(end.x_px), text(end.y_px),
+             text(end.vx_px_per_s), text(end.vy_px_per_s));
   if (summary.at_rest_since_s)
     print_text("  settled        since {:.6g} s\n", *summary.at_rest_since_s);
   else

@@ -232,7 +232,8 @@ std::optional<ShrunkRun> from_line(const std::string& line) {
 
 ShrunkRun shrink_run(const Core& core, const std::string& path, const Scenario& scenario,
                      const ShrinkLimits& limits) {
-  const std::optional<Core> accepted = accepted_step(golden_folder_of(path), core);
+  const std::string golden = golden_folder_of(path);
+  const std::optional<Core> accepted = accepted_step(golden, core);
   const SteadyClock::time_point end =
       SteadyClock::now() + std::chrono::milliseconds(std::llround(1e3 * std::min(limits.search_s, 1e9)));
   const auto search_in = [&](bool is_guarded) {
@@ -246,8 +247,10 @@ ShrunkRun shrink_run(const Core& core, const std::string& path, const Scenario& 
         "{}: nothing to keep: the run ends, stays finite, and breaks neither `expect` (state_hash aside) nor "
         "an invariant; {}",
         path,
-        accepted ? "the accepted core gives the same bits"
-                 : "there is no accepted core that can be played (see `hyrax-sim check --core`)"));
+        accepted         ? "the accepted core gives the same bits"
+        : golden.empty() ? "it is below no folder named scenarios, so that it has no accepted core"
+                         : "there is no accepted core that can be played in " + accepted_core_folder(golden) +
+                               " (see `hyrax-sim check --core`)"));
   return *std::move(run);
 }
 

@@ -50,8 +50,13 @@ std::string run_texts() {
   run.output = "run.csv";
   testing::internal::CaptureStdout();
   print_run(core, run, {});
-  return section("a run", testing::internal::GetCapturedStdout()) +
-         section("its entry", to_text(run_json(core, run), 1));
+  const std::string text = section("a run", testing::internal::GetCapturedStdout()) +
+                           section("its entry", to_text(run_json(core, run), 1));
+  run.summary.final.x_px = -std::numeric_limits<double>::quiet_NaN();
+  testing::internal::CaptureStdout();
+  print_run(core, run, {});
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("end            x NaN px, y "), std::string::npos);
+  return text;
 }
 
 std::string refusals() {

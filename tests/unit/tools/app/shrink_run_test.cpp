@@ -189,7 +189,8 @@ TEST_F(ShrinkRun, KeepsOtherBitsThanTheAcceptedCores) {
 TEST_F(ShrinkRun, WithoutAnythingToKeepIsRefused) {
   Scenario scenario = fling_at(60.0, 9);
   scenario.expect.emplace().state_hash = std::string(32, '0');
-  EXPECT_NE(refusal(shipped_core(), scenario).find("there is no accepted core that can be played"),
+  EXPECT_NE(refusal(shipped_core(), scenario)
+                .find("there is no accepted core that can be played in " + folder_.at("golden/core")),
             std::string::npos);
 }
 
