@@ -14,10 +14,7 @@ namespace hyrax {
 /// A core whose state is one place; what is derived from it says how that moves.
 struct OnePlace {
   double x = 0.0;
-  template <class See>
-  void state(See&& see) {
-    see("x_px", x);
-  }
+  void state(auto&& see) { see("x_px", x); }
 };
 
 template <class Core>

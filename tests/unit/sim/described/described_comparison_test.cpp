@@ -20,8 +20,7 @@ struct Car {
   std::int32_t odometer_m = 0;
   bool touches = false;
   void step(double dt_s) { x_px += v_px_per_s * dt_s; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x_px);
     see("y_px", y_px);
     see("v_px_per_s", v_px_per_s);
@@ -29,12 +28,8 @@ struct Car {
     see("gear", gear, {"neutral", "drive"});
     see("odometer_m", odometer_m);
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("wall", touches);
-  }
-  template <class See>
-  void actions(See&& see) {
+  void contacts(auto&& see) const { see("wall", touches); }
+  void actions(auto&& see) {
     see("jump", [&] { x_px += 1000.0; });
   }
 };

@@ -21,30 +21,21 @@ struct Glider {
     is_far = x > 30.0;
     ++count;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("kite.x_px", x);
     see("kite.y_px", y);
     see("speed_px_per_s", speed);
     see("count", count);
   }
-  template <class See>
-  void inputs(See&& see) {
+  void inputs(auto&& see) {
     see("width_px", width);
     see("height_px", height);
   }
-  template <class See>
-  void actions(See&& see) {
+  void actions(auto&& see) {
     see("turn", [&] { speed = -speed; });
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("far", is_far);
-  }
-  template <class See>
-  void outputs(See&& see) const {
-    see("twice_px_per_s", 2.0 * speed);
-  }
+  void contacts(auto&& see) const { see("far", is_far); }
+  void outputs(auto&& see) const { see("twice_px_per_s", 2.0 * speed); }
 };
 
 /// REQUIRES: the scenario outlives the picture.
@@ -71,8 +62,7 @@ struct Moody {
   double x = 0.0, y = 0.0;
   int mood = 0, pose = 0, laps = 0;
   void step(double dt_s) { x += 60.0 * dt_s, mood = x > 3.0 ? 1 : 0, ++laps; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("y_px", y);
     see("mood", mood, {"calm", "wild"});
@@ -85,16 +75,14 @@ struct Marbles {
   double x = 0.0, y = 0.0, other_x = 50.0, other_y = 0.0;
   int count = 0;
   void step(double /*dt_s*/) { ++count; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("a.x_px", x);
     see("a.y_px", y);
     see("b.x_px", other_x);
     see("b.y_px", other_y);
     see("count", count);
   }
-  template <class See>
-  void contacts(See&& see) const {
+  void contacts(auto&& see) const {
     see("a_floor", count == 1);
     see("a_b", count == 3);
     see("click", count == 5);
@@ -105,8 +93,7 @@ template <std::size_t kBalls>
 struct Balls {
   std::array<double, kBalls> x = {}, y = {}, spin = {};
   void step(double /*dt_s*/) {}
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("y_px", y);
     see("spin", spin);

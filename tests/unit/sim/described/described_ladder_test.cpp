@@ -18,17 +18,12 @@ struct Faller {
     vy += kGravity_px_per_s2 * dt_s;
     y += vy * dt_s + drift;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("y_px", y);
     see("vy_px_per_s", vy);
   }
-  template <class See>
-  void parameters(See&& see) {
-    see("drift", drift);
-  }
-  template <class See>
-  void actions(See&& see) {
+  void parameters(auto&& see) { see("drift", drift); }
+  void actions(auto&& see) {
     see("lift", [&] { y -= 50.0; });
   }
 };

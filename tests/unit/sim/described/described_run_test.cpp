@@ -23,39 +23,28 @@ struct Bouncer {
     floor = y > 10.0;
     if (floor) y = 10.0, vy = -vy;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("y_px", y);
     see("vy_px_per_s", vy);
     see(
         "order", [&] { return order; }, [&](int given) { order = order * 10 + given; });
   }
-  template <class See>
-  void inputs(See&& see) {
+  void inputs(auto&& see) {
     see("push", push);
     see(
         "input_order", [&] { return order; }, [&](int given) { order = order * 10 + given; });
   }
-  template <class See>
-  void parameters(See&& see) {
+  void parameters(auto&& see) {
     see("gravity", gravity);
     see(
         "parameter_order", [&] { return order; }, [&](int given) { order = order * 10 + given; });
   }
-  template <class See>
-  void actions(See&& see) {
+  void actions(auto&& see) {
     see("kick", [&](double speed) { vy = speed; }, {"speed_px_per_s"});
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("floor", floor);
-  }
-  template <class See>
-  void outputs(See&& see) const {
-    see("height_px", 10.0 - y);
-  }
-  template <class See>
-  void properties(See&& see) const {
+  void contacts(auto&& see) const { see("floor", floor); }
+  void outputs(auto&& see) const { see("height_px", 10.0 - y); }
+  void properties(auto&& see) const {
     see.always("above the floor", y <= 10.0);
     see.sometimes("fast", vy > 40.0);
     see.always("never up", vy >= 0.0);
@@ -137,16 +126,12 @@ struct Follower {
   int wanted = 0;
   int seen = 0;
   void step(double /*dt_s*/) { seen = wanted; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("seen", seen);
     see(
         "now", [&] { return wanted; }, [&](int /*given*/) {});
   }
-  template <class See>
-  void inputs(See&& see) {
-    see("wanted", wanted);
-  }
+  void inputs(auto&& see) { see("wanted", wanted); }
 };
 
 TEST(DescribedRun, AnInputArrayGivesAValueForEachFrameHeldOrNot) {
@@ -178,8 +163,7 @@ struct Mixed {
     x = frame == 5000 ? -std::numeric_limits<double>::quiet_NaN() : x + 0.25;
     mood = b ? Mood::low : Mood::high;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("f", f);
     see("i", i);
@@ -187,8 +171,7 @@ struct Mixed {
     see("b", b);
     see("mood", mood);
   }
-  template <class See>
-  void contacts(See&& see) const {
+  void contacts(auto&& see) const {
     for (int flag = 0; flag < 10; ++flag) see("c" + std::to_string(flag), frame % (flag + 1) == 0);
   }
 };
@@ -247,8 +230,7 @@ struct Thrower : OnePlace {
     x += 1.0;
     if (x == 5.0) throw std::runtime_error("out of fuel");
   }
-  template <class See>
-  void properties(See&& see) const {
+  void properties(auto&& see) const {
     see.always("p", x < 3.0 || x > 7.0 || (rows_left > 3 ? throw 1 : true));
   }
 };
@@ -281,8 +263,7 @@ struct Overflowing {
     if (++frame == 100) x *= 10.0;
     if (frame == 102) throw std::runtime_error("too late");
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x", x);
     see("frame", frame);
   }
@@ -300,10 +281,7 @@ template <std::size_t kElements>
 struct Changeable {
   std::vector<double> xs{1.0, 2.0};
   void step(double /*dt_s*/) { xs.resize(kElements); }
-  template <class See>
-  void state(See&& see) {
-    see("xs_px", xs);
-  }
+  void state(auto&& see) { see("xs_px", xs); }
 };
 TEST(DescribedRun, ARangeWhoseLengthChangesEndsIt) {
   RowsForTest rows;
@@ -324,8 +302,7 @@ struct Slider {
   void step(double /*dt_s*/) {
     if (++frame <= 60) x += 1.0;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("frame", frame);
   }

@@ -16,19 +16,14 @@ struct Sled {
     x += v * dt_s;
     is_far = x > 100;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("v_px_per_s", v);
   }
-  template <class See>
-  void actions(See&& see) {
+  void actions(auto&& see) {
     see("push", [&](double by) { v += by; }, {"by_px_per_s"});
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("far", is_far);
-  }
+  void contacts(auto&& see) const { see("far", is_far); }
 };
 
 // As recorded, then changed by `alter`.

@@ -20,8 +20,7 @@ struct Timer {
   void step(double dt_s) {
     if (++timer > 300) x += 100.0 * dt_s;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     if (kIsDeclared) see("timer", timer);
   }
@@ -45,8 +44,7 @@ struct Pulse {
     x += pulse;
     pulse = ++row == 20 ? 1.0 : 0.0;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("row", row);
     if (kIsDeclared) see("pulse", pulse);
@@ -73,13 +71,11 @@ struct Boost {
   double x = 0.0;
   double boost = 0.0;
   void step(double dt_s) { x += boost * dt_s; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     if (kIsDeclared) see("boost", boost);
   }
-  template <class See>
-  void actions(See&& see) {
+  void actions(auto&& see) {
     see("boost", [&] { boost += 1.0; });
   }
 };
@@ -101,8 +97,7 @@ struct Counting {
     static int shared = 0;
     x += (kIsStatic ? ++shared : ++own) % 7 * dt_s;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("own", own);
   }
@@ -140,15 +135,11 @@ struct EndsEarly {
     if (++row == 5) x /= 0.0;
     if (row == 8) gravity += 1.0;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("row", row);
   }
-  template <class See>
-  void parameters(See&& see) {
-    see("gravity", gravity);
-  }
+  void parameters(auto&& see) { see("gravity", gravity); }
 };
 TEST(DescriptionCheck, LooksAtNothingBehindTheEndOfTheRun) {
   const DescribedCore core = core_for_test<EndsEarly>();
@@ -162,10 +153,7 @@ struct SelfPointer {
   std::vector<double> xs{0.0, 0.0};
   double* chosen = xs.data();
   void step(double dt_s) { (kIsPointer ? chosen : xs.data())[0] += 100.0 * dt_s; }
-  template <class See>
-  void state(See&& see) {
-    see("x_px", xs);
-  }
+  void state(auto&& see) { see("x_px", xs); }
 };
 TEST(DescriptionCheck, FindsAMemberThatPointsIntoTheCore) {
   EXPECT_EQ(fault<SelfPointer<false>>(), "");
@@ -179,8 +167,7 @@ template <bool kRounds>
 struct Rounding {
   double spin = 0.0;
   void step(double dt_s) { spin += dt_s; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see(
         "spin", [&] { return spin; }, [&](double given) { spin = kRounds ? std::round(given) : given; });
   }
@@ -203,8 +190,7 @@ template <bool kIsInput>
 struct Meddling {
   double x = 1.0, turns = 0.0, push = 1.0;
   void step(double dt_s) { x += push * dt_s, turns += dt_s; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see(
         "turns", [&] { return turns; },
@@ -213,10 +199,7 @@ struct Meddling {
           (kIsInput ? push : x) += 1.0;
         });
   }
-  template <class See>
-  void inputs(See&& see) {
-    see("push", push);
-  }
+  void inputs(auto&& see) { see("push", push); }
 };
 TEST(DescriptionCheck, NamesTheSetterThatChangesAnotherValue) {
   EXPECT_EQ(fault<Meddling<false>>(), "the setter of turns changes x_px, which is set before it, at row 0");
@@ -227,8 +210,7 @@ struct Swapping {
   double x = 1.0, y = 2.0;
   bool is_turned = false;
   void step(double /*dt_s*/) { is_turned = !is_turned; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see(is_turned ? "y" : "x", is_turned ? y : x);
     see(is_turned ? "x" : "y", is_turned ? x : y);
     see("turned", is_turned);
@@ -246,10 +228,7 @@ struct Drifting : OnePlace {
     x += gravity * dt_s;
     if (kChanges && x > 0.05) gravity += 1.0;
   }
-  template <class See>
-  void parameters(See&& see) {
-    see("gravity", gravity);
-  }
+  void parameters(auto&& see) { see("gravity", gravity); }
 };
 TEST(DescriptionCheck, FindsAParameterThatChanges) {
   EXPECT_EQ(fault<Drifting<false>>(), "");
@@ -261,10 +240,7 @@ TEST(DescriptionCheck, FindsAParameterThatChanges) {
 struct HiddenContact : OnePlace {
   int frame = 0;
   void step(double /*dt_s*/) { ++frame; }
-  template <class See>
-  void contacts(See&& see) const {
-    see("late", frame > 10);
-  }
+  void contacts(auto&& see) const { see("late", frame > 10); }
 };
 TEST(DescriptionCheck, ComparesContacts) {
   EXPECT_EQ(fault<HiddenContact>(),
@@ -278,8 +254,7 @@ struct Undeclared {
   double x = 0.0;
   unsigned seed = 1;
   void step(double /*dt_s*/) { x += (seed = seed * 1664525U + 1013904223U) % 3U; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see.undeclared("seed");
   }
@@ -294,14 +269,8 @@ struct OneShot {
     if (jump) y += 10.0;
     jump = false;
   }
-  template <class See>
-  void state(See&& see) {
-    see("y_px", y);
-  }
-  template <class See>
-  void inputs(See&& see) {
-    see("jump", jump);
-  }
+  void state(auto&& see) { see("y_px", y); }
+  void inputs(auto&& see) { see("jump", jump); }
 };
 TEST(DescriptionCheck, HoldsWithInputsThatTheCoreChangesAndWhileHeld) {
   DescribedScenario scenario = scenario_for_test(50);

@@ -21,8 +21,7 @@ struct Sided {
   static void parameters(int /*unused*/) {}
   FormSide side = FormSide::right, other = FormSide::left;
   void step(double /*dt_s*/) { other = side; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("side", side, {"left", "right"});
     see("other", other, {FormSide::left, FormSide::right});
   }
@@ -31,8 +30,7 @@ struct Sided {
 struct Grain {
   double x = 0.0;
   bool is_on = true;
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("is_on", is_on);
   }
@@ -57,8 +55,7 @@ struct AllForms {
 
   void step(double dt_s) { dt += dt_s; }
 
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("bits", bits);
     see("grains", grains);
     see("grid", grid, {0, 5});
@@ -75,29 +72,22 @@ struct AllForms {
     see("dt_s", dt);
     see.undeclared("generator");
   }
-  template <class See>
-  void inputs(See&& see) {
-    see("push", bits[0] ? plain[0] : plain[1]);
-  }
-  template <class See>
-  void actions(See&& see) {
+  void inputs(auto&& see) { see("push", bits[0] ? plain[0] : plain[1]); }
+  void actions(auto&& see) {
     see("mix", [&](float a, FormPose b, const int& c) { real = a, pose = b, big = c; }, {"a", "b", "c_px"});
     see("rack", [this]() noexcept { real = 9.0F; });
   }
-  template <class See>
-  void contacts(See&& see) const {
+  void contacts(auto&& see) const {
     see("first", static_cast<bool>(bits[0]));
     see("pointer", &real);
   }
-  template <class See>
-  void outputs(See&& see) const {
+  void outputs(auto&& see) const {
     see("twice", real * 2.0F);
     see("constant", constant);
     see("copies", grains);
     see("temporaries", std::vector<double>{1.0, 2.0});
   }
-  template <class See>
-  void properties(See&& see) const {
+  void properties(auto&& see) const {
     see.always("a is so", real < 1.0F);
     see.sometimes("b is shown", bits[1]);
   }
@@ -204,8 +194,7 @@ struct MembersWithoutInitializer {
   double x;
   int count;
   void step(double dt_s) { x += dt_s; }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("count", count);
   }

@@ -15,8 +15,7 @@ struct Pendulum {
     turn_rad_per_s -= 9.81 * angle_rad * dt_s;
     angle_rad += turn_rad_per_s * dt_s;
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("angle_rad", angle_rad);
     see("turn_rad_per_s", turn_rad_per_s);
   }

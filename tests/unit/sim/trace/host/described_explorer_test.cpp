@@ -47,8 +47,7 @@ struct Geared {
   Real x = 0.0;
   Lever lever = {};
   void step(const Real& dt) { x += dt * (lever - Real(1.0)) + (dt > lever ? lever * 2 : lever); }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("lever", lever, {"low", "high"});
   }
@@ -71,31 +70,20 @@ struct Core {
     mood = floor ? Mood::wild : mood;
     change.end(*this);
   }
-  template <class See>
-  void state(See&& see) {
+  void state(auto&& see) {
     see("x_px", x);
     see("v_px_per_s", v);
     see("hits", hits);
     see("mood", mood, {"calm", "wild", "tired"});
     change.declare(see);
   }
-  template <class See>
-  void inputs(See&& see) {
-    see("wind_px_per_s", wind, {-10.0, 10.0});
-  }
-  template <class See>
-  void parameters(See&& see) {
-    see("gravity_px_per_s2", gravity);
-  }
-  template <class See>
-  void actions(See&& see) {
+  void inputs(auto&& see) { see("wind_px_per_s", wind, {-10.0, 10.0}); }
+  void parameters(auto&& see) { see("gravity_px_per_s2", gravity); }
+  void actions(auto&& see) {
     see("kick", [&](Real up, Truth hard) { v = hard ? -up * 2 : -up; }, {"up_px_per_s", "hard"});
     see("rest", [&] { v = 0, change.rest(); });
   }
-  template <class See>
-  void contacts(See&& see) const {
-    see("floor", floor);
-  }
+  void contacts(auto&& see) const { see("floor", floor); }
 };
 struct Nothing {
   static Real fall(const Real& gravity, const Real& dt) { return gravity * dt; }
@@ -271,20 +259,13 @@ TEST_F(DescribedExplorer, TakesWhatIsDeclared) {
 struct Rolls {
   Real x = 0.0;
   void step(const Real& dt) { x += dt; }
-  template <class See>
-  void state(See&& see) {
-    see("x", x);
-  }
+  void state(auto&& see) { see("x", x); }
 };
 struct ReadsAndChanges : Rolls {
-  template <class See>
-  void outputs(See&& see) {
-    see("more", x += 1);
-  }
+  void outputs(auto&& see) { see("more", x += 1); }
 };
 struct TakesAKind : Rolls {
-  template <class See>
-  void actions(See&& see) {
+  void actions(auto&& see) {
     see("turn", [](Mood) {}, {"mood"});
   }
 };
