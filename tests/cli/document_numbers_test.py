@@ -58,7 +58,7 @@ STATED = (
             ("run", "it could not be installed or built."), ("check", "hyrax-sim could not be built."))),
         ("tools/files/scenario.schema.json", "exit {} where it does not hold", "disagreed"),
         ("tools/hyrax-sim/check.cpp", "notices; exit code {} if there is one", "disagreed"),
-        (PAGE, "ends with exit code {}. After an edit", "cannot_access"), (PAGE, "end with exit code {}, and the page says", "program_fault"),
+        (PAGE, "ends with exit code {}. After an edit", "cannot_access"),
         (OWN, "ends with exit code {} for any other", "bad_input"), (OWN, "refuse\n(exit code {}) and say", "bad_input"),
         (OWN, "What is found ends with exit code {}", "disagreed"),
         (OWN, "while it runs ends with exit code {}, one that throws with {}.", "not_strict_ieee, disagreed"), ("CHANGELOG.md", "rounds ends with exit code {}", "not_strict_ieee"),
